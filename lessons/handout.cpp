@@ -63,12 +63,12 @@ std::string headingOf(const Page& page, std::size_t number) {
 
 // The equation that the window shows beside the page: of the picked pixel, in the page's channel.
 std::string equationHtml(const Page& page, const pipeline::Frame& frame, const std::stop_token& stop) {
-    if (page.first.state.stage != pipeline::StageId::Shading || !page.first.state.pixel) return {};
+    if (page.first.state.window.stage != pipeline::StageId::Shading || !pickedPixel(page.first.state)) return {};
     static constexpr const char* kChannels[]{"red", "green", "blue"};
-    const glm::ivec2 pixel = *page.first.state.pixel;
+    const glm::ivec2 pixel = *pickedPixel(page.first.state);
     std::string html;
     for (const pipeline::EquationLine& line :
-         equation(frame.scene(), inspectPixel(frame, pixel, stop), page.first.state.channel)) {
+         equation(frame.scene(), inspectPixel(frame, pixel, stop), page.first.state.window.channel)) {
         const bool goesOn = line.role == "numbers" || line.role == "result";
         html += goesOn ? "<p class=more>" : "<p>";
         html += toHtml(line.formula);
@@ -77,7 +77,7 @@ std::string equationHtml(const Page& page, const pipeline::Frame& frame, const s
     }
     if (html.empty()) return {};
     return fmt::format("<div class=equation><p class=remark>Pixel {}, {} (the ring), {}:</p>\n{}</div>\n", pixel.x,
-                       pixel.y, kChannels[page.first.state.channel], html);
+                       pixel.y, kChannels[page.first.state.window.channel], html);
 }
 
 // Takes up the pages, and what could not be filled in.
@@ -88,9 +88,10 @@ public:
     void add(const Page& page, std::size_t number, const pipeline::Frame& frame, const std::stop_token& stop) {
         m_pages += "<section>\n" + headingOf(page, number) + "\n<div class=pictures>\n";
         const PageState& state = page.first.state;
-        const pipeline::Tile part = partToShow(frame, state.buffers, state.pixel);
-        for (const pipeline::BufferName& buffer : state.buffers)
-            m_pages += figureHtml(frame, buffer, part, state.pixel);
+        const std::vector<pipeline::BufferName> buffers = shownBuffers(state);
+        const std::optional<glm::ivec2> pixel = pickedPixel(state);
+        const pipeline::Tile part = partToShow(frame, buffers, pixel);
+        for (const pipeline::BufferName& buffer : buffers) m_pages += figureHtml(frame, buffer, part, pixel);
         m_page = &page;
         m_pages += "</div>\n" + html(page.first.paper, frame) + equationHtml(page, frame, stop);
         if (page.question) ask(page, number, frame);

@@ -32,9 +32,9 @@ Hidden hiddenOn(const Page& page, bool settled) {
     if (const auto* number = std::get_if<NumberQuestion>(&question.kind)) gather(number->answer.root, hidden.buffers);
     if (const auto* click = std::get_if<ClickQuestion>(&question.kind)) gather(click->holds.root, hidden.buffers);
     for (const Option& option : optionsOf(question)) gather(option.holds.root, hidden.buffers);
-    std::erase_if(hidden.buffers, [&](const pipeline::BufferName& name) {
-        return std::ranges::find(page.first.state.buffers, name) != page.first.state.buffers.end();
-    });
+    const std::vector<pipeline::BufferName> shown = shownBuffers(page.first.state);
+    std::erase_if(hidden.buffers,
+                  [&](const pipeline::BufferName& name) { return std::ranges::find(shown, name) != shown.end(); });
     hidden.buffers.insert(hidden.buffers.end(), page.hiddenBuffers.begin(), page.hiddenBuffers.end());
     std::ranges::sort(hidden.buffers, before);
     const auto same = std::ranges::unique(hidden.buffers);

@@ -1,5 +1,6 @@
 #include "lessons/lesson.h"
 
+#include "lessons/derived_buffer.h"
 #include "pipeline/run/runner.h"
 
 namespace lessons {
@@ -8,12 +9,32 @@ namespace {
 
 pipeline::FrameRequest requestFor(const Half& half) {
     pipeline::FrameRequest request;
-    for (const pipeline::BufferName& buffer : half.state.buffers) request.wanted.set(index(buffer.id));
+    const pipeline::Scene& scene = half.state.scene;
+    const auto mix = pipeline::parseMix(half.state.window.mix, scene.lights.size());
+    const DerivedRecipe recipe{half.state.window.condition, mix ? *mix : pipeline::TermMix()};
+    for (const pipeline::BufferName& buffer : shownBuffers(half.state)) {
+        if (!pipeline::isDerived(buffer.id))
+            request.wanted.set(index(buffer.id));
+        else if (const auto needed = buffersFor(buffer, recipe, scene))
+            request.wanted |= *needed;
+    }
     request.wanted |= buffersOf(half.text) | buffersOf(half.paper);
     return request;
 }
 
 }  // namespace
+
+std::vector<pipeline::BufferName> shownBuffers(const PageState& state) {
+    std::vector<pipeline::BufferName> buffers;
+    for (const BufferShown& view : state.window.views)
+        if (const auto buffer = pipeline::findAnyBuffer(view.buffer)) buffers.push_back(*buffer);
+    return buffers;
+}
+
+std::optional<glm::ivec2> pickedPixel(const PageState& state) {
+    const auto& pixel = state.window.pixel;
+    return pixel ? std::optional(glm::ivec2((*pixel)[0], (*pixel)[1])) : std::nullopt;
+}
 
 pipeline::FrameRequest requestFor(const Page& page) {
     pipeline::FrameRequest request = requestFor(page.first);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "lessons/question.h"
+#include "lessons/state/window_state.h"
 #include "pipeline/core/result.h"
 #include "pipeline/core/stop.h"
 #include "pipeline/run/frame.h"
@@ -23,11 +24,12 @@ namespace lessons {
 // What the window is set to when a page opens, or its second half.
 struct PageState {
     pipeline::Scene scene;  // settings applied; has passed checkScene
-    pipeline::StageId stage = pipeline::StageId::Shading;
-    std::vector<pipeline::BufferName> buffers;  // at least one
-    std::optional<glm::ivec2> pixel;            // in the picture
-    int channel = 2;                            // 0 r, 1 g, 2 b
+    // `scene` and `set` in it lead to the same scene, from the lesson's folder.
+    WindowState window;
 };
+// The buffers of its views, in their order; derived ones too.
+std::vector<pipeline::BufferName> shownBuffers(const PageState& state);
+std::optional<glm::ivec2> pickedPixel(const PageState& state);
 
 // What a page is about before or after its question is settled.
 struct Half {

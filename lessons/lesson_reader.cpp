@@ -1,12 +1,12 @@
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <map>
 
 #include "lessons/lesson.h"
 #include "lessons/lesson_text.h"
 #include "lessons/question_reader.h"
+#include "lessons/window_keys.h"
 #include "pipeline/core/printable.h"
 #include "pipeline/core/text.h"
 #include "pipeline/formats/scene_folder.h"
@@ -27,9 +27,8 @@ using Keys = std::span<const std::string_view>;
 
 constexpr std::array<std::string_view, 10> kHeaderKeys{"title", "lecture", "minutes", "notions", "summary",
                                                        "can",   "next",    "scene",   "set",     "let"};
-constexpr std::array<std::string_view, 9> kPageKeys{"stage", "buffers", "pixel", "channel", "set",
-                                                    "let",   "scene",   "hides", "panels"};
-constexpr std::array<std::string_view, 6> kThenKeys{"stage", "buffers", "pixel", "channel", "set", "let"};
+constexpr std::array<std::string_view, 5> kFirstKeys{"set", "let", "scene", "hides", "panels"};
+constexpr std::array<std::string_view, 2> kSecondKeys{"set", "let"};
 constexpr std::array<std::string_view, 3> kRepeatedKeys{"set", "let", "can"};
 // Paragraphs for the window or for paper alone; the first one is no key.
 constexpr std::string_view kScreenMark = "screen: ", kPaperMark = "paper: ";
@@ -39,6 +38,12 @@ constexpr double kMostMinutes = 600;
 
 bool isHeading(const Line& line) { return line.text.starts_with("# "); }
 bool isThen(const Line& line) { return trimmed(line).text == "## then"; }
+template <std::size_t n>
+std::vector<std::string_view> withWindowKeys(const std::array<std::string_view, n>& keys) {
+    std::vector<std::string_view> all(kWindowKeys.begin(), kWindowKeys.end());
+    all.insert(all.end(), keys.begin(), keys.end());
+    return all;
+}
 bool has(Keys keys, std::string_view key) { return std::ranges::find(keys, key) != keys.end(); }
 
 // Turns the lines of one file into a lesson, collecting what is wrong on the way.
@@ -135,12 +140,22 @@ private:
         m_complaints.add(where, pipeline::checkSceneAndMemory(scene));
     }
 
+    // Which scene with which settings a window shows, for whoever opens it.
+    void name(WindowState& window, const std::vector<Entry>& entries) const {
+        const Entry* scene = find(entries, "scene");
+        if (!scene) scene = find(m_header, "scene");
+        window.scene = scene->line().text;
+        for (const std::vector<Entry>* list : {&std::as_const(m_header), &entries})
+            for (const Entry& entry : *list)
+                if (entry.key == "set") window.set.emplace_back(entry.line().text);
+    }
+
     Page page() {
         Page page;
         page.where = m_lines[m_at].where;
         page.heading = trimmed({m_lines[m_at].text.substr(2), {}}).text;
         ++m_at;
-        const std::vector<Entry> settings = entries(kPageKeys, kQuestionKeys);
+        const std::vector<Entry> settings = entries(withWindowKeys(kFirstKeys), kQuestionKeys);
         const std::vector<Line> text = textLines();
         const std::vector<Entry> question = questionEntries();
         const std::optional<SourceLocation> then =
@@ -149,7 +164,7 @@ private:
         std::vector<Line> thenText;
         if (then) {
             ++m_at;
-            thenSettings = entries(kThenKeys);
+            thenSettings = entries(withWindowKeys(kSecondKeys));
             thenText = textLines();
             for (; m_at < m_lines.size() && !isHeading(m_lines[m_at]); ++m_at)
                 if (!isBlank(m_lines[m_at]))
@@ -161,9 +176,9 @@ private:
         auto scene = sceneOf(settings, page.where);
         if (!scene) return page;  // names can only be checked against a scene
         set(*scene, {&m_header, &settings}, page.where);
-        page.first.state.scene = *scene;
+        page.first.state = {*scene, windowFrom(settings, *scene, m_complaints)};
+        name(page.first.state.window, settings);
         for (const Entry& entry : settings) apply(entry, page);
-        if (page.first.state.buffers.empty()) page.first.state.buffers.push_back({pipeline::BufferId::Color});
         Names names;
         addNames(names, m_header, *scene);
         addNames(names, settings, *scene);
@@ -176,7 +191,12 @@ private:
         Half half{page.first.state, {}, {}};
         set(half.state.scene, {&thenSettings}, *then);
         if (half.state.scene != page.first.state.scene) names.erase("answer");  // it is a number of the first half
-        for (const Entry& entry : thenSettings) apply(entry, half.state);
+        if (m_complaints.empty()) {  // else what is wrong with the first half is said twice
+            std::vector<Entry> both = settings;
+            both.insert(both.end(), thenSettings.begin(), thenSettings.end());
+            half.state.window = windowFrom(both, half.state.scene, m_complaints);
+            name(half.state.window, both);
+        }
         if (thenText.empty()) m_complaints.add(*then, "this half has no text", "Markdown below its keys");
         addNames(names, thenSettings, half.state.scene);
         setText(half, thenText, names);
@@ -264,8 +284,6 @@ private:
                 else
                     m_complaints.addUnknown(word.where, "panel", word.text, {kPartNames.begin(), kPartNames.end()});
             }
-        else
-            apply(entry, page.first.state);
     }
     static std::optional<Part> partNamed(std::string_view word) {
         const auto found = std::ranges::find(kPartNames, word);
@@ -278,30 +296,6 @@ private:
             page.hiddenBuffers.push_back(*name);
     }
 
-    void apply(const Entry& entry, PageState& state) {
-        if (entry.key == "stage") {
-            if (const auto stage = pipeline::findStage(entry.line().text)) {
-                state.stage = *stage;
-            } else {
-                std::vector<std::string> names;
-                for (const pipeline::StageId id : pipeline::kStages) names.emplace_back(pipeline::stageInfo(id).name);
-                m_complaints.addUnknown(entry.line().where, "stage", entry.line().text, names);
-            }
-        }
-        if (entry.key == "channel") {
-            const auto channel = std::string_view("rgb").find(entry.line().text);
-            if (entry.line().text.size() == 1 && channel != std::string_view::npos)
-                state.channel = int(channel);
-            else
-                m_complaints.add(entry.line().where, "found " + inQuotes(entry.line().text), "r, g or b");
-        }
-        if (entry.key == "pixel") pixel(entry.line(), state);
-        if (entry.key == "buffers") {
-            state.buffers.clear();
-            for (const Line& name : separated(entry.line()))
-                if (const auto buffer = bufferNamed(name, state.scene)) state.buffers.push_back(*buffer);
-        }
-    }
     std::optional<pipeline::BufferName> bufferNamed(const Line& name, const pipeline::Scene& scene) {
         const auto buffer = pipeline::findBuffer(name.text);
         if (buffer && buffer->light < int(scene.lights.size())) return buffer;
@@ -312,24 +306,6 @@ private:
             m_complaints.add(name.where, "no buffer " + inQuotes(name.text), "a light that the scene has");
         return {};
     }
-    void pixel(const Line& line, PageState& state) {
-        const std::vector<Line> parts = separated(line);
-        const glm::ivec2 size{state.scene.settings.width, state.scene.settings.height};
-        glm::ivec2 pixel{0};
-        bool good = parts.size() == 2;
-        for (int i = 0; good && i < 2; ++i) {
-            const std::string_view text = parts[std::size_t(i)].text;
-            const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), pixel[i]);
-            good = error == std::errc() && end == text.data() + text.size() && pixel[i] >= 0 && pixel[i] < size[i];
-        }
-        if (good)
-            state.pixel = pixel;
-        else
-            m_complaints.add(
-                line.where, "found the pixel " + inQuotes(line.text),
-                "\"x, y\", x from 0 to " + std::to_string(size.x - 1) + ", y from 0 to " + std::to_string(size.y - 1));
-    }
-
     std::vector<Line> m_lines;
     const std::string& m_file;
     const SceneSource& m_sceneNamed;

@@ -12,15 +12,6 @@ namespace {
 
 constexpr const char* kFile = "lesson.md";
 
-std::vector<std::string> lessonNames() {
-    std::vector<std::string> names;
-    std::error_code ignored;  // a folder that cannot be listed has no lessons
-    for (const auto& entry : std::filesystem::directory_iterator(lessonFolder(), ignored))
-        if (std::filesystem::exists(entry.path() / kFile, ignored)) names.push_back(entry.path().filename().string());
-    std::ranges::sort(names);
-    return names;
-}
-
 }  // namespace
 
 // Where the program is installed the lessons stand among its resources, in the source tree beside them.
@@ -29,6 +20,15 @@ std::filesystem::path lessonFolder() {
     std::error_code ignored;
     const std::filesystem::path inside = resources / "lessons";
     return std::filesystem::is_directory(inside, ignored) ? inside : resources.parent_path() / "lessons";
+}
+
+std::vector<std::string> lessonNames() {
+    std::vector<std::string> names;
+    std::error_code ignored;  // a folder that cannot be listed has no lessons
+    for (const auto& entry : std::filesystem::directory_iterator(lessonFolder(), ignored))
+        if (std::filesystem::exists(entry.path() / kFile, ignored)) names.push_back(entry.path().filename().string());
+    std::ranges::sort(names);
+    return names;
 }
 
 Library allLessons() {

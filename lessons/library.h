@@ -14,6 +14,9 @@ struct Library {
 };
 Library allLessons();
 
+// The names of the lessons that come with the program, sorted.
+std::vector<std::string> lessonNames();
+
 // A lesson that comes with the program by its folder's name; any other by its folder, or the file lesson.md in it. An
 // unknown one is answered with the nearest name.
 pipeline::Result<Lesson> findLesson(std::string_view name, const pipeline::Stop& stop = {});

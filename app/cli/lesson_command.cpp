@@ -7,9 +7,11 @@
 #include "app/cli/message.h"
 #include "app/cli/progress_printer.h"
 #include "app/cli/scene_argument.h"
+#include "lessons/check.h"
 #include "lessons/handout.h"
 #include "lessons/judge.h"
 #include "lessons/library.h"
+#include "pipeline/core/text.h"
 #include "pipeline/export/json.h"
 
 namespace app {
@@ -42,12 +44,12 @@ int listLessons(bool json) {
 
 // Half a page with its numbers filled in.
 Json halfJson(const lessons::Half& half, const lessons::Context& context, pipeline::Errors& errors) {
-    Json json{{"stage", pipeline::stageInfo(half.state.stage).name},
+    Json json{{"stage", pipeline::stageInfo(half.state.window.stage).name},
               {"buffers", Json::array()},
               {"pixel", nullptr},
               {"text", filled(half.text, context, errors)}};
-    for (const pipeline::BufferName& buffer : half.state.buffers) json["buffers"].push_back(buffer.text());
-    if (const auto pixel = half.state.pixel) json["pixel"] = {pixel->x, pixel->y};
+    for (const pipeline::BufferName& buffer : shownBuffers(half.state)) json["buffers"].push_back(buffer.text());
+    if (const auto pixel = pickedPixel(half.state)) json["pixel"] = {pixel->x, pixel->y};
     return json;
 }
 
@@ -162,10 +164,42 @@ int exportLesson(const std::string& name, const std::string& folder) {
     return kDone;
 }
 
+int checkOne(const std::string& name) {
+    const Interrupt interrupt;
+    const auto lesson = lessons::findLesson(name, interrupt.token());
+    if (interrupt.asked()) {
+        tell("Cancelled.\n");
+        return kInterrupted;
+    }
+    if (!lesson) {
+        printErrors(lesson.errors());
+        return kBadInput;
+    }
+    const pipeline::Errors errors = [&] {
+        ProgressPrinter progress("check");
+        return checkLesson(*lesson, interrupt.token(),
+                           [&](std::size_t page) { progress.show(page, lesson->pages.size(), "pages"); });
+    }();
+    if (interrupt.asked()) {
+        tell("Cancelled.\n");
+        return kInterrupted;
+    }
+    if (!errors.empty()) {
+        printErrors(errors);
+        return kBadInput;
+    }
+    const auto questions =
+        std::ranges::count_if(lesson->pages, [](const auto& page) { return page.question.has_value(); });
+    say("{}: {} and {} are right.\n", lesson->title, pipeline::plural(std::int64_t(lesson->pages.size()), "page"),
+        pipeline::plural(questions, "question"));
+    return kDone;
+}
+
 }  // namespace
 
 void declareLesson(CLI::App& program, const CliHost&, int& status) {
-    CLI::App* command = program.add_subcommand("lesson", "List the lessons, print one, or write it as a handout");
+    CLI::App* command =
+        program.add_subcommand("lesson", "List the lessons, print one, check one, or write it as a handout");
     command->require_subcommand(1);
     struct Options {
         std::string name, folder;
@@ -184,6 +218,11 @@ void declareLesson(CLI::App& program, const CliHost&, int& status) {
     addName(*show);
     show->add_flag("--json", options->json, "Print JSON, with the answers");
     show->callback([options, &status] { status = showLesson(options->name, options->json); });
+
+    CLI::App* check =
+        command->add_subcommand("check", "Try every question of a lesson and print what is wrong with it");
+    addName(*check);
+    check->callback([options, &status] { status = checkOne(options->name); });
 
     CLI::App* write = command->add_subcommand("export", "Write a lesson for paper: a handout, and its answers");
     addName(*write);

@@ -207,12 +207,12 @@ void LessonPanel::setWindow() {
         m_document.setScene(state.scene);
     else
         m_document.replace(state.scene, tr("Lesson page %1").arg(m_page + 1));
-    m_document.setStage(state.stage);
-    m_document.pick(state.pixel);
-    m_document.setChannel(state.channel);
+    m_document.setStage(state.window.stage);
+    m_document.pick(lessons::pickedPixel(state));
+    m_document.setChannel(state.window.channel);
     m_document.want(this, lessons::requestFor(current()).wanted);
     QStringList names;
-    for (const pipeline::BufferName& buffer : state.buffers) names << toQString(buffer.text());
+    for (const pipeline::BufferName& buffer : lessons::shownBuffers(state)) names << toQString(buffer.text());
     emit showBuffers(names);
 }
 

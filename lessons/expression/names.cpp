@@ -41,6 +41,8 @@ std::string whyNoName(std::string_view name) {
     constexpr std::array<std::string_view, 7> kTaken{"x", "y", "pi", "pick", "and", "or", "not"};
     if (std::ranges::find(kTaken, name) != kTaken.end()) return "The name means something already.";
     if (pipeline::findBuffer(name) || pipeline::findBuffer(std::string(name) + ".0")) return "A buffer has this name.";
+    for (const pipeline::BufferInfo& info : pipeline::bufferTable())  // "polygons" would hide "polygons.verdict"
+        if (info.name.starts_with(std::string(name) + '.')) return "Buffers' names begin with it.";
     if (std::ranges::find(functionTable(), name, &Function::name) != functionTable().end())
         return "A function has this name.";
     return {};

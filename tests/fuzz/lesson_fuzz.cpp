@@ -17,7 +17,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     fuzz::require(!lesson->pages.empty());
     for (const lessons::Page& page : lesson->pages) {
         fuzz::require(pipeline::checkScene(page.first.state.scene).empty());
-        fuzz::require(!page.first.state.buffers.empty());
+        fuzz::require(!shownBuffers(page.first.state).empty());
         fuzz::require(page.first.text.pieces.size() == page.first.text.holes.size() + 1);
     }
     return 0;

@@ -52,7 +52,7 @@ TEST_F(HandoutOfThePyramid, HasEveryPageWithItsPicturesAndQuestion) {
     std::size_t pictures = 0, tables = 0, questions = 0;
     for (const Page& page : m_lesson.pages) {
         EXPECT_TRUE(has(m_handout.pages, page.heading)) << page.heading;
-        for (const pipeline::BufferName& buffer : page.first.state.buffers)
+        for (const pipeline::BufferName& buffer : shownBuffers(page.first.state))
             ++(pipeline::bufferInfo(buffer.id).domain == pipeline::Domain::Pixel ? pictures : tables);
         questions += page.question.has_value();
     }

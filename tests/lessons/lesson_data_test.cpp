@@ -28,9 +28,9 @@ TEST(Lessons, EveryPageIsTrue) {
             request.wanted.set(index(pipeline::BufferId::PolygonId));
             const pipeline::FramePtr frame = frameOf(page.first.state.scene, request);
             ASSERT_TRUE(frame);
-            for (const pipeline::BufferName& buffer : page.first.state.buffers)
+            for (const pipeline::BufferName& buffer : shownBuffers(page.first.state))
                 EXPECT_TRUE(frame->buffer(buffer)) << buffer.text() << ": " << frame->whyAbsent(buffer);
-            if (const auto pixel = page.first.state.pixel) {
+            if (const auto pixel = pickedPixel(page.first.state)) {
                 const auto polygons = frame->buffer({pipeline::BufferId::PolygonId});
                 ASSERT_TRUE(polygons);
                 EXPECT_GE(polygons->value(std::size_t(pixel->x), std::size_t(pixel->y)), 0) << "nothing is drawn there";
@@ -74,7 +74,7 @@ TEST(Lessons, NoPageShowsADifferenceThatNobodySees) {
             const pipeline::FramePtr frame = frameOf(page.first.state.scene, requestFor(page));
             ASSERT_TRUE(frame);
             const double step = pipeline::maximumIntensity(page.first.state.scene) / 255;
-            for (const pipeline::BufferName& name : page.first.state.buffers) {
+            for (const pipeline::BufferName& name : shownBuffers(page.first.state)) {
                 const auto buffer = frame->buffer(name);
                 if (buffer->info->unit != "intensity") continue;
                 const pipeline::BufferStatistics found = pipeline::statistics(*buffer);

@@ -84,11 +84,11 @@ TEST(LessonReader, ReadsHeaderPagesAndQuestions) {
     const Page& one = lesson->pages[0];
     EXPECT_EQ(one.heading, "One");
     EXPECT_EQ(one.where.line, 7);
-    EXPECT_EQ(one.first.state.stage, pipeline::StageId::ZBuffer);
-    ASSERT_EQ(one.first.state.buffers.size(), 2u);
-    EXPECT_EQ(one.first.state.buffers[1].text(), "n_dot_l.0");
-    EXPECT_EQ(one.first.state.pixel, glm::ivec2(268, 281));
-    EXPECT_EQ(one.first.state.channel, 1);
+    EXPECT_EQ(one.first.state.window.stage, pipeline::StageId::ZBuffer);
+    ASSERT_EQ(shownBuffers(one.first.state).size(), 2u);
+    EXPECT_EQ(shownBuffers(one.first.state)[1].text(), "n_dot_l.0");
+    EXPECT_EQ(pickedPixel(one.first.state), glm::ivec2(268, 281));
+    EXPECT_EQ(one.first.state.window.channel, 1);
     EXPECT_EQ(one.first.state.scene.settings.cull, pipeline::CullMode::None);
     EXPECT_EQ(one.first.state.scene.objects[0].material.exponent, 6);
     EXPECT_EQ(withGaps(one.first.text), "First line,\nnote: second line.\n```\n# no heading\n```");
@@ -104,9 +104,9 @@ TEST(LessonReader, ReadsHeaderPagesAndQuestions) {
     const Page& two = lesson->pages[1];
     EXPECT_EQ(two.first.state.scene.settings.cull, pipeline::CullMode::Back);
     EXPECT_EQ(two.first.state.scene.objects[0].material.exponent, 6);
-    EXPECT_EQ(two.first.state.stage, pipeline::StageId::Shading);
-    EXPECT_EQ(two.first.state.buffers, std::vector<pipeline::BufferName>{{pipeline::BufferId::Color}});
-    EXPECT_FALSE(two.first.state.pixel);
+    EXPECT_EQ(two.first.state.window.stage, pipeline::StageId::Shading);
+    EXPECT_EQ(shownBuffers(two.first.state), std::vector<pipeline::BufferName>{{pipeline::BufferId::Color}});
+    EXPECT_FALSE(pickedPixel(two.first.state));
     EXPECT_FALSE(two.question);
 }
 

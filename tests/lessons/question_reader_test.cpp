@@ -67,8 +67,8 @@ TEST(QuestionReader, ReadsANumberWithItsMistakesHintsAndSecondHalf) {
     EXPECT_EQ(withGaps(page.first.paper), "Text.\n\nTurn the sheet.");
     ASSERT_TRUE(page.then);
     EXPECT_EQ(withGaps(page.then->text), "It is there.");
-    EXPECT_EQ(page.then->state.stage, pipeline::StageId::Cull);
-    EXPECT_EQ(page.then->state.buffers, page.first.state.buffers) << "it begins as the first half";
+    EXPECT_EQ(page.then->state.window.stage, pipeline::StageId::Cull);
+    EXPECT_EQ(shownBuffers(page.then->state), shownBuffers(page.first.state)) << "it begins as the first half";
     EXPECT_EQ(page.first.state.scene.settings.cull, pipeline::CullMode::Back);
     EXPECT_EQ(page.then->state.scene.settings.cull, pipeline::CullMode::None);
     EXPECT_EQ(page.panels, std::vector<Part>{Part::Settings});
@@ -137,13 +137,84 @@ TEST(QuestionReader, AnswersWhatIsWrongWithLineAndColumn) {
         {"# One\nText.\nquestion: Q?\nclick: face\nanswer: pick.x > 1\n",
          "lesson.md:8:8: found \"face\", expected pixel, polygon, vertex, object or light\n"},
         {"# One\nText.\n## then\nMore.\n", "lesson.md:7:1: found \"## then\" without a question before it\n"},
+        {"# One\nlet: polygons = 5\n\nText.\n",
+         "lesson.md:6:6: found the name \"polygons\": Buffers' names begin with it.\n"},
+        {"# One\nplace: z-bufer\n\nText.\n", "lesson.md:6:8: place: no stage \"z-bufer\""},
+        {"# One\noverlays: edgs\n\nText.\n", "lesson.md:6:11: no overlay \"edgs\"; the nearest is \"edges\"\n"},
+        {"# One\nselected: polygon 5\n\nText.\n",
+         "lesson.md:6:11: found \"polygon 5\", expected something that the scene has\n"},
+        {"# One\nspace: moon\n\nText.\n",
+         "lesson.md:6:8: found the space \"moon\", expected world, eye, clip, screen, light 0, light 0 -x or point\n"},
+        {"# One\nbuffers: color, depth\nzoom: 2; 3; 4\n\nText.\n",
+         "lesson.md:7:7: found values for 3 views, expected one for all, or 2 with \";\" between them\n"},
         {"# One\nhides: dept\n\nText.\n", "lesson.md:6:8: no buffer \"dept\"; the nearest is \"depth\"\n"},
         {"# One\nText.\nquestion: Q?\nanswer: 1\n## then\nMore.\nquestion: R?\n",
          "lesson.md:11:1: found \"question: R?\" after \"## then\", expected the next page: the question stands before "
          "\"## "
          "then\"\n"},
     };
-    for (const WrongQuestion& wrong : cases) EXPECT_EQ(questionErrors(wrong.page), wrong.errors) << wrong.page;
+    for (const WrongQuestion& wrong : cases)  // of a long message the beginning
+        EXPECT_EQ(questionErrors(wrong.page).substr(0, std::string(wrong.errors).size()), wrong.errors) << wrong.page;
+}
+
+TEST(QuestionReader, APageTakesTheKeysOfACue) {
+    const Page page = questionPage(
+        "# One\n"
+        "set: shading = gouraud\n"
+        "stage: z-buffer\n"
+        "place: z-buffer/polygon=2/row=270\n"
+        "step: pixel\n"
+        "buffers: color, n_dot_l.0\n"
+        "overlays: edges, verdict; \n"
+        "against: setting shading=gouraud; \n"
+        "compare: wipe\n"
+        "wipe: 0.25\n"
+        "zoom: 8 at 268.5, 281.5\n"
+        "region: 1, 2, 30, 40\n"
+        "space: eye\n"
+        "camera: target = 335, 75, 0; right = 1, 0, 0; up = 0, 0, 1; forward = 0, 1, 0; distance = 900; fov = 20\n"
+        "options: normals = 1, lobe = 1\n"
+        "pins: 1: 268, 281; 2: 250, 270\n"
+        "condition: n_dot_l.0 > 0.5\n"
+        "mix: specular.0=muted\n"
+        "selected: polygon 3\n"
+        "linked: on\n"
+        "channel: r\n"
+        "\nText.\n"
+        "question: Q?\nanswer: 1\n## then\nplace: z-buffer\nset: cull = none\n\nMore.\n");
+    const WindowState& window = page.first.state.window;
+    EXPECT_EQ(text(*window.place), "z-buffer/polygon=2/row=270");
+    EXPECT_EQ(window.step, pipeline::StepLevel::Pixel);
+    ASSERT_EQ(window.views.size(), 2u);
+    EXPECT_EQ(window.views[0].overlays, (std::vector<std::string>{"edges", "verdict"}));
+    EXPECT_EQ(window.views[1].overlays, BufferShown().overlays) << "an empty part says nothing";
+    ASSERT_TRUE(window.views[0].compared);
+    EXPECT_EQ(window.views[0].compared->with, "setting shading=gouraud");
+    EXPECT_EQ(window.views[0].compared->wipe, 0.25);
+    EXPECT_FALSE(window.views[1].compared);
+    EXPECT_EQ(window.views[1].zoom->factor, 8);
+    EXPECT_EQ(window.views[0].region, (std::array<int, 4>{1, 2, 30, 40}));
+    EXPECT_EQ(window.spaces[0].space, "eye");
+    EXPECT_EQ(window.spaces[0].camera->distance, 900);
+    EXPECT_EQ(window.spaces[0].options.at("lobe"), 1);
+    EXPECT_EQ(window.pins.at(2), (std::array<int, 2>{250, 270}));
+    EXPECT_EQ(window.condition, "n_dot_l.0 > 0.5");
+    EXPECT_EQ(window.mix, "specular.0=muted");
+    EXPECT_EQ(window.selected, (Selection{Selection::Kind::Polygon, 3}));
+    EXPECT_EQ(window.linked, true);
+    EXPECT_EQ(window.channel, 0);
+    EXPECT_EQ(window.scene, "pyramid");
+    EXPECT_EQ(window.set, std::vector<std::string>{"shading = gouraud"});
+    const WindowState& then = page.then->state.window;
+    EXPECT_EQ(text(*then.place), "z-buffer");
+    EXPECT_EQ(then.views, window.views) << "it begins as the first half";
+    EXPECT_EQ(then.set.size(), 2u);
+}
+
+TEST(QuestionReader, APageOfBuffersAloneShowsNoOtherView) {
+    EXPECT_EQ(questionPage("# One\nText.\n").first.state.window.arrangement, "buffer");
+    EXPECT_EQ(questionPage("# One\nbuffers: color, depth\n\nText.\n").first.state.window.arrangement, "compare");
+    EXPECT_EQ(questionPage("# One\nspace: eye\n\nText.\n").first.state.window.arrangement, "one");
 }
 
 // What the answer is read from is hidden without a word of the author, unless the question is about what is shown.

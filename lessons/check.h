@@ -1,0 +1,26 @@
+#pragma once
+#include <functional>
+#include <stop_token>
+
+#include "lessons/lesson.h"
+
+namespace lessons {
+
+// Called before each page, from 0.
+using CheckProgress = std::function<void(std::size_t page)>;
+
+// What is wrong with a lesson that could be read, found by running every page as a reader would: answers that are not
+// right, mistakes that are right or answered by another's sentence, choices of which not exactly one holds, first halves
+// that tell the answer, texts that cannot be filled in, buffers that are not there. At most kMaxErrors, each with its
+// place; "stopped" alone where it was stopped.
+pipeline::Errors checkLesson(const Lesson& lesson, const std::stop_token& stop = {},
+                             const CheckProgress& progress = {});
+
+// Of checkLesson: where a page tells its answer before it is asked for. Answers of fewer than three digits are not
+// looked for in the texts.
+pipeline::Errors leaksOf(const Page& page, const Context& context);
+
+// How long a lesson takes: a word a third of a second, half a minute a page, a minute and a half a question. Minutes.
+double minutesOf(const Lesson& lesson);
+
+}  // namespace lessons
