@@ -39,7 +39,8 @@ TEST(Lessons, EveryPageIsTrue) {
             EXPECT_TRUE(text) << textOf(text);
             if (!page.question) continue;
 
-            const Context context{.frame = *frame};
+            const Pick first{.x = 0, .y = 0, .polygon = 0, .vertex = 0, .object = 0, .light = 0};
+            const Context context{.frame = *frame, .pick = &first};
             for (const Prose* prose : textsOf(*page.question)) {
                 const auto filledIn = filled(*prose, context);
                 EXPECT_TRUE(filledIn) << textOf(filledIn);
