@@ -123,6 +123,7 @@ Finding runZero(Trial&) {
     const Vec3d n(0, 0, 1), lit = glm::normalize(Vec3d(1, 0, 1)), behind(1, 0, -1), v(0, 0, 1);
     double ours = 0;
     for (const Model model : kModels) {
+        if (modelFacts(model).lobe == Lobe::None) continue;  // its highlight is no power
         ours = std::max(ours, std::abs(sampled<double>(model, n, lit, v, 0).specular.x - 0.5));
         ours = std::max(ours, std::abs(sampled<double>(model, n, behind, v, 0).specular.x));
     }

@@ -33,6 +33,7 @@ constexpr auto kScenes = std::to_array<Row>({
     {"interpolation", ".toml"},
     {"highlight_exponents", ".toml"},
     {"phong_blinn", ".toml"},
+    {"microfacets", ".toml"},
     {"vertex_normals", ".toml"},
     {"ambient", ".toml"},
     {"coloured_lights", ".toml"},

@@ -1,6 +1,7 @@
 #include "pipeline/illumination/model_table.h"
 
 #include "pipeline/illumination/blinn_phong.h"
+#include "pipeline/illumination/cook_torrance.h"
 #include "pipeline/illumination/opengl.h"
 #include "pipeline/illumination/phong.h"
 
@@ -20,6 +21,7 @@ constexpr std::array<LightTermsOf, kModelCount> kTerms{{
     kEither,
     kEither,
     {addOpenGl<float>, addOpenGl<double>, addOpenGl<long double>, addOpenGl<Quad>},
+    {addCookTorrance<float>, addCookTorrance<double>, addCookTorrance<long double>, addCookTorrance<Quad>},
 }};
 
 }  // namespace

@@ -110,6 +110,7 @@ double EquationTerms::valueOf(Quantity quantity, double index, const Evaluation&
         case NDotV: return notBelow0(glm::dot(e.N, e.V));
         case NDotH: return notBelow0(light->nDotH);
         case VDotH: return notBelow0(glm::dot(e.V, light->H));
+        case LDotV: return glm::dot(light->L, e.V);
         case Factor: return light->factors[std::size_t(index)];
         case Number: return index;
     }
@@ -133,6 +134,7 @@ double EquationTerms::valueOf(const Term& term, const Evaluation& e, const Light
         }
         case TermKind::Fraction: return part(0) / part(1);
         case TermKind::Root: return std::sqrt(part(0));
+        case TermKind::Largest: return std::max(part(0), part(1));
     }
     return 0;
 }
@@ -178,6 +180,7 @@ Formula EquationTerms::symbolOf(const Term& leaf, int k) const {
         case NDotV: return dot(N(), V());
         case NDotH: return dot(N(), H(k));
         case VDotH: return dot(V(), H(k));
+        case LDotV: return dot(L(k), V());
         case Factor: return indexed(symbol(std::string(model().factors[std::size_t(leaf.number)].letter)), k);
         case Number: return text(shortest(leaf.number));
     }
@@ -203,6 +206,7 @@ Formula EquationTerms::symbolsOf(const Term& term, int k) const {
         case TermKind::Power: return power(closed(0), part(1));
         case TermKind::Fraction: return fraction(part(0), part(1));
         case TermKind::Root: return row({text("√("), part(0), text(")")});
+        case TermKind::Largest: return row({text("max("), part(0), text(","), part(1), text(")")});
     }
     return {};
 }
@@ -226,6 +230,7 @@ Formula EquationTerms::numberOf(const Term& leaf, const Evaluation& e, const Lig
         case Fading:
         case NDotV:
         case VDotH:
+        case LDotV:
         case Factor: return number(value, 4);
         case NDotL: return number(light->nDotL, 4, "n_dot_l." + k);
         case NDotH: return number(light->nDotH, 4, "n_dot_h." + k);
@@ -255,6 +260,7 @@ Formula EquationTerms::numbersOf(const Term& term, const Evaluation& e, const Li
         case TermKind::Power: return power(closed(0), part(1));
         case TermKind::Fraction: return fraction(part(0), part(1));
         case TermKind::Root: return row({text("√("), part(0), text(")")});
+        case TermKind::Largest: return row({text("max("), part(0), text(","), part(1), text(")")});
     }
     return {};
 }

@@ -42,13 +42,14 @@ enum class Quantity : std::uint8_t {
     NDotV,
     NDotH,
     VDotH,
+    LDotV,   // also below 0
     Factor,  // of the model's own: ModelFacts::factors
     Number,
 };
 
 // A formula as a tree.
 struct Term {
-    enum class Kind : std::uint8_t { Leaf, Sum, Difference, Product, Power, Fraction, Root };
+    enum class Kind : std::uint8_t { Leaf, Sum, Difference, Product, Power, Fraction, Root, Largest };
     Kind kind = Kind::Leaf;
     Quantity quantity = Quantity::Number;
     double number = 0;  // Number; the index of a Factor
@@ -149,7 +150,7 @@ constexpr void collectVectors(const ModelFacts& row, std::span<const Term> terms
             collectVectors(row, std::span(&row.factors[std::size_t(term.number)].definition, 1), halfway, read);
         read.R = read.R || (q == Mirror && !halfway);
         read.H = read.H || (q == Mirror && halfway) || q == NDotH || q == VDotH;
-        read.V = read.V || q == Mirror || q == NDotV || q == NDotH || q == VDotH;
+        read.V = read.V || q == Mirror || q == NDotV || q == NDotH || q == VDotH || q == LDotV;
     }
 }
 constexpr ModelFacts completed(ModelFacts row) {

@@ -299,7 +299,7 @@ private:
             addOf(fmt::format("{}alpha {}", side, material.alpha < 0), name, key + "alpha",
                   fmt::format("α of the {}material of {} is {}, beyond [0, 1]: it acts as {}.", side, name,
                               shortestText(material.alpha), material.alpha < 0 ? 0 : 1));
-        if (material.exponent == 0 && material.specular != Vec3d(0))
+        if (material.exponent == 0 && material.specular != Vec3d(0) && model.lobe != Lobe::None)
             addOf(side + "n", name, key + "n",
                   fmt::format("n of the {}material of {} is 0: the highlight is as bright wherever it counts.", side,
                               name));

@@ -23,8 +23,8 @@ enum class Shading : std::uint8_t { Flat, Gouraud, Phong };
 // What intensities and normals are interpolated with; pipeline/stages/vertex_weights.h.
 enum class Interpolation : std::uint8_t { Perspective, Affine, Scanline };
 // The illumination models; pipeline/scene/model_facts.h says what is known of each.
-enum class Model : std::uint8_t { Phong, BlinnPhong, OpenGl };
-inline constexpr std::size_t kModelCount = 3;
+enum class Model : std::uint8_t { Phong, BlinnPhong, OpenGl, CookTorrance };
+inline constexpr std::size_t kModelCount = 4;
 // Given: the mesh's own normals where it has them, else Mean.
 enum class NormalWeight : std::uint8_t { Mean, Area, Angle, Given };
 // How z_view becomes the number that the z-buffer stores and compares.

@@ -31,7 +31,7 @@ bool hasMeans(const Scene& scene) {
 }
 
 // The models whose terms have lines of their own; of others the values are shown.
-constexpr std::array kWrittenModels{Model::Phong, Model::BlinnPhong, Model::OpenGl};
+constexpr std::array kWrittenModels{Model::Phong, Model::BlinnPhong, Model::OpenGl, Model::CookTorrance};
 
 std::string_view formulaOf(Model model) {
     return std::ranges::find(kWrittenModels, model) == kWrittenModels.end() ? "other" : modelFacts(model).word;

@@ -180,6 +180,27 @@ Vec3<Real> ofOpenGl(const RayLighting<Real>& lighting, const RayLight<Real>& lig
     return light.color * Vec3<Real>(material.diffuse) * at.facing + light.specular * Vec3<Real>(material.specular);
 }
 
+// Microfacets after B. Walter et al., EGSR 2007, written with angles: D = α² / (cos⁴ (α² + tan²)²), equation 33; Smith's
+// G from Λ = (−1 + √(1 + α² tan²)) / 2 as 1 / (1 + Λ(L) + Λ(V)), E. Heitz, JCGT 2014, equations 72 and 99.
+template <class Real>
+Vec3<Real> ofCookTorrance(const RayLighting<Real>&, const RayLight<Real>& light, const Material& material,
+                          const Directions<Real>& at) {
+    const Real square = Real(2) / (Real(material.exponent) + 2);
+    const auto tan2 = [](Real cosine) { return (1 - cosine * cosine) / (cosine * cosine); };
+    const auto lambda = [&](Real cosine) { return (std::sqrt(1 + square * tan2(cosine)) - 1) / 2; };
+    const Real l = std::min(Real(1), at.facing), v = std::clamp(glm::dot(at.N, at.V), Real(1e-9), Real(1));
+    const Vec3<Real> H = unit(at.L + at.V);
+    const Real h = std::clamp(glm::dot(at.N, H), Real(1e-9), Real(1));
+    const auto schlick = [](const Vec3<Real>& k, Real cosine) {
+        return k + (Vec3<Real>(1) - k) * std::pow(1 - std::clamp(cosine, Real(0), Real(1)), Real(5));
+    };
+    const Real spread = h * h * (square + tan2(h));
+    const Real mirrors = square / (spread * spread) / (1 + lambda(l) + lambda(v)) / (4 * v);
+    const Vec3<Real> ks(material.specular);
+    const Vec3<Real> matte = (Vec3<Real>(1) - schlick(ks, l)) * (Vec3<Real>(1) - schlick(ks, v));
+    return light.color * (Vec3<Real>(material.diffuse) * matte * l + schlick(ks, glm::dot(at.V, H)) * mirrors);
+}
+
 template <class Real>
 struct RayModel {
     Model model;
@@ -187,9 +208,9 @@ struct RayModel {
 };
 // The models that rays evaluate.
 template <class Real>
-constexpr std::array kRayModels{RayModel<Real>{Model::Phong, ofPower<Real>},
-                                RayModel<Real>{Model::BlinnPhong, ofPower<Real>},
-                                RayModel<Real>{Model::OpenGl, ofOpenGl<Real>}};
+constexpr std::array kRayModels{
+    RayModel<Real>{Model::Phong, ofPower<Real>}, RayModel<Real>{Model::BlinnPhong, ofPower<Real>},
+    RayModel<Real>{Model::OpenGl, ofOpenGl<Real>}, RayModel<Real>{Model::CookTorrance, ofCookTorrance<Real>}};
 
 }  // namespace
 

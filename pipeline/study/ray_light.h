@@ -9,6 +9,7 @@ namespace pipeline::rays {
 // The illumination models, from their formulas:
 //   Phong        k_d I_a + Σ S I [k_d (N·L) + k_s (R·V)^n]; B. T. Phong, CACM 1975
 //   Blinn-Phong  k_a c_a + Σ S c (k_d (N·L) + k_s (H·N)^s); J. Blinn, SIGGRAPH 1977
+//   Cook-Torrance  the same with microfacets; R. Cook and K. Torrance, ACM TOG 1982, B. Walter et al., EGSR 2007
 //   OpenGL       emission, attenuation, spots, ambient parts; M. Segal and K. Akeley, the OpenGL specification 1.5, 2.14.1
 
 // Why rays cannot evaluate a model, as part of a sentence; empty where they can.

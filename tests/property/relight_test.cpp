@@ -46,7 +46,7 @@ Scene shinyScene(unsigned seed) {
     Settings& settings = scene.settings;
     settings.precision = Precision::Float, settings.arithmetic = Arithmetic(random() % 2);
     settings.shading = seed % 8 == 7 ? Shading(random() % 3) : Shading::Phong;
-    settings.model = seed % 16 == 5 ? Model::OpenGl : Model(random() % 2);
+    settings.model = seed % 16 == 5 ? Model(2 + random() % (kModelCount - 2)) : Model(random() % 2);
     settings.interpolation = Interpolation::Perspective, settings.forms = {};
     settings.depthFormat = random() % 4 ? DepthFormat::Linear : DepthFormat(random() % 9);
     settings.visibility = seed % 8 == 6 ? Visibility::Painter : Visibility::ZBuffer;

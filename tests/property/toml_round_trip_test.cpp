@@ -61,7 +61,7 @@ TEST(TomlRoundTripOf, AnUnchangedSceneWritesNoDefaults) {
 
 // Given or not is kept too: in OpenGL's model 0.2 stands for what is not given, in the others 0.
 TEST(TomlRoundTripOf, AnAmbientLightStaysGivenOrNot) {
-    for (const Model model : {Model::Phong, Model::BlinnPhong, Model::OpenGl})
+    for (const Model model : {Model::Phong, Model::BlinnPhong, Model::OpenGl, Model::CookTorrance})
         for (const std::optional<double> intensity : {std::optional<double>(), {0.0}, {0.2}, {-0.0}, {40.0}}) {
             Scene scene;
             scene.settings.model = model;

@@ -1,9 +1,12 @@
 #include "tests/support/scenes.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
 #include <numbers>
+
+#include "pipeline/scene/settings_table.h"
 
 namespace test {
 
@@ -16,6 +19,10 @@ double between(std::mt19937& random, double low, double high) {
 Vec3d inBox(std::mt19937& random, double half) {
     return {between(random, -half, half), between(random, -half, half), between(random, -half, half)};
 }
+// One of the choices that the table of settings has for a key.
+std::size_t choice(std::string_view key, std::size_t number) {
+    return number % std::ranges::find(settingsTable(), key, &Setting::key)->choices.size();
+}
 bool coin(std::mt19937& random) { return random() % 2 == 0; }
 
 Material randomMaterial(std::mt19937& random) {
@@ -26,7 +33,7 @@ Material randomMaterial(std::mt19937& random) {
 
 Light randomLight(std::mt19937& random) {
     Light light;
-    light.kind = LightKind(random() % 3);
+    light.kind = LightKind(choice("light.#.kind", random()));
     light.area = {inBox(random, 1), between(random, 0, 2), coin(random) ? between(random, 0, 2) : 0,
                   1 + int(random() % 3)};
     light.position = 4.0 * inBox(random, 1) + Vec3d(0, 0, 5);
@@ -58,9 +65,9 @@ Scene randomScene(unsigned seed) {
     Scene scene;
     scene.settings.width = 97, scene.settings.height = 71;
     scene.settings.shadowSize = 64;
-    scene.settings.shading = Shading(random() % 3);
-    scene.settings.cull = CullMode(random() % 2);
-    scene.settings.depthFormat = DepthFormat(random() % 9);
+    scene.settings.shading = Shading(choice("shading", random()));
+    scene.settings.cull = CullMode(choice("cull", random()));
+    scene.settings.depthFormat = DepthFormat(choice("depth_format", random()));
     scene.camera.kind = CameraKind::LookAt;
     scene.camera.eye = inBox(random, 6) + Vec3d(0, 0, 3);
     scene.camera.projection = random() % 4 == 0 ? ProjectionKind::Orthographic : ProjectionKind::Perspective;
@@ -69,23 +76,26 @@ Scene randomScene(unsigned seed) {
     for (unsigned i = 0; i < random() % 4; ++i) scene.lights.push_back(randomLight(random));
     scene.ambient.intensity = between(random, 0, 50);
     if (seed % 5 == 0) scene.ambient.intensity = 0;
-    scene.settings.model = Model(seed % 3);
-    scene.settings.twoSided = seed % 2 == 0;
-    scene.settings.interpolation = Interpolation(random() % 3);
+    scene.settings.model = Model(choice("model", seed));
+    scene.settings.twoSided = (seed + seed / 8) % 2 == 0;
+    scene.settings.interpolation = Interpolation(choice("interpolation", random()));
     for (Object& object : scene.objects) object.material.emission = Vec3d(0.1 * (seed % 5));
     if (seed / 4 % 2 == 1)  // half of them: some objects translucent, or wholly transparent, or beyond [0, 1]
         for (Object& object : scene.objects) object.material.alpha = between(random, -0.2, 1.4);
-    scene.settings.translucency = Translucency(seed / 8 % 2);
-    for (Object& object : scene.objects) object.material.highlight = Highlight(random() % 3);
+    scene.settings.translucency = Translucency(choice("translucency", seed / 8));
+    for (Object& object : scene.objects)
+        object.material.highlight = Highlight(choice("material.#.highlight", random()));
     return scene;
 }
 
 Forms randomForms(std::mt19937& random) {
     Forms forms;
-    forms.power = PowerForm(random() % 6), forms.unit = UnitForm(random() % 5);
-    forms.polygonNormal = PolygonNormalForm(random() % 3);
-    forms.normalMatrix = NormalMatrixForm(random() % 2);
-    forms.cameraBasis = CameraBasisForm(random() % 2), forms.cornerAngle = CornerAngleForm(random() % 2);
+    forms.power = PowerForm(choice("numerics.power", random())),
+    forms.unit = UnitForm(choice("numerics.normalize", random()));
+    forms.polygonNormal = PolygonNormalForm(choice("numerics.polygon_normal", random()));
+    forms.normalMatrix = NormalMatrixForm(choice("numerics.normal_matrix", random()));
+    forms.cameraBasis = CameraBasisForm(choice("numerics.camera_basis", random())),
+    forms.cornerAngle = CornerAngleForm(choice("numerics.corner_angle", random()));
     return forms;
 }
 
@@ -122,9 +132,9 @@ Scene smallScene(unsigned seed) {
     scene.settings.width = 25 + int(random() % 24), scene.settings.height = 19 + int(random() % 16);
     scene.settings.shadowSize = 8 << random() % 3;
     scene.settings.shadowFilter = int(random() % 2);
-    scene.settings.shadowBias = ShadowBias(random() % 3);
+    scene.settings.shadowBias = ShadowBias(choice("shadow.bias", random()));
     scene.settings.shadowBiasValue = between(random, 0, 0.5);
-    scene.settings.shadowCull = ShadowCull(seed % 3);
+    scene.settings.shadowCull = ShadowCull(choice("shadow.cull", seed));
     scene.settings.localViewer = coin(random);
     const auto few = [](double v) { return std::round(v * 0x1p20) / 0x1p20; };
     for (Object& object : scene.objects) {
@@ -220,9 +230,9 @@ Scene strangeScene(unsigned seed) {
     scene.ambient.intensity = strangeNumber(random, 1e9);
     scene.ambient.color = strangeColor(random);
     scene.settings.exponentFactor = std::array{0.0, 1.0, 1000.0}[random() % 3];
-    scene.settings.shadowBias = ShadowBias(random() % 3);
+    scene.settings.shadowBias = ShadowBias(choice("shadow.bias", random()));
     scene.settings.shadowBiasValue = strangeNumber(random, 1e9);
-    scene.settings.shadowCull = ShadowCull(seed % 3);
+    scene.settings.shadowCull = ShadowCull(choice("shadow.cull", seed));
     if (random() % 8 == 0) scene.settings.shadowSize = 1;
     if (random() % 8 == 0) scene.settings.width = scene.settings.height = 1;
     if (random() % 8 == 0) scene.lights.clear();
@@ -253,24 +263,25 @@ void changeSomething(Scene& scene, std::mt19937& random) {
         case 8:
             if (!scene.lights.empty()) scene.lights[0].castsShadow = !scene.lights[0].castsShadow;
             break;
-        case 9: settings.shading = Shading(random() % 3); break;
-        case 10: settings.cull = CullMode(random() % 2); break;
-        case 11: settings.depthFormat = DepthFormat(random() % 9); break;
+        case 9: settings.shading = Shading(choice("shading", random())); break;
+        case 10: settings.cull = CullMode(choice("cull", random())); break;
+        case 11: settings.depthFormat = DepthFormat(choice("depth_format", random())); break;
         case 12: scene.camera.eye = inBox(random, 6) + Vec3d(0, 0, 4); break;
-        case 13: settings.normalWeight = NormalWeight(random() % 4); break;
-        case 14: settings.model = Model(random() % 3); break;
+        case 13: settings.normalWeight = NormalWeight(choice("normal_weight", random())); break;
+        case 14: settings.model = Model(choice("model", random())); break;
         case 15: settings.twoSided = !settings.twoSided; break;
-        case 16: settings.visibility = Visibility(random() % 3); break;
+        case 16: settings.visibility = Visibility(choice("visibility", random())); break;
         case 17: settings.rules.flip(random() % kRuleCount); break;
         case 18: object.material.alpha = double(random() % 5) / 4; break;
         case 19: object.material.alpha = between(random, 0, 1); break;
-        case 20: settings.translucency = Translucency(random() % 2); break;
-        case 21: settings.interpolation = Interpolation(random() % 3); break;
+        case 20: settings.translucency = Translucency(choice("translucency", random())); break;
+        case 21: settings.interpolation = Interpolation(choice("interpolation", random())); break;
         case 23: settings.forms = randomForms(random); break;
-        case 27: settings.shadowCull = ShadowCull(random() % 3); break;
+        case 27: settings.shadowCull = ShadowCull(choice("shadow.cull", random())); break;
         case 24: settings.subPixelBits = 1 + int(random() % 16); break;
         case 25:
-            settings.antialiasing = 1 + int(random() % 2), settings.antialiasingPattern = SamplePattern(random() % 4);
+            settings.antialiasing = 1 + int(random() % 2),
+            settings.antialiasingPattern = SamplePattern(choice("antialiasing_pattern", random()));
             break;
         case 22: settings.width = 60 + int(random() % 60); break;
         default: settings.shadowFilter = int(random() % 3); break;

@@ -303,7 +303,7 @@ TEST(PixelReport, ItsFragmentsExplainTheWinner) {
 // Whatever the model: the evaluation that the report shows sums to what the frame holds, also where
 // OpenGL clamps a colour, and the equation speaks of the vector that the model uses.
 TEST(PixelReport, OfEveryModelSumsUp) {
-    for (Model model : {Model::Phong, Model::BlinnPhong, Model::OpenGl}) {
+    for (Model model : {Model::Phong, Model::BlinnPhong, Model::OpenGl, Model::CookTorrance}) {
         for (double intensity : {0.4, 3.0}) {
             Scene scene = test::pyramid();
             scene.settings.model = model, scene.settings.precision = Precision::Double;

@@ -9,6 +9,7 @@
 
 #include "pipeline/run/frame_data.h"
 #include "pipeline/scene/shape.h"
+#include "pipeline/simd/model_kernels.h"
 #include "pipeline/simd/seen_blocks.h"
 #include "pipeline/simd/shade_pixels.h"
 #include "pipeline/simd/transform.h"
@@ -253,9 +254,9 @@ BufferSet withoutVectors() {
 }
 
 TEST(Vectors, ShadeToTheSameBits) {
-    for (const Model model : {Model::Phong, Model::BlinnPhong, Model::OpenGl})
+    for (const Model model : {Model::Phong, Model::BlinnPhong, Model::OpenGl, Model::CookTorrance})
         for (const Shading shading : {Shading::Flat, Shading::Gouraud, Shading::Phong}) {
-            if (model == Model::OpenGl && shading == Shading::Phong) continue;
+            if (!whyNoKernel(model).empty() && shading == Shading::Phong) continue;
             Scene scene = spheres();
             scene.settings.model = model, scene.settings.shading = shading;
             scene.objects[1].material.highlight = Highlight::Phong;
