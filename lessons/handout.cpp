@@ -3,8 +3,12 @@
 #include <fmt/format.h>
 
 #include "lessons/handout_figure.h"
+#include "lessons/hidden.h"
 #include "lessons/judge.h"
+#include "lessons/lesson_text.h"
+#include "lessons/misconceptions.h"
 #include "lessons/prose_html.h"
+#include "pipeline/core/text.h"
 #include "pipeline/core/version.h"
 #include "pipeline/export/file_hash.h"
 #include "pipeline/export/formula_html.h"
@@ -37,10 +41,12 @@ section { margin-top: 2rem; padding-top: 1.25rem; border-top: 1px solid #D0D5DC;
 .question { margin: .75rem 0 0; padding: .5rem .75rem .75rem; border: 1.5px solid #171A1F; break-inside: avoid; }
 .blank { display: inline-block; min-width: 12rem; border-bottom: 1px solid #171A1F; }
 .answer { font-weight: 600; }
+.options { list-style: none; padding: 0; } .options p, .works p, td p { display: inline; margin: 0; }
+.box { display: inline-block; width: .9rem; height: .9rem; border: 1.5px solid #171A1F; vertical-align: -.1rem; }
 .hint { display: flex; gap: 1rem; margin: .5rem 0; } .hint b { min-width: 1.5rem; text-align: right; } .hint p { margin: 0; }
 footer { margin-top: 3rem; }
 @media print { main { max-width: none; padding: 0; } body { font-size: 11pt; }
-  h2 { break-after: avoid; } figure, table, .equation { break-inside: avoid; } }
+  h2 { break-after: avoid; } figure, table, .equation, .hint, .options li { break-inside: avoid; } }
 )";
 
 // A whole page around `body`.
@@ -61,14 +67,14 @@ std::string headingOf(const Page& page, std::size_t number) {
     return element("h2", fmt::format("{} {}", number + 1, page.heading));
 }
 
-// The equation that the window shows beside the page: of the picked pixel, in the page's channel.
-std::string equationHtml(const Page& page, const pipeline::Frame& frame, const std::stop_token& stop) {
-    if (page.first.state.window.stage != pipeline::StageId::Shading || !pickedPixel(page.first.state)) return {};
+// The equation that the window shows beside the half of a page: of the picked pixel, in the page's channel.
+std::string equationHtml(const PageState& state, const pipeline::Frame& frame, const std::stop_token& stop) {
+    if (state.window.stage != pipeline::StageId::Shading || !pickedPixel(state)) return {};
     static constexpr const char* kChannels[]{"red", "green", "blue"};
-    const glm::ivec2 pixel = *pickedPixel(page.first.state);
+    const glm::ivec2 pixel = *pickedPixel(state);
     std::string html;
     for (const pipeline::EquationLine& line :
-         equation(frame.scene(), inspectPixel(frame, pixel, stop), page.first.state.window.channel)) {
+         equation(frame.scene(), inspectPixel(frame, pixel, stop), state.window.channel)) {
         const bool goesOn = line.role == "numbers" || line.role == "result";
         html += goesOn ? "<p class=more>" : "<p>";
         html += toHtml(line.formula);
@@ -77,25 +83,31 @@ std::string equationHtml(const Page& page, const pipeline::Frame& frame, const s
     }
     if (html.empty()) return {};
     return fmt::format("<div class=equation><p class=remark>Pixel {}, {} (the ring), {}:</p>\n{}</div>\n", pixel.x,
-                       pixel.y, kChannels[page.first.state.window.channel], html);
+                       pixel.y, kChannels[state.window.channel], html);
+}
+
+std::string pointsText(double points) {
+    return fmt::format("{} {}", pipeline::shortestText(points), points == 1 ? "point" : "points");
 }
 
 // Takes up the pages, and what could not be filled in.
 class Writer {
 public:
-    explicit Writer(const Lesson& lesson) : m_lesson(lesson), m_pictures(lesson.folder) {}
+    Writer(const Lesson& lesson, const std::stop_token& stop)
+        : m_lesson(lesson), m_stop(stop), m_pictures(lesson.folder), m_answerPictures(lesson.folder) {}
 
-    void add(const Page& page, std::size_t number, const pipeline::Frame& frame, const std::stop_token& stop) {
-        m_pages += "<section>\n" + headingOf(page, number) + "\n<div class=pictures>\n";
-        const PageState& state = page.first.state;
-        const std::vector<pipeline::BufferName> buffers = shownBuffers(state);
-        const std::optional<glm::ivec2> pixel = pickedPixel(state);
-        const pipeline::Tile part = partToShow(frame, buffers, pixel);
-        for (const pipeline::BufferName& buffer : buffers) m_pages += figureHtml(frame, buffer, part, pixel);
+    void add(const Page& page, std::size_t number, const PageFrames& frames) {
         m_page = &page;
-        m_pages += "</div>\n" + html(page.first.paper, frame) + equationHtml(page, frame, stop);
-        if (page.question) ask(page, number, frame);
+        const Hidden hidden = hiddenOn(page, false);
+        m_pages += "<section>\n" + headingOf(page, number) + '\n';
+        m_pages += half(page.first, frames.first, hidden, m_pictures);
+        if (page.question) ask(*page.question, number, {.frame = *frames.first, .stop = m_stop});
         m_pages += "</section>\n";
+        if (!page.question) return;
+        m_answers += "<section>\n" + headingOf(page, number) + '\n';
+        answer(*page.question, {.frame = *frames.first, .stop = m_stop});
+        if (page.then) m_answers += half(*page.then, frames.then, {}, m_answerPictures);
+        m_answers += "</section>\n";
     }
 
     pipeline::Result<Handout> finish() const {
@@ -120,9 +132,10 @@ private:
             all.push_back({{}, fmt::format("{} more pictures are left out", m_leftOutCount - all.size()), {}});
         return all;
     }
-    std::string html(const Prose& prose, const pipeline::Frame& frame) {
+    std::string html(const Prose& prose, const Context& context) { return html(prose, context, m_answerPictures); }
+    std::string html(const Prose& prose, const Context& context, Pictures& pictures) {
         pipeline::Errors leftOut;
-        std::string html = proseHtml(filled(prose, {.frame = frame}, m_errors), m_pictures, leftOut);
+        std::string html = proseHtml(filled(prose, context, m_errors), pictures, leftOut);
         for (pipeline::Error& one : leftOut) {
             if (m_leftOutCount++ >= pipeline::kMaxErrors) continue;
             one.where = m_page->where;
@@ -132,25 +145,93 @@ private:
         return html;
     }
 
-    void ask(const Page& page, std::size_t number, const pipeline::Frame& frame) {
-        const Question& question = *page.question;
-        const std::string asked = html(question.text, frame);
-        m_pages += "<div class=question>" + asked + "<p>" + blank("Answer") + "</p></div>\n";
+    // Figures, text, and the equation unless it is hidden with the numbers of the pixel.
+    std::string half(const Half& half, const pipeline::FramePtr& frame, const Hidden& hidden, Pictures& pictures) {
+        const std::string figures = figuresHtml(half.state, frame, hidden, m_stop);
+        std::string text = figures.empty() ? std::string() : "<div class=pictures>\n" + figures + "</div>\n";
+        text += html(half.paper, {.frame = *frame, .stop = m_stop}, pictures);
+        if (!hidden.hides(Part::Inspector) && !hidden.hides(Part::Equation))
+            text += equationHtml(half.state, *frame, m_stop);
+        return text;
+    }
+
+    std::string asked(const Question& question, const Context& context) {
+        return html(question.paper.empty() ? question.text : question.paper, context);
+    }
+    std::string options(const Question& question, const Context& context, const char* mark) {
+        std::string list;
+        char letter = 'A';
+        for (const Option& option : optionsOf(question))
+            list += fmt::format("<li><span class=box>{}</span> <b>{}</b> {}</li>\n", mark, letter++,
+                                html(option.text, context));
+        return list.empty() ? list : "<ul class=options>\n" + list + "</ul>\n";
+    }
+
+    void ask(const Question& question, std::size_t number, const Context& context) {
+        m_pages += "<div class=question>" + asked(question, context) + options(question, context, "&nbsp;");
+        const auto* click = std::get_if<ClickQuestion>(&question.kind);
+        const auto* typed = std::get_if<NumberQuestion>(&question.kind);
+        if (click && click->kind == ThingKind::Pixel)
+            m_pages += "<p>Mark the place with a cross in the picture.</p>";
+        else if (optionsOf(question).empty())
+            m_pages += "<p>" + blank("Answer") + (typed ? ' ' + escapedHtml(typed->unit) : std::string()) + "</p>";
+        m_pages += element("p class=remark", pointsText(question.points)) + "</div>\n";
         std::string hints;
-        for (const Prose& hint : question.hints) hints += html(hint, frame);
+        for (const Prose& hint : question.hints) hints += html(hint, context);
         if (!hints.empty()) m_hints += fmt::format("<div class=hint><b>{}</b><div>{}</div></div>\n", number + 1, hints);
-        const auto answer = answerText(question, {.frame = frame});
-        if (!answer) {
-            m_errors.insert(m_errors.end(), answer.errors().begin(), answer.errors().end());
+    }
+
+    void answer(const Question& question, const Context& context) {
+        m_answers += asked(question, context) + options(question, context, "&nbsp;");
+        const auto text = answerText(question, context);
+        if (!text) {
+            m_errors.insert(m_errors.end(), text.errors().begin(), text.errors().end());
             return;
         }
-        m_answers += "<section>\n" + headingOf(page, number) + '\n' + asked + element("p class=answer", *answer) +
-                     "\n</section>\n";
+        // The answer of a choice may have Markdown in it.
+        pipeline::Errors none;
+        std::string answer = proseHtml(*text, m_answerPictures, none);
+        answer = answer.starts_with("<p>") ? "<p class=answer>" + answer.substr(3) : answer;
+        m_answers += answer + element("p class=remark", pointsText(question.points)) + '\n';
+        std::string works;
+        for (const Line& line : linesOf(filled(question.works, context, m_errors), {}))
+            if (!isBlank(line)) works += "<li>" + proseHtml(line.text, m_answerPictures, none) + "</li>\n";
+        if (!works.empty()) m_answers += "<ol class=works>\n" + works + "</ol>\n";
+        const std::string wrong = wrongAnswers(question, context);
+        if (!wrong.empty())
+            m_answers +=
+                "<table><caption>Wrong answers</caption><thead><tr><th>answer</th><th>mistake</th><th>what is "
+                "said</th></tr></thead><tbody>\n" +
+                wrong + "</tbody></table>\n";
+    }
+    std::string wrongAnswers(const Question& question, const Context& context) {
+        std::string rows;
+        const auto row = [&](const std::string& given, const std::string& id, const Prose& said) {
+            const Misconception* known = findMisconception(id);
+            rows += "<tr>" + element("td", given) + element("td", known ? known->name : id) + "<td>" +
+                    html(said, context) + "</td></tr>\n";
+        };
+        for (const Mistake& mistake : mistakesOf(question)) {
+            const bool isNumber = std::holds_alternative<NumberQuestion>(question.kind);
+            const auto value = isNumber ? evaluate(mistake.value, context) : Value();
+            row(!value ? "" : isNumber ? toText(*value) : mistake.value.text, mistake.id, mistake.said);
+        }
+        char letter = 'A';
+        for (const Option& option : optionsOf(question)) {
+            const std::string given(1, letter++);
+            const auto holds = evaluate(option.holds, context);
+            if (holds && holds->numbers[0] != 1 && (!option.mistake.empty() || !option.said.empty()))
+                row(given, option.mistake, option.said);
+        }
+        if (const auto* several = std::get_if<SeveralQuestion>(&question.kind); several && several->opposite)
+            row("the others", several->opposite->id, several->opposite->said);
+        return rows;
     }
 
     const Lesson& m_lesson;
-    const Page* m_page = nullptr;  // the one that is being written
-    Pictures m_pictures;
+    const std::stop_token& m_stop;
+    const Page* m_page = nullptr;           // the one that is being written
+    Pictures m_pictures, m_answerPictures;  // one budget for each file
     std::string m_pages, m_hints, m_answers;
     pipeline::Errors m_errors, m_leftOut;
     std::size_t m_leftOutCount = 0;
@@ -160,10 +241,10 @@ private:
 
 pipeline::Result<Handout> makeHandout(const Lesson& lesson, const std::stop_token& stop,
                                       const HandoutProgress& progress) {
-    Writer writer(lesson);
+    Writer writer(lesson, stop);
     const bool all = runPages(lesson, stop, [&](const Page& page, std::size_t number, const PageFrames& frames) {
         if (progress) progress(number);
-        writer.add(page, number, *frames.first, stop);
+        writer.add(page, number, frames);
     });
     if (!all) return pipeline::Error{{}, "stopped", {}};
     return writer.finish();

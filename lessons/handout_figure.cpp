@@ -5,12 +5,15 @@
 #include <cmath>
 #include <set>
 
+#include "lessons/derived_buffer.h"
+#include "lessons/expression/changed_frames.h"
 #include "pipeline/buffers/palette.h"
 #include "pipeline/export/formula_html.h"
 #include "pipeline/export/html_text.h"
 #include "pipeline/export/png_file.h"
 #include "pipeline/inspect/formula_parts.h"
 #include "pipeline/stages/cull.h"
+#include "pipeline/steps/steps.h"
 
 namespace lessons {
 
@@ -99,20 +102,19 @@ std::string legend(const pipeline::Frame& frame, const AnyBuffer& buffer, Palett
 }
 
 std::string pictureHtml(const pipeline::Frame& frame, const AnyBuffer& buffer, Tile part,
-                        const std::optional<glm::ivec2>& pixel) {
+                        const std::optional<glm::ivec2>& pixel, const std::string& caption) {
     const glm::ivec2 size(int(buffer.columns()), int(buffer.rows()));
     const bool ofPixels = buffer.info->domain == Domain::Pixel;
     if (!ofPixels) part = {{0, 0}, size};
     const PaletteRange range = fittingRange(buffer, statistics(buffer), frame.scene().settings.depthFormat);
-    std::string html = fmt::format("<div class=picture><img src=\"{}\" alt=\"{}\">",
-                                   pipeline::imageSource("png", pictureOf(buffer, range, part)),
-                                   pipeline::escapedHtml("Picture of " + buffer.name.text()));
+    std::string html = fmt::format(
+        "<div class=picture><img src=\"{}\" alt=\"{}\">", pipeline::imageSource("png", pictureOf(buffer, range, part)),
+        pipeline::escapedHtml(pictureSentence(buffer, part, ofPixels ? pixel : std::nullopt)));
     if (pixel && ofPixels) {
         const glm::dvec2 at = 100.0 * (glm::dvec2(*pixel - part.min) + 0.5) / glm::dvec2(part.max - part.min);
         html += fmt::format("<span class=pick style=\"left: {:.3f}%; top: {:.3f}%\"></span>", at.x, at.y);
     }
-    html += "</div><figcaption>" + pipeline::element("code", buffer.name.text()) + ' ' +
-            pipeline::escapedHtml(buffer.info->meaning);
+    html += "</div><figcaption>" + caption;
     if (part.max - part.min != size)
         html += fmt::format(" Columns {} to {}, rows {} to {} of {} × {}.", part.min.x, part.max.x - 1, part.min.y,
                             part.max.y - 1, size.x, size.y);
@@ -126,10 +128,9 @@ std::string cellHtml(const AnyBuffer& buffer, std::size_t row, int channel) {
     return pipeline::element("td", name(static_cast<pipeline::Verdict>(value)));
 }
 
-std::string tableHtml(const AnyBuffer& buffer) {
+std::string tableHtml(const AnyBuffer& buffer, const std::string& caption) {
     const bool isColor = buffer.info->palette == Palette::Color;
-    std::string html = "<table><caption>" + pipeline::element("code", buffer.name.text()) + ' ' +
-                       pipeline::escapedHtml(buffer.info->meaning) + "</caption><thead><tr>" +
+    std::string html = "<table><caption>" + caption + "</caption><thead><tr>" +
                        pipeline::element("th", buffer.info->domain == Domain::Polygon ? "polygon" : "vertex");
     for (int c = 0; c < buffer.channels(); ++c)
         html += buffer.channels() == 1
@@ -147,7 +148,95 @@ std::string tableHtml(const AnyBuffer& buffer) {
     return rows == buffer.rows() ? html : html + fmt::format("<p>and {} more</p>", buffer.rows() - rows);
 }
 
+// "Gouraud: color The colour of each pixel."
+std::string captionOf(const pipeline::BufferName& name, const std::string& meaning, std::string_view note) {
+    const std::string before = note.empty() ? std::string() : pipeline::escapedHtml(std::string(note)) + ": ";
+    return before + pipeline::element("code", name.text()) + ' ' + pipeline::escapedHtml(meaning);
+}
+
+std::string bufferFigure(const pipeline::Frame& frame, const AnyBuffer& buffer, Tile part,
+                         const std::optional<glm::ivec2>& pixel, const std::string& meaning, std::string_view note) {
+    const std::string caption = captionOf(buffer.name, meaning, note);
+    const Domain domain = buffer.info->domain;
+    const bool isPicture = domain == Domain::Pixel || domain == Domain::Texel;
+    return "<figure>" + (isPicture ? pictureHtml(frame, buffer, part, pixel, caption) : tableHtml(buffer, caption)) +
+           "</figure>\n";
+}
+
+// What view A is compared with, where that is in a page's own frames: "setting KEY=VALUE" or "buffer NAME".
+std::string comparedFigure(const BufferShown& view, const pipeline::BufferName& name, const pipeline::Frame& frame,
+                           Tile part, const std::optional<glm::ivec2>& pixel, const std::stop_token& stop) {
+    constexpr std::string_view kSetting = "setting ", kBuffer = "buffer ";
+    const std::string& with = view.compared->with;
+    if (with.starts_with(kBuffer)) {
+        const auto other = pipeline::findBuffer(with.substr(kBuffer.size()));
+        return other ? figureHtml(frame, *other, part, pixel, "B") : std::string();
+    }
+    if (!with.starts_with(kSetting) || pipeline::isDerived(name.id)) return {};
+    const std::string change = with.substr(kSetting.size());
+    ChangedFrames changed;
+    const auto other = changed.frame(frame, std::span(&change, 1), frame.wanted(), stop);
+    return other ? figureHtml(**other, name, part, pixel, change) : std::string();
+}
+
 }  // namespace
+
+pipeline::FramePtr frameShown(const PageState& state, const pipeline::FramePtr& frame, const std::stop_token& stop) {
+    if (!state.window.place) return frame;
+    const pipeline::Steps steps(frame);
+    return steps.frameAt(steps.momentOf(*state.window.place), 0, stop);
+}
+
+std::string figuresHtml(const PageState& state, const pipeline::FramePtr& whole, const Hidden& hidden,
+                        const std::stop_token& stop) {
+    const pipeline::FramePtr frame = frameShown(state, whole, stop);
+    if (!frame) return {};
+    const std::vector<pipeline::BufferName> buffers = shownBuffers(state);
+    const std::optional<glm::ivec2> pixel = pickedPixel(state);
+    const Tile part = partToShow(*frame, buffers, pixel);
+    const auto mix = pipeline::parseMix(state.window.mix, state.scene.lights.size());
+    const DerivedRecipe recipe{state.window.condition, mix ? *mix : pipeline::TermMix()};
+    std::string html;
+    for (std::size_t i = 0; i < buffers.size(); ++i) {
+        const pipeline::BufferName& name = buffers[i];
+        const bool isYetToCome = !frame->buffer(name) && whole->buffer(name);  // at the page's place in the frame
+        if (hidden.hides(name) || isYetToCome) continue;
+        if (pipeline::isDerived(name.id)) {
+            const auto made = derive(name, recipe, *frame, {.stop = stop});
+            if (made) html += bufferFigure(*frame, made->buffer, part, pixel, made->meaning, {});
+        } else {
+            html += figureHtml(*frame, name, part, pixel);
+        }
+        if (state.window.views[i].compared)
+            html += comparedFigure(state.window.views[i], name, *frame, part, pixel, stop);
+    }
+    return html;
+}
+
+std::string pictureSentence(const AnyBuffer& buffer, Tile part, const std::optional<glm::ivec2>& pixel) {
+    const std::string unit = buffer.info->unit.empty() ? "" : ' ' + std::string(buffer.info->unit);
+    const auto valueAt = [&](glm::ivec2 at) {
+        Value value;
+        for (int c = 0; c < buffer.channels(); ++c)
+            value.numbers.push_back(buffer.value(std::size_t(at.x), std::size_t(at.y), c));
+        return toText(value) + unit;
+    };
+    Tile drawn{{int(buffer.columns()), int(buffer.rows())}, {0, 0}};
+    include(buffer, drawn);
+    std::string text = fmt::format("{}: {} ", buffer.name.text(), buffer.info->meaning);
+    if (drawn.max.x == 0) return text + "Nothing is drawn yet.";
+    const pipeline::BufferStatistics found = pipeline::statistics(buffer);
+    text += fmt::format("Drawn are columns {} to {} and rows {} to {} of {} by {} pixels.", drawn.min.x,
+                        drawn.max.x - 1, drawn.min.y, drawn.max.y - 1, buffer.columns(), buffer.rows());
+    if (buffer.info->palette == Palette::Sequential || buffer.info->palette == Palette::Diverging)
+        text += fmt::format(" Values go from {}{} to {}{}.", toText({{found.min}, {}}), unit, toText({{found.max}, {}}),
+                            unit);
+    const bool inside =
+        pixel && pixel->x >= part.min.x && pixel->x < part.max.x && pixel->y >= part.min.y && pixel->y < part.max.y;
+    if (inside)
+        text += fmt::format(" At the ring, pixel {}, {}, the value is {}.", pixel->x, pixel->y, valueAt(*pixel));
+    return text;
+}
 
 Tile partToShow(const pipeline::Frame& frame, std::span<const pipeline::BufferName> buffers,
                 const std::optional<glm::ivec2>& pixel) {
@@ -167,17 +256,10 @@ Tile partToShow(const pipeline::Frame& frame, std::span<const pipeline::BufferNa
 }
 
 std::string figureHtml(const pipeline::Frame& frame, const pipeline::BufferName& name, Tile part,
-                       const std::optional<glm::ivec2>& pixel) {
-    const auto buffer = frame.buffer(name);
-    std::string inside;
-    if (!buffer)
-        inside = "<figcaption>" + pipeline::element("code", name.text()) + ' ' +
-                 pipeline::escapedHtml(frame.whyAbsent(name)) + "</figcaption>";
-    else if (buffer->info->domain == Domain::Pixel || buffer->info->domain == Domain::Texel)
-        inside = pictureHtml(frame, *buffer, part, pixel);
-    else
-        inside = tableHtml(*buffer);
-    return "<figure>" + inside + "</figure>\n";
+                       const std::optional<glm::ivec2>& pixel, std::string_view note) {
+    if (const auto buffer = frame.buffer(name))
+        return bufferFigure(frame, *buffer, part, pixel, std::string(buffer->info->meaning), note);
+    return "<figure><figcaption>" + captionOf(name, frame.whyAbsent(name), note) + "</figcaption></figure>\n";
 }
 
 // Backgrounds are printed too: they are what the legend shows.
@@ -187,6 +269,7 @@ figure { flex: 1 1 17rem; max-width: 24rem; margin: 0; }
 figcaption, caption { color: #4A525D; font-size: .8rem; line-height: 1.35; padding-top: .3rem; text-align: left; }
 .picture { position: relative; border: 1px solid #D0D5DC; line-height: 0; }
 .picture img { width: 100%; image-rendering: pixelated; }
+@media print { .pictures { display: block; } figure { display: inline-block; width: 17rem; margin: 0 1rem .75rem 0; vertical-align: top; } }
 .pick { position: absolute; width: 1rem; height: 1rem; margin: -.5rem 0 0 -.5rem; border: 2px solid #000; border-radius: 50%;
         outline: 2px solid #fff; outline-offset: -4px; box-sizing: border-box; box-shadow: 0 0 0 1.5px #fff; }
 .scale, .swatch { display: inline-block; height: .7rem; vertical-align: -.05rem; border: 1px solid #828A95;

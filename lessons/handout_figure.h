@@ -1,13 +1,18 @@
 #pragma once
 #include <optional>
 #include <span>
+#include <stop_token>
 #include <string>
 #include <string_view>
 
+#include "lessons/hidden.h"
 #include "pipeline/buffers/buffer2d.h"
 #include "pipeline/run/frame.h"
 
 namespace lessons {
+
+// The frame that half a page shows: `frame`, or the moment of it that the page's place names. Null when stopped.
+pipeline::FramePtr frameShown(const PageState& state, const pipeline::FramePtr& frame, const std::stop_token& stop);
 
 // The part of the picture that is worth its ink: what was drawn in one of these buffers, and the picked pixel, with a
 // margin, in the picture's proportions. The whole picture where that is more than half of its width or height.
@@ -15,9 +20,19 @@ pipeline::Tile partToShow(const pipeline::Frame& frame, std::span<const pipeline
                           const std::optional<glm::ivec2>& pixel);
 
 // What a page shows of a buffer, as an element figure in HTML: that part of its picture with a ring around the picked
-// pixel and what its colours mean, or a table of what has no pixels; why there is none where the frame has none.
+// pixel and what its colours mean, or a table of what has no pixels; why there is none where the frame has none. note:
+// before its name, as of a comparison; may be empty.
 std::string figureHtml(const pipeline::Frame& frame, const pipeline::BufferName& name, pipeline::Tile part,
-                       const std::optional<glm::ivec2>& pixel);
+                       const std::optional<glm::ivec2>& pixel, std::string_view note = {});
+
+// All figures of half a page, but for hidden buffers: of its views, with what they are compared with beside them.
+// Derived buffers are made; rays take their time.
+std::string figuresHtml(const PageState& state, const pipeline::FramePtr& frame, const Hidden& hidden,
+                        const std::stop_token& stop);
+
+// What a picture shows, in a sentence or two for somebody who does not see it.
+std::string pictureSentence(const pipeline::AnyBuffer& buffer, pipeline::Tile part,
+                            const std::optional<glm::ivec2>& pixel);
 
 // The style sheet of these.
 std::string_view figureStyle();

@@ -12,6 +12,27 @@ namespace {
 
 constexpr const char* kFile = "lesson.md";
 
+// Each lesson before the one that it names as the next; those that no other names come first.
+std::vector<Lesson> inOrder(std::vector<Lesson> lessons) {
+    std::vector<Lesson> ordered;
+    const auto take = [&](std::vector<Lesson>::iterator from) {
+        while (from != lessons.end()) {
+            const std::string next = from->next;
+            ordered.push_back(std::move(*from));
+            lessons.erase(from);
+            from = std::ranges::find(lessons, next, &Lesson::name);
+        }
+    };
+    const auto isFirst = [&](const Lesson& lesson) {
+        return std::ranges::find(lessons, lesson.name, &Lesson::next) == lessons.end();
+    };
+    while (!lessons.empty()) {
+        const auto first = std::ranges::find_if(lessons, isFirst);
+        take(first != lessons.end() ? first : lessons.begin());  // a circle begins anywhere
+    }
+    return ordered;
+}
+
 }  // namespace
 
 // Where the program is installed the lessons stand among its resources, in the source tree beside them.
@@ -40,6 +61,7 @@ Library allLessons() {
         else
             library.errors.insert(library.errors.end(), lesson.errors().begin(), lesson.errors().end());
     }
+    library.lessons = inOrder(std::move(library.lessons));
     return library;
 }
 

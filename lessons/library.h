@@ -7,7 +7,8 @@
 
 namespace lessons {
 
-// The lessons that come with the program, in the order of their folders' names.
+// The lessons that come with the program: each before the one that it names as the next, else in the order of their
+// folders' names.
 struct Library {
     std::vector<Lesson> lessons;
     pipeline::Errors errors;  // of those that could not be read

@@ -11,6 +11,7 @@
 #include "lessons/handout.h"
 #include "lessons/judge.h"
 #include "lessons/library.h"
+#include "lessons/results.h"
 #include "pipeline/core/text.h"
 #include "pipeline/export/json.h"
 
@@ -195,6 +196,42 @@ int checkOne(const std::string& name) {
     return kDone;
 }
 
+int showResults(bool json, bool forget) {
+    const std::filesystem::path file = lessons::resultsFile();
+    if (forget) {
+        const pipeline::Errors errors = lessons::writeResults({}, file);
+        printErrors(errors);
+        if (!errors.empty()) return kCouldNotWrite;
+        tell("Forgotten.\n");
+        return kDone;
+    }
+    const auto results = lessons::readResults(file);
+    if (!results) {
+        printErrors(results.errors());
+        return kBadInput;
+    }
+    if (json) {
+        say("{}", toText(*results));
+        return kDone;
+    }
+    if (results->empty()) say("No question has been answered yet.\n");
+    for (const auto& [name, pages] : results->lessons()) {
+        const auto lesson = lessons::findLesson(name);
+        if (!lesson) {
+            say("{}: {} answered; this lesson is not here any more.\n", name,
+                pipeline::plural(std::int64_t(pages.size()), "page"));
+            continue;
+        }
+        const lessons::Summary summary = summaryOf(*lesson, *results);
+        say("{}: {} of {} points{}\n", lesson->title, pipeline::shortestText(summary.points),
+            pipeline::shortestText(summary.full), summary.isDone ? ", every question is settled" : "");
+        for (const lessons::Summary::OwnMistake& mistake : summary.mistakes)
+            say("  {} ({}), page {}\n", mistake.name, pipeline::plural(std::int64_t(mistake.times), "time"),
+                mistake.page + 1);
+    }
+    return kDone;
+}
+
 }  // namespace
 
 void declareLesson(CLI::App& program, const CliHost&, int& status) {
@@ -203,7 +240,7 @@ void declareLesson(CLI::App& program, const CliHost&, int& status) {
     command->require_subcommand(1);
     struct Options {
         std::string name, folder;
-        bool json = false;
+        bool json = false, forget = false;
     };
     const auto options = std::make_shared<Options>();
     const auto addName = [&](CLI::App& to) {

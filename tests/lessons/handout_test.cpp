@@ -1,6 +1,7 @@
 #include "lessons/handout.h"
 
 #include "lessons/handout_figure.h"
+#include "lessons/hidden.h"
 #include "lessons/library.h"
 #include "tests/lessons/html_of.h"
 #include "tests/lessons/pyramid_scene.h"
@@ -48,38 +49,65 @@ protected:
     Handout m_handout;
 };
 
+// The pictures and tables of one half.
+std::pair<std::size_t, std::size_t> figuresOf(const Half& half, const Hidden& hidden) {
+    std::pair<std::size_t, std::size_t> found;
+    for (const pipeline::BufferName& buffer : shownBuffers(half.state))
+        if (!hidden.hides(buffer))
+            ++(pipeline::bufferInfo(buffer.id).domain == pipeline::Domain::Pixel ? found.first : found.second);
+    return found;
+}
+
 TEST_F(HandoutOfThePyramid, HasEveryPageWithItsPicturesAndQuestion) {
-    std::size_t pictures = 0, tables = 0, questions = 0;
+    std::size_t tables = 0, afterwards = 0;
     for (const Page& page : m_lesson.pages) {
         EXPECT_TRUE(has(m_handout.pages, page.heading)) << page.heading;
-        for (const pipeline::BufferName& buffer : shownBuffers(page.first.state))
-            ++(pipeline::bufferInfo(buffer.id).domain == pipeline::Domain::Pixel ? pictures : tables);
-        questions += page.question.has_value();
+        tables += figuresOf(page.first, hiddenOn(page, false)).second;
+        afterwards += figuresOf(*page.then, {}).first;
     }
-    EXPECT_EQ(count(m_handout.pages, "<img src=\"data:image/png;base64,"), pictures);
+    EXPECT_EQ(count(m_handout.pages, "<img src=\"data:image/png;base64,"), 5u)
+        << "pages 4 to 8: nothing is drawn yet on the first two, the third has a table";
     EXPECT_EQ(count(m_handout.pages, "<table"), tables) << "what polygons have is no picture";
-    EXPECT_EQ(count(m_handout.pages, "class=question"), questions);
-    EXPECT_EQ(count(m_handout.answers, "class=answer"), questions);
+    EXPECT_EQ(count(m_handout.pages, "class=question"), m_lesson.pages.size());
+    EXPECT_EQ(count(m_handout.answers, "class=answer"), m_lesson.pages.size());
+    EXPECT_EQ(count(m_handout.answers, "<img src=\"data:image/png;base64,"), afterwards) << "of the second halves";
     EXPECT_FALSE(has(m_handout.pages, "<script"));
     EXPECT_FALSE(has(m_handout.pages, "http")) << "it needs nothing from elsewhere";
 }
 
-// The lecture's numbers, as lesson_data_test.cpp derives them.
-TEST_F(HandoutOfThePyramid, FillsInTheNumbersAndKeepsTheAnswersApart) {
-    EXPECT_TRUE(has(m_handout.pages, "0.7746, an angle of 39.2°"));
-    EXPECT_TRUE(has(m_handout.pages, "(335, 75, 150)"));
+// The lecture's numbers, as lesson_data_test.cpp derives them: 310, 0.66896, 35.376°, 0.81537. What asks for them has
+// none of them before the hints, neither in texts nor in tables nor in the words for pictures.
+TEST_F(HandoutOfThePyramid, AsksWithoutTheAnswersAndKeepsThemApart) {
+    const std::string asked = m_handout.pages.substr(0, m_handout.pages.find("<h2>Hints</h2>"));
+    EXPECT_TRUE(has(asked, "(335, 75, 150)"));
+    const std::string second = asked.substr(asked.find("<h2>2 "), asked.find("<h2>3 ") - asked.find("<h2>2 "));
+    for (const char* answer : {">310", " 310"}) EXPECT_FALSE(has(second, answer)) << answer;
+    for (const char* answer : {"0.669", "35.4", "35.37", "0.8154", "back-facing", "kept"})
+        EXPECT_FALSE(has(asked, answer)) << answer;
     EXPECT_TRUE(has(m_handout.answers, "<p class=answer>310</p>"));
-    EXPECT_TRUE(has(m_handout.answers, "<p class=answer>35.3762 ± 0.06</p>"));
-    EXPECT_FALSE(has(m_handout.pages, "35.376"));
-    EXPECT_FALSE(has(m_handout.answers, "<img"));
+    EXPECT_TRUE(has(m_handout.answers, "<p class=answer>35.3762 ± 0.06 °</p>"));
+    EXPECT_TRUE(has(m_handout.answers, "<p class=answer>A: <em>Left</em>; E: <em>Base</em></p>"));
+    EXPECT_TRUE(has(m_handout.answers, "<li><p>Its whole part is 310.</p>\n</li>")) << "the way of working";
+    EXPECT_TRUE(has(m_handout.answers, "<td>169</td><td>rows counted from the bottom</td>")) << "the wrong answers";
+    EXPECT_TRUE(has(m_handout.answers, "<p class=remark>2 points</p>"));
+    EXPECT_TRUE(has(m_handout.answers, "is 0.8154 on <em>Front</em>")) << "the second halves";
+    EXPECT_EQ(count(asked, "class=box"), 8u) << "five polygons and three options to tick";
+}
+
+// A screen reader hears what the picture shows, not that there is one.
+TEST_F(HandoutOfThePyramid, SaysInWordsWhatItsPicturesShow) {
+    EXPECT_FALSE(has(m_handout.pages, "Picture of"));
+    EXPECT_TRUE(has(m_handout.pages, "Nothing is drawn yet.")) << "page 5";
+    EXPECT_TRUE(has(m_handout.answers, "At the ring, pixel 250, 270, the value is 671.93"));
 }
 
 // 0.9·50 + 100·0.9·0.7746 + 40·0.3974^8 = 114.739, and 255·114.739/175 = 167: the blue of pixel 268, 281.
-TEST_F(HandoutOfThePyramid, HasTheEquationOfThePickedPixelWhereTheStageIsShading) {
-    EXPECT_EQ(count(m_handout.pages, "Pixel 268, 281 (the ring), blue:"), 3u);  // pages 8, 9 and 10
-    EXPECT_TRUE(has(m_handout.pages, "114.739</p>"));
-    EXPECT_TRUE(has(m_handout.pages, "= 167"));
-    EXPECT_TRUE(has(m_handout.pages, "0.3974<sup>8</sup>"));
+TEST_F(HandoutOfThePyramid, HasTheEquationOfThePickedPixelAfterTheAnswer) {
+    EXPECT_FALSE(has(m_handout.pages, "(the ring)")) << "it has the numbers that are asked for";
+    EXPECT_EQ(count(m_handout.answers, "Pixel 268, 281 (the ring), blue:"), 1u);  // page 7
+    EXPECT_TRUE(has(m_handout.answers, "114.739</p>"));
+    EXPECT_TRUE(has(m_handout.answers, "= 167"));
+    EXPECT_TRUE(has(m_handout.answers, "0.3974<sup>8</sup>"));
 }
 
 TEST_F(HandoutOfThePyramid, IsTwoFilesOrNone) {

@@ -3,6 +3,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "lessons/check.h"
 #include "lessons/judge.h"
 #include "lessons/library.h"
 #include "pipeline/illumination/illumination.h"
@@ -104,31 +105,40 @@ protected:
         const auto answer = evaluate(std::get<NumberQuestion>(asked.question->kind).answer, {.frame = *frame});
         return answer ? answer->numbers[0] : NAN;
     }
-    std::string text(std::size_t page) const {
-        return textOf(filled(m_lesson.pages[page].first.text,
-                             *frameOf(m_lesson.pages[page].first.state.scene, requestFor(m_lesson.pages[page]))));
+    std::vector<std::size_t> holding(std::size_t page) const {
+        const Page& asked = m_lesson.pages[page];
+        const auto frame = frameOf(asked.first.state.scene, requestFor(asked));
+        return holdingOptions(optionsOf(*asked.question), {.frame = *frame}).value();
+    }
+    // Both halves.
+    std::string text(std::size_t number) const {
+        const Page& page = m_lesson.pages[number];
+        return textOf(filled(page.first.text, *frameOf(page.first.state.scene, requestFor(page)))) +
+               textOf(filled(page.then->text, *frameOf(page.then->state.scene, requestForThen(page))));
     }
     Lesson m_lesson;
 };
 
 // Worked out from the lecture's two files with the lecture's formulas, not with this program:
-//   page 3   z_v of vertex 2 is 1000 − 470·sin60·cos45 − 150·sin60·sin45 = 620.329,
+//   page 1   four triangles and a quadrilateral: 4·1 + 1·2 = 6
+//   page 2   z_v of vertex 2 is 1000 − 470·sin60·cos45 − 150·sin60·sin45 = 620.329,
 //            y_v = −470·cos60·cos45 − 150·cos60·sin45 = −219.203; 240 + 200·219.203/620.329 = 310.673
-//   page 4   Left and Base turn clockwise in the picture
-//   page 5   (0, 150, 0) × (−135, 75, 150) = (22500, 0, 20250); 20250/30270.65 = 0.66896
-//   page 7   Base comes after Right, and behind it
-//   page 8   N·L = (22500 + 20250)/(30270.65·√3) = 0.81537, the angle 35.376°
-//   page 9   40·0.3974^n ≥ 175/255 = 0.686 holds up to n = 4.405
-//   page 10  255·(0.2·50 + 100·0.2·0.81537)/175 = 38.33
+//   page 3   Left and Base turn clockwise in the picture
+//   page 4   (0, 150, 0) × (−135, 75, 150) = (22500, 0, 20250); 20250/30270.65 = 0.66896
+//   page 5   at pixel 250, 270 Front is nearer than Left
+//   page 6   N·L = (22500 + 20250)/(30270.65·√3) = 0.81537, the angle 35.376°
+//   page 7   acos(0.3974) = 66.6°
+//   page 8   255·(0.2·50 + 100·0.2·0.81537)/175 = 38.33
 TEST_F(PyramidLesson, AnswersAreThoseOfTheLecture) {
-    ASSERT_EQ(m_lesson.pages.size(), 10u);
-    EXPECT_EQ(answer(2), 310);
-    EXPECT_EQ(answer(3), 2);
-    EXPECT_NEAR(answer(4), 0.66896, 1e-5);
-    EXPECT_EQ(answer(6), 4);
-    EXPECT_NEAR(answer(7), 35.376, 0.001);
-    EXPECT_EQ(answer(8), 4);
-    EXPECT_EQ(answer(9), 38);
+    ASSERT_EQ(m_lesson.pages.size(), 8u);
+    EXPECT_EQ(answer(0), 6);
+    EXPECT_EQ(answer(1), 310);
+    EXPECT_EQ(holding(2), (std::vector<std::size_t>{0, 4}));
+    EXPECT_NEAR(answer(3), 0.66896, 1e-5);
+    EXPECT_EQ(holding(4), std::vector<std::size_t>{0});
+    EXPECT_NEAR(answer(5), 35.376, 0.001);
+    EXPECT_EQ(answer(6), 67);
+    EXPECT_EQ(answer(7), 38);
 }
 
 struct Said {
@@ -139,40 +149,34 @@ struct Said {
 // The same, for what the pages say.
 TEST_F(PyramidLesson, NumbersInTheTextAreThoseOfTheLecture) {
     const Said said[]{
-        {2, "= (335, 75, 150)"},
-        {2, "= \u2212183.848"},  // (75 − 335)·sin 45
-        {2, "= \u221215.053"},   // −(335 + 75)·cos 60·cos 45 + 150·sin 60
-        {2, "= 673.927"},
-        {2, "= 265.440"},
-        {2, "= 244.467"},
+        {1, "(335, 75, 150)"},
+        {1, "(\u2212183.848, \u221215.053, 673.927)"},  // (75 − 335)·sin 45, −(335 + 75)·cos 60·cos 45 + 150·sin 60
+        {1, "= 265.440"},
+        {1, "= 244.467"},
         // Shoelace formula on screen corners rounded to 1/256; without rounding Base has −1991.6.
-        {3, "*Left*: \u2212696.9, back-facing"},
-        {3, "*Front*: 895.3, kept"},
-        {3, "*Right*: 1\u202f756.7, kept"},
-        {3, "*Back*: 36.4, kept"},
-        {3, "*Base*: \u22121\u202f991.5, back-facing"},
-        {4, "= (0, 0.894, 0.447)"},
-        {5, "is \u22120.0429."},  // (−22500 + 20250)/(30270.65·√3)
-        {6, "What stays is polygon 1, at z_v = 671.93"},
-        {7, "= 45.000. It"},  // 0.9·50
-        {7, "= (0.577, 0.577, 0.577)"},
-        {7, "= 0.7746, an angle of 39.2°"},
-        {7, "= 69.714."},  // 0.9·100·0.7746
-        {8, "= (\u22120.577, 0.808, 0.115)"},
-        {8, "= (0.386, 0.678, 0.626)"},  // from the mean of the vertices
-        {8, "= 0.3974"},
-        {8, "66.6°"},
-        {8, "the term is 0.025."},  // 40·0.3974^8
-        {8, "45.000 + 69.714 + 0.025 = 114.739"},
-        {9, "0.9·50 + 100·(0.9 + 0.4) = 175"},
-        {9, "round(255·114.739/175) = 167"},
-        {9, "the pixel is (37, 93, 167)"},
+        {2, "*Left* \u2212696.9, *Base* \u22121\u202f991.5: back-facing"},
+        {2, "*Front* 895.3, *Right* 1\u202f756.7, *Back* 36.4: kept"},
+        {3, "product is (0, 40\u202f500, 20\u202f250)"},
+        {3, "= (0, 0.894, 0.447)"},
+        {3, "is (0.743, 0, 0.669)"},
+        {4, "shows polygon 1 at z_v = 671.93"},
+        {5, ": (0.577, 0.577, 0.577)"},
+        {5, "is 0.8154 on *Front* and 0.7746 on *Right*"},
+        {5, "73.38 against 69.71"},      // 0.9·100·N·L
+        {5, "at 92.5° from"},            // acos((−22500 + 20250)/(30270.65·√3)) = acos(−0.0429)
+        {6, "= (0.386, 0.678, 0.626)"},  // from the mean of the vertices
+        {6, "0.3974"},
+        {6, "the term is 0.025."},  // 40·0.3974^8
+        {6, "45.000 + 69.714 + 0.025 = 114.739"},
+        {7, "0.9·50 + 100·(0.9 + 0.4) = 175"},
+        {7, "= 26.307"},                // 0.2·50 + 100·0.2·0.81537
+        {7, "pixel is (38, 96, 173)"},  // of 0.5 and 0.9: 255·65.768/175 = 95.8, 255·118.383/175 = 172.5
     };
     for (const Said& s : said)
         EXPECT_NE(text(s.page).find(s.words), std::string::npos) << s.words << " is not in\n" << text(s.page);
 }
 
-// What the first two pages quote as lines of the files does stand there.
+// What the first page quotes as lines of the two files does stand there, in this order.
 TEST_F(PyramidLesson, QuotedLinesStandInTheFiles) {
     const auto contents = [](const std::filesystem::path& file) {
         std::ifstream stream(file);
@@ -181,22 +185,36 @@ TEST_F(PyramidLesson, QuotedLinesStandInTheFiles) {
         return text.str();
     };
     const std::filesystem::path scene = pipeline::builtInScenes().front().file;
-    const std::string files[]{contents(scene), contents(scene.parent_path() / "pyramid.des")};
-    for (std::size_t page = 0; page < 2; ++page) {
-        const std::string words = withGaps(m_lesson.pages[page].first.text);
-        int quotes = 0;
-        for (std::size_t start, end = 0; (start = words.find('`', end)) != std::string::npos;) {
-            end = words.find('`', start + 1);
-            ASSERT_NE(end, std::string::npos);
-            const std::string quote = words.substr(start + 1, end - start - 1);
-            ++end;
-            if (quote == "pyramid.scene") continue;  // the file's own name
-            if (quote == "pyramid.des" && page == 1) continue;
-            EXPECT_NE(files[page].find(quote), std::string::npos) << quote;
+    const std::string files = contents(scene) + contents(scene.parent_path() / "pyramid.des");
+    std::istringstream words(withGaps(m_lesson.pages[0].first.text));
+    bool fenced = false;
+    int quotes = 0;
+    std::size_t at = 0;
+    for (std::string line; std::getline(words, line);) {
+        if (line == "```")
+            fenced = !fenced;
+        else if (fenced) {
+            const std::size_t found = files.find(line, at);
+            ASSERT_NE(found, std::string::npos) << line;
+            at = found;
             ++quotes;
         }
-        EXPECT_GE(quotes, 8);
     }
+    EXPECT_EQ(quotes, 14);
+}
+
+TEST(Lessons, AreRightByTheirOwnCheck) {
+    for (const Lesson& lesson : allLessons().lessons) EXPECT_EQ(format(checkLesson(lesson)), "") << lesson.name;
+}
+
+TEST(Lessons, NameNotionsOfTheLectures) {
+    std::ifstream stream(pipeline::resourceFolder() / "manual" / "lectures.md");
+    std::ostringstream lectures;
+    lectures << stream.rdbuf();
+    ASSERT_FALSE(lectures.str().empty());
+    for (const Lesson& lesson : allLessons().lessons)
+        for (const std::string& notion : lesson.notions)
+            EXPECT_NE(lectures.str().find("| " + notion), std::string::npos) << lesson.name << ": " << notion;
 }
 
 }  // namespace
