@@ -315,7 +315,8 @@ TEST(PixelReport, OfEveryModelSumsUp) {
             ASSERT_TRUE(report.covered);
             for (int c = 0; c < 3; ++c)
                 EXPECT_NEAR(report.evaluations[0].intensity[c], report.intensity[c], 1e-14) << int(model);
-            const std::string symbols = toText(equation(frame->scene(), report, 0)[0].formula);
+            std::string symbols;
+            for (const EquationLine& line : equation(frame->scene(), report, 0)) symbols += toText(line.formula) + '\n';
             EXPECT_EQ(symbols.find("H") != std::string::npos, model != Model::Phong) << symbols;
             EXPECT_EQ(symbols.find("k_e") != std::string::npos, model == Model::OpenGl) << symbols;
         }
