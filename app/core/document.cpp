@@ -366,7 +366,7 @@ void Document::takeFrame(FramePtr frame, long ticket) {
     if (ticket == m_ticket && !m_requestPending) setBusy(false);
     m_stepper.setWhole(m_whole);
     if (!m_stepper.isInside()) showFrame(m_whole);  // else its state comes from the stepper
-    if (isNews) emit said(frameSentence(*m_whole));
+    if (isNews && m_hidden.count() == 0) emit said(frameSentence(*m_whole));
     if (m_paced && m_requestPending) m_held.start(0);  // after what the views do now
 }
 

@@ -14,6 +14,7 @@
 #include "app/core/opened_scene.h"
 #include "app/core/stepper.h"
 #include "app/core/work_list.h"
+#include "lessons/hidden.h"
 #include "lessons/state/selection.h"
 #include "pipeline/core/result.h"
 #include "pipeline/run/frame.h"
@@ -78,6 +79,11 @@ public:
     // The scene before the newest step of undo, a whole drag being one; null where there is none.
     std::shared_ptr<const pipeline::Scene> sceneBefore() const;
 
+    // What must neither be shown nor told now: on a page of a lesson, before its question is settled. The one place that
+    // says so; whoever shows a buffer or is a part of the window asks here.
+    const lessons::Hidden& hidden() const { return m_hidden; }
+    void setHidden(lessons::Hidden hidden);
+
     const KeptScene& kept() const { return m_kept; }
     // Whether closing it would lose changes to a file.
     bool isChanged() const { return m_kept.scene && isEdited(); }
@@ -91,6 +97,17 @@ public:
     // Writes the scene with its settings as TOML, whole or not at all. When that fails notWritten() tells why.
     bool save(const QString& file);
     void setScene(pipeline::Scene scene, KeptScene kept = {});  // as if opened: clears the undo stack
+
+    // Another state of the scene on show, which is no change of it: steps of undo are forgotten.
+    void showState(pipeline::Scene scene);
+    // The steps of undo of the scene on show: `index` of them are done; `clean` of them led to what its file has, −1
+    // where none did.
+    struct Steps {
+        std::vector<std::shared_ptr<SceneStep>> steps = {};
+        int index = 0, clean = 0;
+    };
+    Steps steps() const;
+    void restore(const Steps& steps);  // those of a scene that setScene has shown again
 
     // Changes one setting. While a slider is dragged: Live for every step, then Done; the whole
     // drag is one step of undo. Out-of-range values and scenes that checkScene refuses change
@@ -136,6 +153,7 @@ signals:
     void hoverChanged();
     void channelChanged();
     void pointedChanged();
+    void hiddenChanged();
     void busyChanged(bool busy);                  // a frame is being computed
     void failed(const pipeline::Errors& errors);  // a change that cannot be, or a file that could not be read
     void notWritten(const QString& file, const pipeline::Errors& errors);
@@ -162,6 +180,8 @@ private:
 
     std::shared_ptr<const pipeline::Scene> m_scene;
     KeptScene m_kept;
+    lessons::Hidden m_hidden;
+    bool m_restores = false;  // steps of undo: they change nothing
     WorkList m_work;
     pipeline::FramePtr m_frame, m_whole;
     Stepper m_stepper;

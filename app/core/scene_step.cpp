@@ -20,6 +20,12 @@ SceneStep::SceneStep(Document& document, ScenePtr before, ScenePtr after, const 
     m_looks = std::move(looks);
 }
 
+SceneStep* SceneStep::copy() const {
+    auto* step = new SceneStep(m_document, m_before, m_after, text(), m_looks);
+    step->m_setting = m_setting;
+    return step;
+}
+
 bool SceneStep::mergeWith(const QUndoCommand* other) {
     const auto& newer = static_cast<const SceneStep&>(*other);  // same id: a step of the same drag
     m_after = newer.m_after;
@@ -29,13 +35,15 @@ bool SceneStep::mergeWith(const QUndoCommand* other) {
 }
 
 void SceneStep::undo() {
+    m_undone = true;
+    if (m_document.m_restores) return;
     if (changesScene()) m_document.setSceneValue(m_before);
     if (m_looks.before) m_looks.before();
-    m_undone = true;
 }
 
 // The first time it is being made, and whoever makes it shows the rest.
 void SceneStep::redo() {
+    if (m_document.m_restores) return;
     if (changesScene()) m_document.setSceneValue(m_after);
     if (m_undone && m_looks.after) m_looks.after();
 }

@@ -18,6 +18,9 @@ public:
     // What was on show goes along; it may be all that the step changes.
     SceneStep(Document& document, ScenePtr before, ScenePtr after, const QString& text, Looks looks);
 
+    // The same step, for a stack of undo that begins anew.
+    SceneStep* copy() const;
+
     int id() const override { return m_drag; }
     bool mergeWith(const QUndoCommand* other) override;
     void undo() override;

@@ -1,0 +1,25 @@
+#pragma once
+#include <QString>
+
+#include "lessons/results.h"
+
+namespace app {
+
+// What somebody has tried in lessons, as lessons/results.h keeps it: written after each change.
+class LessonResults {
+public:
+    LessonResults();  // reads the file; one that cannot be read counts as empty, and is left as it is until the next try
+
+    // page: its heading.
+    lessons::Progress progress(const QString& lesson, const QString& page) const;
+    void keep(const lessons::Lesson& lesson, const lessons::Page& page, const lessons::Progress& progress);
+    void forget();  // everything, and the file
+    bool isEmpty() const { return m_all.empty(); }
+
+    static QString file();
+
+private:
+    lessons::Results m_all;
+};
+
+}  // namespace app
