@@ -124,12 +124,14 @@ void MainWindow::makeCentre() {
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(Theme::current().px(8));
     m_errors = new ErrorList(centre);
+    m_banner = new QLabel(centre);
     m_pages = new QStackedWidget(centre);
     m_start = new StartPage(m_pages);
     m_views = new ViewArea(m_document, m_pages);
     m_pages->addWidget(m_start);
     m_pages->addWidget(m_views);
     column->addWidget(m_errors);
+    column->addWidget(m_banner);
     column->addWidget(m_pages, 1);
     setCentralWidget(centre);
     connect(m_start, &StartPage::openRequested, this, &MainWindow::chooseFile);
@@ -165,9 +167,7 @@ void MainWindow::makeDocks() {
     auto* tree = findChild<SceneTree*>();
     auto* settings = findChild<SettingsPanel*>();
     connect(tree, &SceneTree::selected, settings, &SettingsPanel::select);
-    m_lessons = findChild<LessonPanel*>();
-    m_lessons->setMayLeave([this] { return mayLeaveScene(); });
-    connect(m_lessons, &LessonPanel::showBuffers, m_views, &ViewArea::showBuffers);
+    connectLessons();
     auto* inspector = findChild<InspectorPanel*>();
     connect(inspector, &InspectorPanel::bufferAsked, m_views, &ViewArea::showBuffer);
     connect(inspector, &InspectorPanel::settingAsked, this, &MainWindow::showSetting);
@@ -238,50 +238,16 @@ void MainWindow::connectDocument() {
     });
 }
 
-// The lessons on the start page, with how far the reader has come.
-void MainWindow::showLessons() {
-    std::vector<StartPage::LessonEntry> entries;
-    const LessonShelf& shelf = m_lessons->shelf();
-    for (int i = 0; i < shelf.rowCount(); ++i) {
-        const auto text = [&](int role) { return shelf.data(shelf.index(i), role); };
-        entries.push_back({text(LessonShelf::NameRole).toString(), text(LessonShelf::TitleRole).toString(),
-                           text(LessonShelf::SummaryRole).toString(), text(LessonShelf::ProgressRole).toString(),
-                           text(LessonShelf::PageRole).toInt(), text(LessonShelf::PagesRole).toInt()});
-    }
-    m_start->setLessons(entries);
-}
-
-void MainWindow::openLesson(const QString& name) {
-    if (m_lessons->open(name)) showLesson();
-}
-
-bool MainWindow::openLessonAt(const std::filesystem::path& folder) {
-    auto lesson = lessons::readLesson(folder);
-    if (!lesson) {
-        m_errors->report(tr("This lesson could not be read."), lesson.errors());
-        return false;
-    }
-    lessons::Lesson own = std::move(lesson).value();
-    own.name = QFileInfo(toQString(folder.string())).canonicalFilePath().toStdString();
-    if (!m_lessons->openOwn(std::move(own))) return false;
-    showLesson();
-    return true;
-}
-
-void MainWindow::showLesson() {
-    showScene();  // one that was closed, and is the lesson's, is not opened anew
-    for (PanelDock* dock : m_docks)
-        if (dock->objectName() == "lesson") dock->show(), dock->raise();
-    QTimer::singleShot(0, this, &MainWindow::makeRoomToRead);  // once what was hidden has its place
-}
-
 void MainWindow::showTitle() {
     const bool shown = m_document.hasScene() && m_pages->currentWidget() == m_views;
     const QString name = shown ? onOneLine(m_document.scene().name) : QString();
     const QString edited = shown && m_document.isEdited() ? tr(" · edited") : QString();
     const QString written = shown && m_file && m_file->hasChanged() ? tr(" · its file has changed (F5)") : QString();
-    m_title->setText(name + edited + written);
-    QString title = name.isEmpty() ? QStringLiteral("Shadescope") : name + QStringLiteral(" – Shadescope");
+    const bool isLesson = m_aside && m_lessons->lesson();
+    m_title->setText(isLesson ? lessonTitle() : name + edited + written);
+    QString title = m_aside          ? toQString(m_lessons->lesson()->title) + QStringLiteral(" – Shadescope")
+                    : name.isEmpty() ? QStringLiteral("Shadescope")
+                                     : name + QStringLiteral(" – Shadescope");
     setWindowTitle(title.replace("[*]", "[*][*]"));  // Qt's own mark for what is not saved
 }
 

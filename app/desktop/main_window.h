@@ -5,6 +5,7 @@
 
 #include "app/core/document.h"
 #include "app/core/document_state.h"
+#include "app/core/scene_aside.h"
 
 class QLabel;
 class QMenu;
@@ -18,6 +19,7 @@ class Actions;
 class CheckPanel;
 class CuePanel;
 class CommandPalette;
+class EdgeTab;
 class ErrorList;
 class FileWatch;
 class KeySheet;
@@ -90,12 +92,9 @@ private:
     void makeTimeline();
     void connectDocument();
     void showTitle();
-    void showLesson();
-    void makeRoomToRead();
     void showSetting(const QString& key);
     void takeFileChange();
     void takeLeftKey(const QKeyEvent& key);
-    void showLessons();
     void showScene();
     bool dropsHere(QObject* watched, QEvent& event);
     // main_window_actions.cpp: what the actions do, and when they can
@@ -127,6 +126,15 @@ private:
     void pasteState();
     void exportSlide();
     void exportFilm();
+    // main_window_lesson.cpp: a lesson, with the user's scene put aside
+    void connectLessons();
+    void showLessons();
+    void showLesson();
+    void beginLesson();
+    void endLesson();
+    void showLessonParts();
+    QString lessonTitle() const;
+    QString whyHidden(const QString& panel) const;  // until a question is answered; empty where it is not
     // main_window_cues.cpp: cues, and presenting
     void connectCues();
     void enableCueActions();
@@ -167,6 +175,17 @@ private:
     ViewArea* m_views;
     StatusLine* m_status;
     LessonPanel* m_lessons;
+    // What the window was before the lesson that is open; nothing outside of a lesson.
+    struct BeforeLesson {
+        std::optional<SceneAside> scene = {};  // nothing: the start page
+        std::optional<lessons::WindowState> state = {};
+        QStringList panels = {};  // that were on show
+        bool thumbnails = true;
+    };
+    std::optional<BeforeLesson> m_aside;
+    QLabel* m_banner;  // over the views: what to click
+    QToolBar* m_edge;
+    EdgeTab* m_inspectorTab;
     QTimer m_grows;       // while it runs, steps of the letters' size are added up
     double m_growth = 0;  // that is still to come
     QToolBar* m_rail;

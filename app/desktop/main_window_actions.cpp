@@ -202,14 +202,18 @@ void MainWindow::enableActions() {
           A::ResetLayout, A::RedChannel, A::GreenChannel, A::BlueChannel, A::Study})
         m_actions->setEnabled(id, scene, noScene);
     for (const A id : kStageActions) m_actions->setEnabled(id, scene, noScene);
-    for (const A id : {A::Save, A::SaveAs}) m_actions->setEnabled(id, scene, noScene);
+    for (const A id : {A::Save, A::SaveAs})
+        m_actions->setEnabled(id, scene && !m_aside,
+                              scene ? tr("Close the lesson first: this scene is its own.") : noScene);
     m_actions->setEnabled(A::ReadAgain, scene && m_document.kept().scene,
                           scene ? tr("This scene comes from no file.") : noScene);
     m_actions->setEnabled(A::Handout, m_lessons->lesson() != nullptr, tr("Open a lesson first."));
     enableViewActions();
     for (const A id : {A::Export, A::SaveBuffer, A::Slide, A::Film})
-        m_actions->setEnabled(id, scene && m_document.frame(),
-                              scene ? tr("The first frame is not ready yet.") : noScene);
+        m_actions->setEnabled(id, scene && m_document.frame() && m_document.hidden().count() == 0,
+                              !scene                             ? noScene
+                              : m_document.hidden().count() != 0 ? tr("After your answer.")
+                                                                 : tr("The first frame is not ready yet."));
     m_actions->setEnabled(A::Unpick, scene && m_document.pixel(), tr("Pick a pixel first."));
     m_actions->setEnabled(A::NextStage, scene && m_document.stage() != pipeline::StageId::Shading,
                           scene ? tr("Already at the last stage; Ctrl+← goes back.") : noScene);
@@ -228,7 +232,8 @@ void MainWindow::enableActions() {
     actions[kChannelActions[std::size_t(m_document.channel())]]->setChecked(true);
     actions[A::RestoreSession]->setChecked(SessionFile::isWanted());
     actions[A::Thumbnails]->setChecked(m_views->hasThumbnails());
-    for (PanelDock* dock : m_docks) dock->toggleViewAction()->setEnabled(scene);
+    for (PanelDock* dock : m_docks)
+        dock->toggleViewAction()->setEnabled(scene && whyHidden(dock->objectName()).isEmpty());
 }
 
 void MainWindow::chooseFile() {
@@ -310,7 +315,10 @@ std::vector<PaletteEntry> MainWindow::commands() {
     for (PanelDock* dock : m_docks) {
         QAction* action = dock->toggleViewAction();
         all.push_back({dock->windowTitle(), tr("Panel"), keysText(*action),
-                       action->isEnabled() ? QString() : tr("Open a scene first."), [action] { action->trigger(); }});
+                       action->isEnabled() ? QString()
+                       : showsScene()      ? whyHidden(dock->objectName())
+                                           : tr("Open a scene first."),
+                       [action] { action->trigger(); }});
     }
     const QString noLayout = (*m_actions)[ActionId::KeepLayout]->property("whyNot").toString();
     for (const QString& name : keptLayouts())

@@ -69,7 +69,7 @@ MainWindow::Width MainWindow::widthClass() const {
 
 // For the next scene, and the next start. In a narrower window panels are where there is room for them.
 void MainWindow::keepPanels() const {
-    if (m_width == Width::Wide) saveLayout(*this);
+    if (m_width == Width::Wide && !m_aside) saveLayout(*this);
 }
 
 // Which panels are there, and what share of the width each has, stays as the user has chosen it.
@@ -120,23 +120,8 @@ void MainWindow::fitWidth(bool always) {
     const int settings = Theme::current().px(270);
     const int around = Theme::current().px(250);  // menus, stages, timeline, status, gaps
     resizeDocks(left, {tree, settings, std::max(settings, height() - around - tree - settings)}, Qt::Vertical);
+    if (m_aside) showLessonParts();
     enableActions();
-}
-
-// A lesson that is begun has half of its column's height at least; the panels beside it give it in proportion.
-void MainWindow::makeRoomToRead() {
-    QList<QDockWidget*> column;
-    QList<int> heights;
-    int lesson = 0, all = 0;
-    for (PanelDock* dock : m_leftDocks) {
-        if (!dock->isVisible() || dock->isFloating() || dock->visibleRegion().isEmpty()) continue;
-        column += dock, heights += dock->height(), all += dock->height();
-        if (dock->objectName() == "lesson") lesson = dock->height();
-    }
-    if (lesson == 0 || 2 * lesson >= all) return;
-    for (qsizetype i = 0; i < column.size(); ++i)
-        heights[i] = column[i]->objectName() == "lesson" ? all / 2 : heights[i] * (all / 2) / (all - lesson);
-    resizeDocks(column, heights, Qt::Vertical);
 }
 
 // Panels that share a place, the first in front: the cues have the lesson's, for who gives a talk takes no lesson.

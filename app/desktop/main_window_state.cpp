@@ -20,6 +20,7 @@
 #include "app/panels/buffer_view.h"
 #include "app/panels/error_list.h"
 #include "app/panels/film_dialog.h"
+#include "app/panels/lesson_panel.h"
 #include "lessons/library.h"
 #include "lessons/state/cue_list.h"
 #include "lessons/state/state_scene.h"
@@ -40,6 +41,7 @@ std::optional<lessons::WindowState> MainWindow::state(const std::filesystem::pat
 }
 
 void MainWindow::openScene(const QString& name, SceneOpener::Read read, std::function<void(const OpenedScene&)> take) {
+    m_lessons->close();
     m_cueAsked.reset();
     const auto left = m_document.sharedScene();
     m_opener->open(name, std::move(read), [this, left, take](const pipeline::Result<OpenedScene>& opened) {
@@ -138,6 +140,7 @@ void MainWindow::lookAt(const lessons::WindowState& state) {
 }
 
 bool MainWindow::mayLeaveScene() {
+    m_lessons->close();  // which brings the user's scene back
     if (!showsScene()) return true;
     if (m_document.isChanged()) {
         switch (askToKeep(this, shownName(m_document.kept().file))) {
@@ -222,6 +225,7 @@ void MainWindow::exportFilm() {
 }
 
 void MainWindow::closeScene() {
+    if (m_aside) return m_lessons->close();
     if (!mayLeaveScene()) return;
     m_document.undoStack()->setClean();  // the question has been answered
     showStartPage();
@@ -242,7 +246,7 @@ bool MainWindow::openRecent(const QString& file) {
 
 void MainWindow::startSession(const QString& folder, bool restore) {
     m_session = new Session(
-        m_document, folder, [this] { return state({}); }, this);
+        m_document, folder, [this] { return m_aside ? m_aside->state : state({}); }, this);
     connect(m_views, &ViewArea::changed, m_session, &Session::saveSoon);
     SessionFile& file = m_session->file();
     const SessionFile::Left left = restore && SessionFile::isWanted() ? file.take() : file.leave();

@@ -50,6 +50,8 @@ StatusLine::StatusLine(Document& document, const SceneOpener& opener, QWidget* p
     addWidget(m_sentence, 1);
     connect(opening, &OpeningBar::cancelAsked, this, &StatusLine::cancelAsked);
     m_hovered = add();
+    m_secrets = add();
+    m_secrets->setObjectName("statusHidden");
     m_remarks = add();
     m_nan = add();
     m_nan->setTextFormat(Qt::RichText);
@@ -62,7 +64,8 @@ StatusLine::StatusLine(Document& document, const SceneOpener& opener, QWidget* p
     m_error->setObjectName("statusError");
     followTheme(this, [this] {
         const Theme& theme = Theme::current();
-        for (QLabel* label : {static_cast<QLabel*>(m_sentence), m_hovered, m_remarks, m_nan, m_error, m_threads}) {
+        for (QLabel* label :
+             {static_cast<QLabel*>(m_sentence), m_hovered, m_secrets, m_remarks, m_nan, m_error, m_threads}) {
             label->setFont(theme.text(12));
             label->setIndent(theme.px(12));
         }
@@ -79,6 +82,8 @@ StatusLine::StatusLine(Document& document, const SceneOpener& opener, QWidget* p
     connect(&document, &Document::frameReady, this, &StatusLine::showHovered);
     connect(&document, &Document::frameReady, this, &StatusLine::showCheck);
     connect(&document, &Document::errorsReady, this, &StatusLine::showCheck);
+    connect(&document, &Document::hiddenChanged, this, &StatusLine::showHovered);
+    connect(&document, &Document::hiddenChanged, this, &StatusLine::showCheck);
     document.want(this, pipeline::setOf({BufferId::PolygonId}));
 }
 
@@ -90,7 +95,9 @@ void StatusLine::say(const QString& sentence) {
 
 void StatusLine::showHovered() {
     const auto pixel = m_document.hovered();
-    const bool known = pixel && m_document.frame();
+    const lessons::Hidden& hidden = m_document.hidden();
+    const bool known =
+        pixel && m_document.frame() && !hidden.hides({BufferId::PolygonId}) && !hidden.hides({BufferId::Color});
     m_hovered->setText(known ? tr("under the cursor: ") + pixelText(*m_document.frame(), *pixel) : QString());
     makeRoom(false);
 }
@@ -106,6 +113,10 @@ void StatusLine::showCheck() {
                                : badge("▲", c.failed, tr("%1 NaN").arg(qulonglong(*nan))));
     const auto& error = m_document.errors()[index(pipeline::StageId::Shading)];
     showRemarks();
+    const std::size_t things = m_document.hidden().count();
+    m_secrets->setText(things == 0   ? QString()
+                       : things == 1 ? tr("1 thing hidden until you answer")
+                                     : tr("%1 things hidden until you answer").arg(things));
     m_error->setText(error ? tr("shading's error against double %1").arg(errorOf(*error)) : QString());
 }
 
@@ -113,7 +124,7 @@ void StatusLine::showCheck() {
 // moves.
 void StatusLine::makeRoom(bool anew) {
     int needed = m_sentence->sizeHint().width();
-    for (const QLabel* label : {m_hovered, m_remarks, m_nan})
+    for (const QLabel* label : {m_hovered, m_secrets, m_remarks, m_nan})
         if (!label->text().isEmpty()) needed += label->sizeHint().width();
     const QList<QLabel*> last{m_error, m_threads};
     for (QLabel* label : last) {
@@ -130,7 +141,8 @@ void StatusLine::resizeEvent(QResizeEvent* event) {
 
 void StatusLine::showRemarks() {
     const pipeline::FramePtr frame = m_document.frame();
-    const auto remarks = frame ? pipeline::frameRemarks(*frame) : std::vector<pipeline::Remark>();
+    const auto remarks =
+        frame && m_document.hidden().count() == 0 ? pipeline::frameRemarks(*frame) : std::vector<pipeline::Remark>();
     QStringList lines;
     for (const pipeline::Remark& remark : remarks)
         lines << toQString(remark.about.empty() ? remark.text : remark.about + ": " + remark.text);

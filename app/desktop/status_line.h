@@ -34,6 +34,7 @@ private:
     Document& m_document;
     ElidedLabel* m_sentence;
     QLabel* m_hovered;
+    QLabel* m_secrets;  // how much a page of a lesson hides
     QLabel* m_remarks;
     QLabel* m_nan;
     QLabel* m_error;

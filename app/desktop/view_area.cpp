@@ -90,13 +90,6 @@ void ViewArea::showBuffer(const BufferName& buffer) {
     activeBuffer().setBuffer(buffer);
 }
 
-void ViewArea::showBuffers(const QStringList& names) {
-    if (names.size() > 1 && !hasSecond() && height() > Theme::current().px(560)) setSecond(true);
-    const std::vector<BufferView*> views = inOrder();
-    for (std::size_t i = 0; i < std::min(std::size_t(names.size()), views.size()); ++i)
-        if (const auto name = pipeline::findAnyBuffer(names[qsizetype(i)].toStdString())) views[i]->setBuffer(*name);
-}
-
 std::vector<BufferView*> ViewArea::shownBuffers() const {
     std::vector<BufferView*> shown;
     for (const lessons::ViewLeaf leaf : leavesOf(m_tree))

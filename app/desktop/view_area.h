@@ -1,5 +1,4 @@
 #pragma once
-#include <QStringList>
 #include <QWidget>
 #include <map>
 
@@ -30,8 +29,6 @@ public:
     explicit ViewArea(Document& document, QWidget* parent = nullptr, ViewDress dress = ViewDress::Full);
 
     void showBuffer(const pipeline::BufferName& buffer);  // in the active buffer view
-    // By their names, one a view; a second view appears for the second where there is room.
-    void showBuffers(const QStringList& names);
 
     // How the views stand; where there is no room for all of them the last ones are not shown.
     const lessons::ViewTree& tree() const { return m_tree; }

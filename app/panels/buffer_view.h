@@ -90,6 +90,9 @@ private:
     void showMessage(const QString& text, Offer offer);
     void takeOffer();
     void tellAbsent(const pipeline::Frame& frame);
+    bool isHiddenNow() const;  // until a question is answered
+    void tellHidden();
+    OverlaySet overlaysNow() const;
     void showPixels();
     void markSelection();
     void showEdgeFunctions();

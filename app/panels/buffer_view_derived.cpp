@@ -1,10 +1,12 @@
 // Derived buffers in a BufferView.
 #include <QLabel>
+#include <algorithm>
 
 #include "app/core/derived_buffers.h"
 #include "app/core/mix_model.h"
 #include "app/core/put_away.h"
 #include "app/core/text.h"
+#include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_compare.h"
 #include "app/panels/buffer_view.h"
 #include "app/panels/condition_bar.h"
@@ -31,6 +33,7 @@ void BufferView::observeDerived() {
         wantDerived();
         if (m_name.id == BufferId::Color) refresh();
     });
+    connect(&m_document, &Document::hiddenChanged, this, &BufferView::refresh);
     // What a condition is of stands below its picture.
     connect(this, &BufferView::bufferChanged, this, [this](const BufferName& name) {
         if (hasText(name) && m_condition->isHidden()) m_condition->reveal();
@@ -55,6 +58,10 @@ void BufferView::takeOffer() {
 }
 
 std::optional<ShowRequest> BufferView::request(const pipeline::FramePtr& frame) {
+    if (isHiddenNow()) {
+        tellHidden();
+        return {};
+    }
     const bool isOwn = !pipeline::isDerived(m_name.id);
     const lessons::DerivedBuffer* derived = isOwn ? nullptr : m_document.derived().made(m_name);
     auto buffer = isOwn ? frame->buffer(m_name) : derived ? std::optional(derived->buffer) : std::nullopt;
@@ -65,7 +72,7 @@ std::optional<ShowRequest> BufferView::request(const pipeline::FramePtr& frame) 
     ShowRequest request{.frame = frame, .buffer = *std::move(buffer)};
     request.channel = kept().channel;
     request.range = kept().range;
-    request.overlays = m_overlays;
+    request.overlays = overlaysNow();
     if (derived) request.hatches = derived->verdicts;
     if (isMixed()) {  // the picture that the terms make as they are mixed stands where the frame buffer would
         const lessons::DerivedBuffer* mix = m_document.derived().made(kMix);
@@ -74,6 +81,31 @@ std::optional<ShowRequest> BufferView::request(const pipeline::FramePtr& frame) 
     layOver(request);
     m_compare->addOther(request);
     return request;
+}
+
+// Also what has a hidden buffer on the other side of its comparison.
+bool BufferView::isHiddenNow() const {
+    const lessons::Hidden& hidden = m_document.hidden();
+    const auto compared = m_compare->isOn() && !hidden.buffers.empty() ? m_compare->state() : std::nullopt;
+    return hidden.hides(m_name) || (compared && std::ranges::any_of(hidden.buffers, [&](const BufferName& name) {
+                                        return compared->with == "buffer " + name.text();
+                                    }));
+}
+
+void BufferView::tellHidden() {
+    m_frame.reset();
+    m_canvas->setContent({});
+    m_canvas->setAccessibleDescription({});
+    showMessage(tr("%1\nafter your answer").arg(toQString(m_name.text())), Offer::Nothing);
+}
+
+// Without those that are drawn from what is hidden.
+OverlaySet BufferView::overlaysNow() const {
+    OverlaySet shown = m_overlays;
+    for (std::size_t i = 0; i < shown.size(); ++i)
+        for (const BufferName& hidden : m_document.hidden().buffers)
+            if (shown[i] && buffersOf(OverlaySet().set(i))[index(hidden.id)]) shown.reset(i);
+    return shown;
 }
 
 void BufferView::tellAbsent(const pipeline::Frame& frame) {

@@ -1,28 +1,37 @@
 #include "app/panels/lesson_panel.h"
 
-#include <QHBoxLayout>
-#include <QLabel>
+#include <QKeyEvent>
 #include <QListView>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QSettings>
 #include <QStackedWidget>
 #include <QToolButton>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <utility>
 
-#include "app/core/icons.h"
 #include "app/core/text.h"
 #include "app/panels/error_list.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/handout_button.h"
-#include "app/panels/prose_view.h"
+#include "app/panels/lesson_end.h"
+#include "app/panels/lesson_head.h"
+#include "app/panels/lesson_page.h"
+#include "app/panels/lesson_results_dialog.h"
 #include "app/panels/question_card.h"
 
 namespace app {
+
+static constexpr const char* kOnlyThis = "lesson/onlyThis";
 
 LessonPanel::LessonPanel(Document& document, QWidget* parent)
     : QWidget(parent),
       m_document(document),
       m_shelf(new LessonShelf(this)),
+      m_run(document),
       m_stack(new QStackedWidget(this)),
       m_errors(new ErrorList(this)) {
     setObjectName("lesson");
@@ -33,11 +42,23 @@ LessonPanel::LessonPanel(Document& document, QWidget* parent)
     column->addWidget(m_errors);
     column->addWidget(m_stack, 1);
     m_stack->addWidget(makeList());
-    m_stack->addWidget(makePage());
+    m_stack->addWidget(makeLesson());
+    for (auto* button : findChildren<QPushButton*>()) button->setAutoDefault(true);  // Enter presses them
     if (!m_shelf->errors().empty()) m_errors->report(tr("A lesson cannot be read."), m_shelf->errors());
-    connect(&document, &Document::frameReady, this, &LessonPanel::takeFrame);
-    // A frame that has all this page wants is not computed again: then only this tells.
-    connect(&document, &Document::busyChanged, this, &LessonPanel::takeFrame);
+    connect(&m_run, &LessonRun::pageChanged, this, &LessonPanel::showPage);
+    connect(&m_run, &LessonRun::filled, this, [this] {
+        m_page->fill();
+        if (std::exchange(m_keysWait, false))
+            m_page->card().isOpen() ? m_page->card().takeFocus() : m_foot->takeFocus();
+        emit bannerChanged();
+    });
+    connect(&m_run, &LessonRun::changed, this, &LessonPanel::showChange);
+    connect(&m_run, &LessonRun::showViews, this, &LessonPanel::showViews);
+    connect(&m_run, &LessonRun::failed, this,
+            [this](const pipeline::Errors& errors) { m_errors->report(tr("This page cannot be filled in."), errors); });
+    connect(&document, &Document::sceneChanged, this, [this] {
+        if (lesson() && !m_run.isAtEnd()) m_page->card().showWindow();
+    });
 }
 
 QWidget* LessonPanel::makeList() {
@@ -56,85 +77,87 @@ QWidget* LessonPanel::makeList() {
     return m_list;
 }
 
-QWidget* LessonPanel::makePage() {
-    auto* page = new QWidget(this);
-    auto* all = new QPushButton(tr("All lessons"), page);
-    all->setProperty("kind", "link");
-    m_place = new QLabel(page);
-    m_place->setProperty("tone", 2);
-    m_previous = new QToolButton(page);
-    m_next = new QToolButton(page);
-    m_previous->setIcon(icon("chevron-left"));
-    m_next->setIcon(icon("chevron-right"));
-    m_previous->setAccessibleName(tr("Previous page"));
-    m_next->setAccessibleName(tr("Next page"));
-    m_previous->setObjectName("previousPage");
-    m_next->setObjectName("nextPage");
-    auto* top = new QHBoxLayout;
-    top->addWidget(all);
-    top->addStretch(1);
-    top->addWidget(m_place);
-    top->addWidget(m_previous);
-    top->addWidget(m_next);
-
-    m_heading = new ProseView(page);
-    m_heading->setAccessibleName(tr("Heading"));
-    m_heading->setFocusPolicy(Qt::NoFocus);
-    m_text = new ProseView(page);
-    m_text->setAccessibleName(tr("Lesson page"));
-    m_text->setObjectName("lessonText");
-    m_question = new QuestionCard(page);
-    auto* again = new QPushButton(tr("Set the window to this page again"), page);
-    again->setProperty("kind", "link");
-    again->setObjectName("setWindow");
-    auto* handout = new HandoutButton([this] { return m_lesson; }, page);
-
-    auto* content = new QWidget(page);
-    auto* column = new QVBoxLayout(content);
-    column->addWidget(m_heading);
-    column->addWidget(m_text);
-    column->addWidget(m_question);
-    column->addWidget(again, 0, Qt::AlignLeft);
-    column->addWidget(handout, 0, Qt::AlignLeft);
-    column->addStretch(1);
-    m_scroll = new QScrollArea(page);
-    m_scroll->setWidget(content);
-    content->setAutoFillBackground(false);  // the dock's surface shows through
+QWidget* LessonPanel::makeLesson() {
+    auto* all = new QWidget(this);
+    m_head = new LessonHead(m_run, all);
+    m_scroll = new QScrollArea(all);
     m_scroll->setWidgetResizable(true);
     m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_scroll->setFrameShape(QFrame::NoFrame);
     m_scroll->setFocusPolicy(Qt::NoFocus);
-    auto* rows = new QVBoxLayout(page);
+    auto* content = new QWidget(m_scroll);
+    auto* column = new QVBoxLayout(content);
+    column->setContentsMargins(0, 0, 0, 0);
+    m_page = new LessonPage(m_run, m_document, content);
+    m_end = new LessonEnd(m_run, *m_shelf, content);
+    auto* handout = new HandoutButton([this] { return lesson(); }, content);
+    column->addWidget(m_page, 1);
+    column->addWidget(m_end, 1);
+    auto* below = new QHBoxLayout;
+    below->addWidget(handout);
+    below->addStretch(1);
+    column->addLayout(below);
+    m_scroll->setWidget(content);
+    content->setAutoFillBackground(false);  // the dock's surface shows through
+    m_foot = new LessonFoot(m_run, all);
+    auto* rows = new QVBoxLayout(all);
     rows->setContentsMargins(0, 0, 0, 0);
     rows->setSpacing(0);
-    rows->addLayout(top);
+    rows->addWidget(m_head);
     rows->addWidget(m_scroll, 1);
+    rows->addWidget(m_foot);
 
-    connect(all, &QPushButton::clicked, this, &LessonPanel::close);
-    connect(m_previous, &QToolButton::clicked, this, [this] { goTo(m_page - 1); });
-    connect(m_next, &QToolButton::clicked, this, [this] { goTo(m_page + 1); });
-    connect(again, &QPushButton::clicked, this, [this] {
-        if (mayShow(current())) setWindow();
-    });
+    m_head->onlyThis().setChecked(isOnlyThis());
+    connect(&m_head->onlyThis(), &QToolButton::toggled, this, &LessonPanel::setOnlyThis);
+    connect(m_head, &LessonHead::leaveAsked, this, &LessonPanel::close);
     connect(handout, &HandoutButton::written, &m_document, &Document::said);
     connect(handout, &HandoutButton::failed, m_errors, &ErrorList::report);
-    connect(m_question, &QuestionCard::answered, this, &LessonPanel::check);
-    connect(m_question, &QuestionCard::hintAsked, this, [this] {
-        const auto hint = m_attempt->hintsSeen() < m_attempt->hintCount()
-                              ? m_attempt->nextHint({.frame = *m_pageFrame})
-                              : m_attempt->hint(m_attempt->hintCount() - 1, {.frame = *m_pageFrame});
-        m_question->say(hint ? toQString(*hint) : toQString(format(hint.errors())), QuestionCard::Comment::Hint);
+    QuestionCard& card = m_page->card();
+    connect(&card, &QuestionCard::settled, this, &LessonPanel::settle);
+    connect(&card, &QuestionCard::said, &m_document, &Document::said);
+    connect(&card, &QuestionCard::failed, m_errors, &ErrorList::report);
+    connect(&card, &QuestionCard::adviceChanged, this, [this, &card] {
+        if (!card.advice().isEmpty()) emit m_document.said(card.advice());
     });
-    followTheme(page, [this, all, top, column] {
+    connect(m_end, &LessonEnd::beginAsked, this, &LessonPanel::open);
+    connect(m_end, &LessonEnd::allAsked, this, &LessonPanel::close);
+    connect(m_end, &LessonEnd::forgetAsked, this, &LessonPanel::askToForget);
+    connect(m_end, &LessonEnd::resultsAsked, this,
+            [this] { LessonResultsDialog::showResults(*m_shelf, m_run.results(), this); });
+    followTheme(handout, [below] {
         const Theme& theme = Theme::current();
-        all->setMinimumWidth(all->fontMetrics().horizontalAdvance(all->text()) + theme.px(12));
-        m_place->setFont(theme.text(12));
-        top->setContentsMargins(theme.px(10), theme.px(4), theme.px(8), theme.px(4));
-        top->setSpacing(theme.px(4));
-        column->setContentsMargins(theme.px(12), theme.px(4), theme.px(12), theme.px(12));
-        column->setSpacing(theme.px(8));
+        below->setContentsMargins(theme.px(12), 0, theme.px(12), theme.px(8));
     });
-    return page;
+    return all;
+}
+
+// Keys of the lesson go before those of the window and its menus.
+bool LessonPanel::takesKey(const QKeyEvent& event) const {
+    if (!lesson() || m_run.isAtEnd()) return false;
+    const int key = event.key(), modifiers = event.modifiers() & ~Qt::KeypadModifier;
+    if (modifiers == Qt::AltModifier)
+        return key == Qt::Key_H || key == Qt::Key_S || key == Qt::Key_Left || key == Qt::Key_Right;
+    return modifiers == Qt::NoModifier && m_page->card().isOpen() &&
+           ((key >= Qt::Key_1 && key <= Qt::Key_9) || key == Qt::Key_Return || key == Qt::Key_Enter);
+}
+
+bool LessonPanel::event(QEvent* event) {
+    if (event->type() == QEvent::ShortcutOverride && takesKey(*static_cast<QKeyEvent*>(event))) event->accept();
+    return QWidget::event(event);
+}
+
+void LessonPanel::keyPressEvent(QKeyEvent* event) {
+    if (!takesKey(*event)) return QWidget::keyPressEvent(event);
+    QuestionCard& card = m_page->card();
+    switch (event->key()) {
+        case Qt::Key_H: return card.giveHint();
+        case Qt::Key_S: return card.askToShow();
+        case Qt::Key_Left: return m_run.goTo(page() - 1);
+        case Qt::Key_Right: return m_run.isSettled() ? m_run.goTo(page() + 1) : void();
+        case Qt::Key_Return:
+        case Qt::Key_Enter: return card.check();
+        default: return card.choose(event->key() - Qt::Key_0);
+    }
 }
 
 bool LessonPanel::open(const QString& name) {
@@ -142,107 +165,79 @@ bool LessonPanel::open(const QString& name) {
     if (!found) return false;
     const int reached = m_shelf->page(*found);
     const int page = reached == 0 || reached == int(found->pages.size()) ? 0 : reached - 1;
-    if (!mayShow(found->pages[std::size_t(page)])) return false;
-    m_lesson = found;
+    if (!lesson()) emit opens();
     m_stack->setCurrentIndex(1);
-    showPage(page);
-    m_next->setFocus();
+    m_run.open(*found, page);
     return true;
 }
 
 bool LessonPanel::openOwn(lessons::Lesson lesson) {
     const QString name = toQString(lesson.name);
-    if (m_lesson && toQString(m_lesson->name) == name) close();  // its pages may be others now
+    if (this->lesson() && toQString(this->lesson()->name) == name) close();  // its pages may be others now
     m_shelf->put(std::move(lesson));
     return open(name);
 }
 
 void LessonPanel::close() {
-    m_lesson = nullptr;
-    m_pageFrame.reset();
-    m_document.want(this, {});
+    if (!lesson()) return;
+    m_run.close();
     m_stack->setCurrentIndex(0);
     m_list->setFocus();
+    emit closed();
 }
 
-void LessonPanel::goTo(int page) {
-    if (!m_lesson || page < 0 || page >= int(m_lesson->pages.size())) return;
-    if (mayShow(m_lesson->pages[std::size_t(page)])) showPage(page);
+bool LessonPanel::isOnlyThis() const { return QSettings().value(kOnlyThis, true).toBool(); }
+
+void LessonPanel::setOnlyThis(bool only) {
+    QSettings().setValue(kOnlyThis, only);
+    emit onlyThisChanged();
 }
 
-void LessonPanel::showPage(int page) {
-    m_page = page;
-    m_pageFrame.reset();
-    for (ProseView* view : findChildren<ProseView*>()) view->setPictureFolder(m_lesson->folder);
-    m_shelf->setPage(*m_lesson, page + 1);
-    const int pages = int(m_lesson->pages.size());
-    m_place->setText(tr("page %1 of %2").arg(page + 1).arg(pages));
-    m_previous->setEnabled(page > 0);
-    m_next->setEnabled(page + 1 < pages);
-    m_previous->setToolTip(page > 0 ? tr("Previous page") : tr("Already at the first page."));
-    m_next->setToolTip(page + 1 < pages ? tr("Next page") : tr("Already at the last page."));
-    m_heading->setProse(toQString(current().heading), ProseView::Tone::Heading);
-    m_text->setProse(toQString(withGaps(current().first.text)));
-    m_question->setVisible(current().question.has_value());
-    m_attempt.reset();
-    if (const auto& question = current().question) {
-        m_attempt.emplace(*question);
-        m_question->ask(toQString(withGaps(question->text)), !question->hints.empty());
-        m_question->setReady(false);
+QString LessonPanel::banner() const { return lesson() && !m_run.isAtEnd() ? m_page->card().banner() : QString(); }
+
+void LessonPanel::showPage() {
+    if (lesson()) {
+        const bool atEnd = m_run.isAtEnd();
+        m_shelf->setPage(*lesson(), std::min(page() + 1, m_run.pageCount()));
+        m_page->setVisible(!atEnd);
+        m_end->setVisible(atEnd);
+        atEnd ? m_end->showRun() : m_page->showPage();
+        m_scroll->verticalScrollBar()->setValue(0);
+        m_head->showRun();
+        m_foot->showRun();
+        m_keysWait = !atEnd;
+        if (atEnd) m_end->takeFocus();
     }
-    m_scroll->verticalScrollBar()->setValue(0);
-    setWindow();
+    emit pageChanged();
+    emit bannerChanged();
 }
 
-// Within one scene a page is a step of undo.
-static bool isOpen(const Document& document, const lessons::Page& page) {
-    return document.hasScene() && document.scene().file == page.first.state.scene.file;
+void LessonPanel::showChange() {
+    m_head->showRun();
+    m_foot->showRun();
 }
 
-bool LessonPanel::mayShow(const lessons::Page& page) const { return isOpen(m_document, page) || m_mayLeave(); }
-
-void LessonPanel::setWindow() {
-    const lessons::PageState& state = current().first.state;
-    if (!isOpen(m_document, current()))
-        m_document.setScene(state.scene);
-    else
-        m_document.replace(state.scene, tr("Lesson page %1").arg(m_page + 1));
-    m_document.setStage(state.window.stage);
-    m_document.pick(lessons::pickedPixel(state));
-    m_document.setChannel(state.window.channel);
-    m_document.want(this, lessons::requestFor(current()).wanted);
-    QStringList names;
-    for (const pipeline::BufferName& buffer : lessons::shownBuffers(state)) names << toQString(buffer.text());
-    emit showBuffers(names);
+void LessonPanel::settle() {
+    m_page->showThen();
+    showChange();
+    m_foot->takeFocus();
+    emit bannerChanged();
 }
 
-void LessonPanel::takeFrame() {
-    const pipeline::FramePtr& frame = m_document.wholeFrame();
-    if (!m_lesson || m_pageFrame || !frame || frame->scene() != current().first.state.scene) return;
-    const auto text = lessons::filled(current().first.text, *frame);
-    const auto question = current().question ? lessons::filled(current().question->text, *frame) : std::string();
-    if (!text || !question) {
-        // While a frame is under way, this one may only lack the buffers that the page has asked for.
-        if (!m_document.busy())
-            m_errors->report(tr("This page cannot be filled in."), text ? question.errors() : text.errors());
-        return;
-    }
-    m_pageFrame = frame;
-    m_text->setProse(toQString(*text));
-    if (!current().question) return;
-    m_question->setQuestion(toQString(*question));
-    m_question->setReady(true);
-}
-
-void LessonPanel::check(const QString& typed) {
-    if (m_attempt->isSettled()) m_attempt.emplace(*current().question);
-    const auto verdict = m_attempt->check(lessons::Typed{typed.toStdString()}, {.frame = *m_pageFrame});
-    if (!verdict) {
-        m_errors->report(tr("This question has no answer here."), verdict.errors());
-        return;
-    }
-    m_question->say(toQString(verdict->said), verdict->mark == lessons::Mark::Right ? QuestionCard::Comment::Right
-                                                                                    : QuestionCard::Comment::NotYet);
+void LessonPanel::askToForget() {
+    auto* box = new QMessageBox(QMessageBox::Question, tr("Forget my results"),
+                                tr("Everything that you have answered in lessons will be removed from this machine."),
+                                QMessageBox::Cancel, this);
+    box->setObjectName("forgetBox");
+    QPushButton* forget = box->addButton(tr("Forget"), QMessageBox::AcceptRole);
+    box->setDefaultButton(QMessageBox::Cancel);
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    connect(forget, &QPushButton::clicked, this, [this] {
+        m_run.results().forget();
+        m_shelf->forgetPages();
+        m_run.goTo(0);
+    });
+    box->open();
 }
 
 }  // namespace app

@@ -1,23 +1,21 @@
 #pragma once
-#include <QStringList>
 #include <QWidget>
-#include <functional>
 
-#include "app/core/document.h"
+#include "app/core/lesson_run.h"
 #include "app/panels/lesson_shelf.h"
-#include "lessons/attempt.h"
 
-class QLabel;
+class QKeyEvent;
 class QListView;
 class QScrollArea;
 class QStackedWidget;
-class QToolButton;
 
 namespace app {
 
 class ErrorList;
-class ProseView;
-class QuestionCard;
+class LessonEnd;
+class LessonFoot;
+class LessonHead;
+class LessonPage;
 
 // A page of a lesson, and the window set to it; the list of lessons while none is open.
 class LessonPanel : public QWidget {
@@ -25,50 +23,57 @@ class LessonPanel : public QWidget {
 public:
     explicit LessonPanel(Document& document, QWidget* parent = nullptr);
 
-    // Asked before another scene takes the place of the one on show; where it says no, the panel stays as it is.
-    void setMayLeave(std::function<bool()> mayLeave) { m_mayLeave = std::move(mayLeave); }
-
     const LessonShelf& shelf() const { return *m_shelf; }
-    // Opens a lesson where it was left, from its beginning when it was read to its end. False when
-    // there is none of that name, or the scene on show is to stay.
+    LessonRun& run() { return m_run; }
+    // Opens a lesson where it was left, from its beginning when it was read to its end. False when there is none of that
+    // name.
     bool open(const QString& name);
     // One that did not come with the program, by its folder, which is its name then.
     bool openOwn(lessons::Lesson lesson);
-    void goTo(int page);  // from 0; within the open lesson
-    void close();         // back to the list
+    void goTo(int page) { m_run.goTo(page); }  // from 0; within the open lesson
+    void close();                              // back to the list
 
-    const lessons::Lesson* lesson() const { return m_lesson; }  // null when none is open
-    int page() const { return m_page; }                         // from 0
+    const lessons::Lesson* lesson() const { return m_run.lesson(); }  // null when none is open
+    int page() const { return m_run.page(); }                         // from 0
+    // Whether the window is to hide what the page does not need; kept in the program's settings.
+    bool isOnlyThis() const;
+    void setOnlyThis(bool only);
+    // For the bar over the views; empty where nothing is to be clicked.
+    QString banner() const;
 
 signals:
-    void showBuffers(const QStringList& names);  // what the page wants the views to show, in their order
+    void opens();   // a lesson, while none is open: the scene on show is still the user's
+    void closed();  // the scene on show is the lesson's
+    void showViews(const lessons::WindowState& window);  // what the page wants the views to show
+    void onlyThisChanged();
+    void pageChanged();
+    void bannerChanged();
+
+protected:
+    bool event(QEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
 
 private:
     QWidget* makeList();
-    QWidget* makePage();
-    bool mayShow(const lessons::Page& page) const;
-    void showPage(int page);
-    void setWindow();  // to the page on show
-    void takeFrame();  // fills the page's numbers in once the frame of its own scene is there
-    void check(const QString& typed);
-    const lessons::Page& current() const { return m_lesson->pages[std::size_t(m_page)]; }
+    QWidget* makeLesson();
+    void showPage();
+    void showChange();
+    void settle();
+    void askToForget();
+    bool takesKey(const QKeyEvent& event) const;
 
     Document& m_document;
-    std::function<bool()> m_mayLeave = [] { return true; };
     LessonShelf* m_shelf;
-    QStackedWidget* m_stack;
+    LessonRun m_run;
+    QStackedWidget *m_stack, *m_middle = nullptr;
     ErrorList* m_errors;
     QListView* m_list = nullptr;
-    QLabel* m_place = nullptr;
-    QToolButton *m_previous = nullptr, *m_next = nullptr;
     QScrollArea* m_scroll = nullptr;
-    ProseView *m_heading = nullptr, *m_text = nullptr;
-    QuestionCard* m_question = nullptr;
-
-    const lessons::Lesson* m_lesson = nullptr;  // of the shelf
-    int m_page = 0;
-    std::optional<lessons::Attempt> m_attempt;  // at the page's question
-    pipeline::FramePtr m_pageFrame;             // of the page's own scene; null until it is there
+    LessonHead* m_head = nullptr;
+    LessonPage* m_page = nullptr;
+    LessonEnd* m_end = nullptr;
+    LessonFoot* m_foot = nullptr;
+    bool m_keysWait = false;  // for the page that opens
 };
 
 }  // namespace app

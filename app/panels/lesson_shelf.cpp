@@ -76,4 +76,9 @@ void LessonShelf::setPage(const lessons::Lesson& lesson, int page) {
     emit dataChanged(row, row);
 }
 
+void LessonShelf::forgetPages() {
+    QSettings().remove(QStringLiteral("lessons"));
+    if (rowCount() > 0) emit dataChanged(index(0), index(rowCount() - 1));
+}
+
 }  // namespace app

@@ -34,6 +34,7 @@ public:
 
     int page(const lessons::Lesson& lesson) const;  // as PageRole
     void setPage(const lessons::Lesson& lesson, int page);
+    void forgetPages();  // of all lessons
 
 private:
     std::vector<std::unique_ptr<lessons::Lesson>> m_lessons;

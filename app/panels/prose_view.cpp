@@ -58,7 +58,9 @@ void ProseView::setProse(const QString& markdown, Tone tone) {
 void ProseView::typeset() {
     const Theme& theme = Theme::current();
     const bool heading = m_tone == Tone::Heading;
-    document()->setDefaultFont(heading ? theme.text(16, 600) : theme.text());
+    document()->setDefaultFont(heading                    ? theme.text(16, 600)
+                               : m_tone == Tone::Question ? theme.text(14, 600)
+                                                          : theme.text());
     document()->setIndentWidth(theme.px(14));
     document()->setMarkdown(m_markdown, QTextDocument::MarkdownFeatures(QTextDocument::MarkdownDialectGitHub) |
                                             QTextDocument::MarkdownNoHTML);
@@ -139,6 +141,21 @@ void ProseView::resizeEvent(QResizeEvent* event) {
     QTextBrowser::resizeEvent(event);
     fitPictures();
     fitHeight();
+}
+
+QString plainText(const QString& markdown) {
+    QTextDocument words;
+    words.setMarkdown(markdown, QTextDocument::MarkdownFeatures(QTextDocument::MarkdownDialectGitHub) |
+                                    QTextDocument::MarkdownNoHTML);
+    return words.toPlainText();
+}
+
+// There are no pages to go back and forth between here: such keys are for what it is in, and so are those that write.
+void ProseView::keyPressEvent(QKeyEvent* event) {
+    const bool copies = event->matches(QKeySequence::Copy) || event->matches(QKeySequence::SelectAll);
+    const bool moves = event->key() == Qt::Key_Tab || event->key() == Qt::Key_Backtab;
+    if (copies || moves || (event->modifiers() & Qt::ShiftModifier) != 0) return QTextBrowser::keyPressEvent(event);
+    event->ignore();
 }
 
 void ProseView::wheelEvent(QWheelEvent* event) { event->ignore(); }

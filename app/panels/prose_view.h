@@ -22,6 +22,7 @@ protected:
     QVariant loadResource(int type, const QUrl& name) override;
     void resizeEvent(QResizeEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
 
 private:
     void typeset();
@@ -36,5 +37,8 @@ private:
     QString m_markdown;
     Tone m_tone = Tone::Plain;
 };
+
+// The words of Markdown without what it is marked up with.
+QString plainText(const QString& markdown);
 
 }  // namespace app

@@ -1,82 +1,232 @@
 #include "app/panels/question_card.h"
 
-#include <QHBoxLayout>
-#include <QLineEdit>
+#include <QLabel>
 #include <QPainter>
 #include <QPushButton>
+#include <QStyle>
+#include <QVBoxLayout>
 
+#include "app/core/numbers.h"
+#include "app/core/text.h"
+#include "app/panels/answer_body.h"
 #include "app/panels/follow_theme.h"
+#include "app/panels/note_box.h"
 #include "app/panels/prose_view.h"
 
 namespace app {
 
-QuestionCard::QuestionCard(QWidget* parent)
-    : QFrame(parent),
-      m_question(new ProseView(this)),
-      m_field(new QLineEdit(this)),
-      m_check(new QPushButton(tr("Check"), this)),
-      m_hint(new QPushButton(tr("Hint"), this)),
-      m_comment(new ProseView(this)) {
-    auto* row = new QHBoxLayout;
-    row->addWidget(m_field);
-    row->addWidget(m_check);
-    row->addWidget(m_hint);
-    row->addStretch(1);
-    auto* column = new QVBoxLayout(this);
-    column->addWidget(m_question);
-    column->addLayout(row);
-    column->addWidget(m_comment);
+QString pointsText(double points) {
+    QString text = number(points, 2);
+    while (text.endsWith('0') && text.contains('.')) text.chop(1);
+    if (text.endsWith('.')) text.chop(1);
+    return text;
+}
 
+QuestionCard::QuestionCard(LessonRun& run, Document& document, QWidget* parent)
+    : QFrame(parent),
+      m_run(run),
+      m_document(document),
+      m_column(new QVBoxLayout),
+      m_worth(new QLabel(this)),
+      m_tries(new QLabel(this)),
+      m_question(new ProseView(this)),
+      m_note(new NoteBox(this)),
+      m_hints(new QWidget(this)),
+      m_elsewhere(new QWidget(this)),
+      m_buttons(new QWidget(this)),
+      m_sure(new QWidget(this)),
+      m_solution(new ProseView(this)) {
+    setObjectName("question");
+    auto* title = new QHBoxLayout;
+    title->addWidget(m_worth, 1);
+    title->addWidget(m_tries);
+    m_worth->setObjectName("worth");
+    m_tries->setObjectName("tries");
+    m_tries->setProperty("tone", 2);
     m_question->setAccessibleName(tr("Question"));
-    m_field->setAccessibleName(tr("Answer"));
-    m_field->setObjectName("answer");
-    m_check->setObjectName("check");
-    m_hint->setObjectName("hint");
-    m_hint->setProperty("kind", "link");
-    m_comment->setAccessibleName(tr("Comment"));
-    m_comment->setObjectName("comment");
-    connect(m_check, &QPushButton::clicked, this, [this] { emit answered(m_field->text()); });
-    connect(m_field, &QLineEdit::returnPressed, m_check, &QPushButton::click);
-    connect(m_hint, &QPushButton::clicked, this, &QuestionCard::hintAsked);
-    followTheme(this, [this, row, column] {
+    m_question->setObjectName("questionText");
+    m_question->setFocusPolicy(Qt::NoFocus);
+    m_solution->setAccessibleName(tr("How it is worked out"));
+    m_solution->setObjectName("solution");
+    auto* all = new QVBoxLayout(this);
+    all->addLayout(title);
+    all->addLayout(m_column);
+    makeButtons();
+    auto* hints = new QVBoxLayout(m_hints);
+    hints->setContentsMargins(0, 0, 0, 0);
+    for (QWidget* part :
+         std::initializer_list<QWidget*>{m_question, m_note, m_hints, m_solution, m_elsewhere, m_buttons, m_sure})
+        m_column->addWidget(part);
+    followTheme(this, [this, all, title] {
         const Theme& theme = Theme::current();
-        m_field->setFont(theme.mono());
-        m_field->setFixedWidth(theme.px(84));
-        row->setSpacing(theme.px(8));
-        column->setSpacing(theme.px(8));
-        column->setContentsMargins(theme.px(12), theme.px(2), 0, theme.px(2));
+        m_worth->setFont(theme.text(12, 600));
+        m_tries->setFont(theme.text(12));
+        title->setContentsMargins(theme.px(12), theme.px(7), theme.px(12), theme.px(7));
+        all->setContentsMargins(1, 1, 1, theme.px(10));
+        all->setSpacing(theme.px(6));
+        m_column->setContentsMargins(theme.px(12), 0, theme.px(12), 0);
+        m_column->setSpacing(theme.px(6));
     });
 }
 
-void QuestionCard::ask(const QString& question, bool hasHint) {
-    setQuestion(question);
-    m_field->clear();
-    m_hint->setVisible(hasHint);
-    m_comment->hide();
+void QuestionCard::makeButtons() {
+    const auto row = [](QWidget* parent) {
+        auto* line = new QHBoxLayout(parent);
+        line->setContentsMargins(0, 0, 0, 0);
+        return line;
+    };
+    const auto button = [](const QString& text, const char* name, QWidget* parent) {
+        auto* made = new QPushButton(text, parent);
+        made->setObjectName(name);
+        return made;
+    };
+    auto* buttons = row(m_buttons);
+    m_check = button(tr("Check"), "check", m_buttons);
+    m_hint = button(tr("Hint"), "hint", m_buttons);
+    m_show = button(tr("Show me"), "showMe", m_buttons);
+    m_check->setToolTip(tr("Enter"));
+    m_hint->setToolTip(tr("Alt+H, a quarter of the points"));
+    m_show->setToolTip(tr("Alt+S, no points"));
+    m_show->setProperty("kind", "link");
+    buttons->addWidget(m_check);
+    buttons->addWidget(m_hint);
+    buttons->addStretch(1);
+    buttons->addWidget(m_show);
+    connect(m_check, &QPushButton::clicked, this, &QuestionCard::check);
+    connect(m_hint, &QPushButton::clicked, this, &QuestionCard::giveHint);
+    connect(m_show, &QPushButton::clicked, this, &QuestionCard::askToShow);
+
+    auto* sure = row(m_sure);
+    auto* words = new QLabel(tr("Show the answer for 0 points?"), m_sure);
+    words->setWordWrap(true);
+    auto* yes = button(tr("Show"), "showSure", m_sure);
+    auto* no = button(tr("Go on trying"), "showNot", m_sure);
+    sure->addWidget(words, 1);
+    sure->addWidget(yes);
+    sure->addWidget(no);
+    connect(yes, &QPushButton::clicked, this, [this] {
+        askWhetherSure(false);
+        m_run.showMe();
+        showSettled();
+        emit said(tr("Shown. The page gives no points."));
+        emit settled();
+    });
+    connect(no, &QPushButton::clicked, this, [this] { askWhetherSure(false), takeFocus(); });
+
+    auto* elsewhere = row(m_elsewhere);
+    auto* differs = new QLabel(tr("Your view is not the page's."), m_elsewhere);
+    differs->setWordWrap(true);
+    auto* back = button(tr("Back to the page's view"), "setWindow", m_elsewhere);
+    back->setProperty("kind", "link");
+    elsewhere->addWidget(differs, 1);
+    elsewhere->addWidget(back);
+    connect(back, &QPushButton::clicked, this, [this] { m_run.setWindow(), takeFocus(); });
+    followTheme(m_buttons, [words, differs] {
+        for (QLabel* label : {words, differs}) label->setFont(Theme::current().text(12));
+    });
 }
 
-void QuestionCard::setQuestion(const QString& question) { m_question->setProse(question, ProseView::Tone::Question); }
-
-void QuestionCard::setReady(bool ready) {
-    for (QPushButton* button : {m_check, m_hint}) {
-        button->setEnabled(ready);
-        button->setToolTip(ready ? QString() : tr("Waits for the page's own numbers: set the window to this page."));
-    }
+void QuestionCard::askWhetherSure(bool asks) {
+    m_sure->setVisible(asks);
+    m_buttons->setVisible(!asks && isOpen());
 }
 
-void QuestionCard::say(const QString& markdown, Comment kind) {
-    using Tone = ProseView::Tone;
-    switch (kind) {
-        case Comment::Hint: m_comment->setProse(markdown, Tone::Plain); break;
-        case Comment::Right: m_comment->setProse(QStringLiteral("● ") + markdown, Tone::Right); break;
-        case Comment::NotYet: m_comment->setProse(QStringLiteral("○ ") + markdown, Tone::NotYet); break;
-    }
-    m_comment->show();
+bool QuestionCard::isOpen() const { return m_body && !m_run.isSettled(); }
+
+QString QuestionCard::advice() const {
+    if (!m_run.attempt()) return {};
+    if (m_run.isSettled()) return tr("Enter goes on.");
+    return m_body ? m_body->advice() : QString();
+}
+
+QString QuestionCard::banner() const { return isOpen() ? m_body->banner() : QString(); }
+
+// It may be what has just told of an answer.
+void QuestionCard::dropBody() {
+    if (!m_body) return;
+    m_body->disconnect(this);
+    m_body->hide();
+    std::exchange(m_body, nullptr)->deleteLater();
+}
+
+void QuestionCard::ask() {
+    dropBody();
+    setVisible(m_run.attempt() != nullptr);
+    if (!m_run.attempt()) return;
+    m_question->setProse(toQString(withGaps(m_run.current().question->text)), ProseView::Tone::Question);
+    for (QWidget* part : std::initializer_list<QWidget*>{m_note, m_hints, m_solution, m_sure, m_elsewhere})
+        part->hide();
+    m_buttons->setVisible(!m_run.isSettled());
+    for (QPushButton* one : {m_check, m_hint, m_show}) one->setEnabled(false);
+    arrange();
+}
+
+void QuestionCard::fill() {
+    if (!m_run.attempt()) return;
+    m_question->setProse(toQString(m_run.texts()->question), ProseView::Tone::Question);
+    if (m_run.isSettled()) return showSettled();
+    m_body = makeAnswerBody(m_run, m_document, this);
+    m_column->insertWidget(1, m_body);
+    m_body->takeAttempt(*m_run.attempt());
+    connect(m_body, &AnswerBody::entered, this, &QuestionCard::check);
+    connect(m_body, &AnswerBody::changed, this, &QuestionCard::arrange);
+    m_show->setEnabled(true);
+    showHints();
+    showWindow();
+    arrange();
+    emit adviceChanged();
+}
+
+void QuestionCard::showWindow() {
+    const bool isUntil =
+        m_run.attempt() && std::holds_alternative<lessons::UntilQuestion>(m_run.current().question->kind);
+    m_elsewhere->setVisible(isOpen() && !isUntil && m_run.isElsewhere());
+}
+
+// The title bar, and which button is the one to press.
+void QuestionCard::arrange() {
+    const lessons::Attempt& attempt = *m_run.attempt();
+    const QString full = pointsText(attempt.full());
+    const QString points = attempt.full() == 1 ? tr("%1 point").arg(full) : tr("%1 points").arg(full);
+    if (m_run.isSettled())
+        m_worth->setText(tr("Question · %1 of %2").arg(pointsText(attempt.points()), points));
+    else
+        m_worth->setText(attempt.worth() == attempt.full()
+                             ? tr("Question · %1").arg(points)
+                             : tr("Question · now worth %1 of %2").arg(pointsText(attempt.worth()), points));
+    const auto left = attempt.triesLeft();
+    m_tries->setText(m_run.isSettled() ? QString()
+                     : !left           ? tr("no limit of tries")
+                     : *left == 1      ? tr("1 try left")
+                                       : tr("%1 tries left").arg(*left));
+    setAccessibleName(m_worth->text());
+    const bool ready = isOpen() && m_body->given().has_value();
+    m_check->setEnabled(ready);
+    m_check->setProperty("kind", ready ? "primary" : "");
+    m_check->style()->polish(m_check);
+    const bool more = isOpen() && attempt.hintsSeen() < attempt.hintCount();
+    m_hint->setEnabled(more);
+    m_hint->setVisible(attempt.hintCount() > 0);
+    m_hint->setText(attempt.hintsSeen() == 0 ? tr("Hint")
+                    : more                   ? tr("Hint %1 of %2").arg(attempt.hintsSeen() + 1).arg(attempt.hintCount())
+                                             : tr("No more hints"));
+    update();
 }
 
 void QuestionCard::paintEvent(QPaintEvent*) {
     const Theme& theme = Theme::current();
-    QPainter(this).fillRect(0, 0, theme.px(2), height(), theme.colors().accent);
+    const ThemeColors& c = theme.colors();
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const bool isSettled = m_run.attempt() && m_run.isSettled();
+    painter.setPen(QPen(isSettled ? c.run : c.accent, 1));
+    painter.setBrush(c.raised);
+    const QRectF box = QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5);
+    painter.drawRoundedRect(box, 6, 6);
+    painter.setClipRect(QRectF(1, 1, width() - 2, m_worth->geometry().bottom() + theme.px(7)));
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(c.tint);
+    painter.drawRoundedRect(box.adjusted(0.5, 0.5, -0.5, 20), 6, 6);
 }
 
 }  // namespace app

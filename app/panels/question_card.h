@@ -1,37 +1,69 @@
 #pragma once
 #include <QFrame>
 
-class QLineEdit;
+#include "app/core/lesson_run.h"
+
+class QHBoxLayout;
+class QLabel;
 class QPushButton;
+class QVBoxLayout;
 
 namespace app {
 
+class AnswerBody;
+class NoteBox;
 class ProseView;
 
-// A question with a field for the answer, Check and Hint, and what is said to the answer.
+// The question of the page that is open: what it is worth, where it is answered, what is said to an answer, its hints, and
+// what it was once it is settled.
 class QuestionCard : public QFrame {
     Q_OBJECT
 public:
-    explicit QuestionCard(QWidget* parent = nullptr);
+    QuestionCard(LessonRun& run, Document& document, QWidget* parent);
 
-    void ask(const QString& question, bool hasHint);  // clears field and comment
-    void setQuestion(const QString& question);        // the same question, its numbers filled in
-    void setReady(bool ready);                        // whether an answer can be checked yet
-    enum class Comment { Hint, Right, NotYet };
-    void say(const QString& markdown, Comment kind);
+    void ask();         // another page's question, its texts not yet there
+    void fill();        // they are there
+    void showWindow();  // whether the window shows what the page does
+    void check();
+    void giveHint();
+    void askToShow();  // the answer: once, in its place
+    void choose(int key);
+    void takeFocus();
+    bool isOpen() const;     // answers are taken
+    QString advice() const;  // what one can do now
+    QString banner() const;
 
 signals:
-    void answered(const QString& typed);
-    void hintAsked();
+    void settled();
+    void said(const QString& sentence);  // after a try, for the status bar
+    void adviceChanged();
+    void failed(const QString& what, const pipeline::Errors& errors);
 
 protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
+    void makeButtons();
+    void arrange();
+    void showHints();
+    void showSettled();
+    void askWhetherSure(bool asks);
+    void dropBody();
+
+    LessonRun& m_run;
+    Document& m_document;
+    QVBoxLayout* m_column;
+    QLabel *m_worth, *m_tries;
     ProseView* m_question;
-    QLineEdit* m_field;
-    QPushButton *m_check, *m_hint;
-    ProseView* m_comment;
+    AnswerBody* m_body = nullptr;
+    NoteBox* m_note;
+    QWidget* m_hints;
+    QWidget *m_elsewhere, *m_buttons, *m_sure;
+    QPushButton *m_check, *m_hint, *m_show;
+    ProseView* m_solution;
 };
+
+// "1.5": points as the card and the head write them.
+QString pointsText(double points);
 
 }  // namespace app

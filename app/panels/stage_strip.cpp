@@ -8,6 +8,15 @@
 
 namespace app {
 
+// A card that says its state and nothing that it counts.
+static StageStatus quietStatus(pipeline::StageId stage, StageState state) {
+    StageStatus status;
+    status.state = state;
+    status.reason = StageStrip::tr("after your answer");
+    status.tooltip = QString::fromStdString(std::string(stageInfo(stage).label));
+    return status;
+}
+
 StageStrip::StageStrip(Document& document, QWidget* parent) : QWidget(parent), m_document(document) {
     setObjectName("stageStrip");
     setAccessibleName(tr("Stages"));
@@ -48,6 +57,7 @@ StageStrip::StageStrip(Document& document, QWidget* parent) : QWidget(parent), m
     connect(&document, &Document::errorsReady, this, &StageStrip::showFrame);
     connect(&document.stepper(), &Stepper::changed, this, &StageStrip::showFrame);
     connect(&document, &Document::stageChanged, this, &StageStrip::showStage);
+    connect(&document, &Document::hiddenChanged, this, &StageStrip::showFrame);
     showFrame();
     showStage();
 }
@@ -68,14 +78,18 @@ void StageStrip::showFrame() {
     m_next.stop();
     const Stepper& stepper = m_document.stepper();
     const pipeline::Frame* whole = m_document.wholeFrame().get();
-    if (stepper.isInside() && stepper.steps()) {
+    // Counts and reasons may be what a question asks for; then a card says its state alone.
+    const bool isQuiet = m_document.hidden().count() > 0;
+    if (stepper.isInside() && stepper.steps() && !isQuiet) {
         const auto status = stageStatus(*stepper.steps(), *stepper.moment(), stepper.level(), m_document.errors());
         for (StageCard* card : m_cards) card->setStatus(status[index(card->stage())]);
         return m_frame->setStatus(frameStatus(*stepper.steps(), *stepper.moment(), stepper.level()));
     }
-    const auto status = stageStatus(whole, m_document.errors(), m_document.busy());
+    auto status = stageStatus(whole, m_document.errors(), m_document.busy());
+    if (isQuiet)
+        for (std::size_t i = 0; i < status.size(); ++i) status[i] = quietStatus(pipeline::kStages[i], status[i].state);
     for (StageCard* card : m_cards) card->setStatus(status[index(card->stage())]);
-    m_frame->setStatus(whole ? std::optional(frameStatus(*whole)) : std::nullopt);
+    m_frame->setStatus(whole && !isQuiet ? std::optional(frameStatus(*whole)) : std::nullopt);
 }
 
 FrameCard::FrameCard(QWidget* parent) : QWidget(parent) {

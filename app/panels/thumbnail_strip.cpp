@@ -29,6 +29,7 @@ ThumbnailStrip::ThumbnailStrip(Document& document, QWidget* parent) : QWidget(pa
     connect(&document, &Document::frameReady, this, [this] { m_later.start(); });
     connect(&document, &Document::stageChanged, this, &ThumbnailStrip::rebuild);
     connect(&document, &Document::sceneOpened, this, &ThumbnailStrip::rebuild);
+    connect(&document, &Document::hiddenChanged, this, &ThumbnailStrip::rebuild);
     connect(&document.derived(), &DerivedBuffers::changed, this, &ThumbnailStrip::takeDerived);
     connect(&document, &Document::pointedChanged, this, qOverload<>(&ThumbnailStrip::update));
     followTheme(this, [this] {
@@ -123,6 +124,11 @@ void ThumbnailStrip::paintItem(QPainter& painter, const Item& item, const QRect&
         painter.setPen(QPen(c.line, 1, Qt::DashLine));
         painter.setBrush(Qt::NoBrush);
         painter.drawRect(picture);
+        if (m_document.hidden().hides(item.name)) {
+            painter.setFont(theme.text(11));
+            painter.setPen(c.text2);
+            painter.drawText(picture, Qt::AlignCenter | Qt::TextWordWrap, tr("after your answer"));
+        }
     }
     painter.setFont(theme.mono(12));
     painter.setPen(isCurrent ? c.text : c.text2);
@@ -185,7 +191,10 @@ bool ThumbnailStrip::event(QEvent* event) {
     }
     const Item& item = m_items[std::size_t(i)];
     const QString meaning = toQString(bufferInfo(item.name.id).meaning);
-    QToolTip::showText(help->globalPos(), item.why.isEmpty() ? meaning : tr("Left out: %1\n%2").arg(item.why, meaning),
+    QToolTip::showText(help->globalPos(),
+                       item.why.isEmpty()                     ? meaning
+                       : m_document.hidden().hides(item.name) ? item.why
+                                                              : tr("Left out: %1\n%2").arg(item.why, meaning),
                        this);
     return true;
 }

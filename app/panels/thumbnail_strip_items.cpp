@@ -92,6 +92,11 @@ void ThumbnailStrip::refresh() {
         const QRect rect = itemRect(i);
         item.isInSight = rect.intersects(this->rect());
         if (!item.isInSight) continue;
+        if (m_document.hidden().hides(item.name)) {
+            item.picture = {};
+            item.why = tr("after your answer");
+            continue;
+        }
         if (frame->until() < bufferInfo(item.name.id).stage) {  // while stepping inside an earlier stage
             item.picture = {};
             item.why = toQString(frame->whyAbsent(item.name));
@@ -120,7 +125,7 @@ void ThumbnailStrip::refresh() {
 void ThumbnailStrip::take(const std::vector<Picture>& pictures) {
     for (const Picture& drawn : pictures)
         for (Item& item : m_items) {
-            if (item.name != drawn.name) continue;
+            if (item.name != drawn.name || m_document.hidden().hides(item.name)) continue;
             // One that is on its way leaves the picture before it.
             if (!drawn.image.isNull() || !item.why.isEmpty()) item.picture = drawn.image;
             if (!item.picture.isNull()) item.why.clear();

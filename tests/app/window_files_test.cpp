@@ -48,20 +48,6 @@ protected:
     }
 };
 
-TEST_F(WindowFiles, ALessonInTheListAsksBeforeChangesAreLost) {
-    changeTwoPyramids();
-    auto* lessons = window.findChild<LessonPanel*>();
-    auto* list = lessons->findChild<QListView*>();
-    answer("Go back", [list] { emit list->activated(list->model()->index(0, 0)); });
-    EXPECT_EQ(document().scene().name, "two_pyramids.scene");
-    EXPECT_EQ(document().scene().camera.theta, 47.25);
-    EXPECT_TRUE(document().undoStack()->canUndo());
-    EXPECT_EQ(lessons->lesson(), nullptr) << "the list is still on show";
-    answer("Drop", [list] { emit list->activated(list->model()->index(0, 0)); });
-    EXPECT_NE(lessons->lesson(), nullptr);
-    EXPECT_FALSE(document().isChanged());
-}
-
 // By its folder and by its file; what is wrong in it is told with its place.
 TEST_F(WindowFiles, ALessonOpensLikeAnyFile) {
     const QDir mine(folder.filePath("mine"));
@@ -86,19 +72,6 @@ TEST_F(WindowFiles, ALessonOpensLikeAnyFile) {
     auto* errors = window.centralWidget()->findChild<ErrorList*>();
     EXPECT_TRUE(errors->isVisible());
     EXPECT_EQ(lessons->lesson()->title, "Mine") << "the one before is still open";
-}
-
-TEST_F(WindowFiles, ALessonsNextPageAsksWhereAnotherSceneIsOpen) {
-    window.openLesson("pyramid");
-    changeTwoPyramids();
-    auto* lessons = window.findChild<LessonPanel*>();
-    answer("Go back", [this] { find<QAbstractButton>("nextPage")->click(); });
-    EXPECT_EQ(lessons->page(), 0);
-    EXPECT_EQ(document().scene().camera.theta, 47.25);
-    answer("Drop", [this] { find<QAbstractButton>("nextPage")->click(); });
-    EXPECT_EQ(lessons->page(), 1);
-    find<QAbstractButton>("nextPage")->click();  // within its own scene nothing is asked
-    EXPECT_EQ(lessons->page(), 2);
 }
 
 TEST_F(WindowFiles, ALessonOfASceneThatWasClosedIsShownAgain) {

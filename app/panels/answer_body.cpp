@@ -1,0 +1,80 @@
+#include "app/panels/answer_body.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QVBoxLayout>
+
+#include "app/core/text.h"
+#include "app/panels/follow_theme.h"
+
+namespace app {
+
+namespace {
+
+// A field with the unit behind it.
+class NumberBody : public AnswerBody {
+public:
+    NumberBody(const lessons::NumberQuestion& question, QWidget* parent)
+        : AnswerBody(parent), m_field(new QLineEdit(this)) {
+        const QString unit = toQString(question.unit);
+        auto* behind = new QLabel(unit, this);
+        auto* forms = new QLabel(tr("Accepted too: 1,5   3/2   sqrt(2)/2   −1.5e3"), this);
+        forms->setProperty("tone", 3);
+        forms->setWordWrap(true);
+        m_field->setObjectName("answer");
+        m_field->setAccessibleName(unit.isEmpty() ? tr("Answer") : tr("Answer in %1").arg(unit));
+        m_field->setMaxLength(200);
+        auto* row = new QHBoxLayout;
+        row->addWidget(m_field);
+        row->addWidget(behind);
+        row->addStretch(1);
+        m_column->addLayout(row);
+        m_column->addWidget(forms);
+        connect(m_field, &QLineEdit::textChanged, this, &AnswerBody::changed);
+        connect(m_field, &QLineEdit::returnPressed, this, &AnswerBody::entered);
+        followTheme(this, [this, behind, forms, row] {
+            const Theme& theme = Theme::current();
+            m_field->setFont(theme.mono());
+            m_field->setFixedWidth(theme.px(130));
+            behind->setFont(theme.text());
+            forms->setFont(theme.text(12));
+            row->setSpacing(theme.px(8));
+        });
+    }
+    std::optional<lessons::Given> given() const override {
+        const QString typed = m_field->text().trimmed();
+        if (typed.isEmpty()) return {};
+        return lessons::Typed{typed.toStdString()};
+    }
+    void takeFocus() override {
+        m_field->setFocus();
+        m_field->selectAll();
+    }
+    QString advice() const override { return tr("Type the number, then Enter checks."); }
+
+private:
+    QLineEdit* m_field;
+};
+
+}  // namespace
+
+AnswerBody::AnswerBody(QWidget* parent) : QWidget(parent), m_column(new QVBoxLayout(this)) {
+    m_column->setContentsMargins(0, 0, 0, 0);
+    followTheme(m_column, [this] { m_column->setSpacing(Theme::current().px(4)); });
+}
+
+AnswerBody* makeNumberBody(const lessons::NumberQuestion& question, QWidget* parent) {
+    return new NumberBody(question, parent);
+}
+
+AnswerBody* makeAnswerBody(LessonRun& run, Document& document, QWidget* parent) {
+    const auto& kind = run.current().question->kind;
+    if (const auto* number = std::get_if<lessons::NumberQuestion>(&kind)) return makeNumberBody(*number, parent);
+    if (const auto* click = std::get_if<lessons::ClickQuestion>(&kind)) return makePickBody(*click, document, parent);
+    if (const auto* until = std::get_if<lessons::UntilQuestion>(&kind))
+        return makeUntilBody(*until, run, document, parent);
+    return makeOptionsBody(run, std::holds_alternative<lessons::SeveralQuestion>(kind), document, parent);
+}
+
+}  // namespace app

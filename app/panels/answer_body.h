@@ -1,0 +1,44 @@
+#pragma once
+#include <QWidget>
+#include <functional>
+#include <optional>
+
+#include "app/core/lesson_run.h"
+
+class QVBoxLayout;
+
+namespace app {
+
+// Where a question is answered: a field, rows to choose from, a thing to click, settings to turn.
+class AnswerBody : public QWidget {
+    Q_OBJECT
+public:
+    // Nothing where nothing has been chosen, typed or picked yet.
+    virtual std::optional<lessons::Given> given() const = 0;
+    virtual void takeAttempt(const lessons::Attempt& attempt) { Q_UNUSED(attempt) }  // after a try
+    virtual void takeFocus() = 0;
+    virtual void choose(int key) { Q_UNUSED(key) }  // 1 to 9
+    // What one can do now: "Choose with 1 to 4, then Enter checks."
+    virtual QString advice() const = 0;
+    // For the bar over the views; empty where the answer is given in the card.
+    virtual QString banner() const { return {}; }
+
+signals:
+    void changed();  // given() is another
+    void entered();  // and is to be checked
+
+protected:
+    explicit AnswerBody(QWidget* parent);
+    QVBoxLayout* m_column;
+};
+
+// For the question on the run's page, whose texts are there.
+AnswerBody* makeAnswerBody(LessonRun& run, Document& document, QWidget* parent);
+
+// One for each kind; choice and several are the same rows.
+AnswerBody* makeNumberBody(const lessons::NumberQuestion& question, QWidget* parent);
+AnswerBody* makeOptionsBody(const LessonRun& run, bool several, Document& document, QWidget* parent);
+AnswerBody* makePickBody(const lessons::ClickQuestion& question, Document& document, QWidget* parent);
+AnswerBody* makeUntilBody(const lessons::UntilQuestion& question, LessonRun& run, Document& document, QWidget* parent);
+
+}  // namespace app

@@ -1,0 +1,157 @@
+#include "app/panels/lesson_head.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPainter>
+#include <QPushButton>
+#include <QStyle>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "app/core/icons.h"
+#include "app/core/spoken.h"
+#include "app/core/text.h"
+#include "app/panels/elided_label.h"
+#include "app/panels/follow_theme.h"
+#include "app/panels/question_card.h"
+
+namespace app {
+
+PageSegments::PageSegments(const LessonRun& run, QWidget* parent) : QWidget(parent), m_run(run) {
+    speakAs(*this, QAccessible::ProgressBar);
+    followTheme(this, [this] { setFixedHeight(Theme::current().px(11)); });
+}
+
+void PageSegments::showPages() {
+    if (!m_run.lesson()) return;
+    int done = 0;
+    for (int i = 0; i < m_run.pageCount(); ++i) done += m_run.progress(i).outcome != lessons::Progress::Outcome::Open;
+    setAccessibleName(tr("%1 of %2 questions are settled").arg(done).arg(m_run.pageCount()));
+    update();
+}
+
+void PageSegments::paintEvent(QPaintEvent*) {
+    if (!m_run.lesson()) return;
+    const ThemeColors& c = Theme::current().colors();
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const int pages = m_run.pageCount();
+    const double gap = 3, wide = (width() - 4 - gap * (pages - 1)) / pages, tall = height() - 6.0;
+    for (int i = 0; i < pages; ++i) {
+        const QRectF box(2 + i * (wide + gap), 3, wide, tall);
+        const bool isOpen = i == m_run.page();
+        const bool isDone = i < m_run.page() || m_run.progress(i).outcome != lessons::Progress::Outcome::Open;
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(isDone && !isOpen ? c.fill : c.hover);
+        painter.drawRoundedRect(box, 2, 2);
+        if (!isOpen) continue;
+        painter.setBrush(c.fill);
+        painter.drawRoundedRect(m_run.isSettled() ? box : box.adjusted(0, 0, -wide / 2, 0), 2, 2);
+        painter.setPen(QPen(c.accent, 1.5));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawRoundedRect(box.adjusted(-1, -2, 1, 2), 3, 3);
+    }
+}
+
+LessonHead::LessonHead(const LessonRun& run, QWidget* parent)
+    : QWidget(parent),
+      m_run(run),
+      m_all(new QPushButton(tr("All lessons"), this)),
+      m_title(new ElidedLabel(this)),
+      m_place(new QLabel(this)),
+      m_points(new QLabel(this)),
+      m_only(new QToolButton(this)),
+      m_close(new QToolButton(this)),
+      m_segments(new PageSegments(run, this)) {
+    m_all->setProperty("kind", "link");
+    m_all->setObjectName("allLessons");
+    m_only->setText(tr("Only this"));
+    m_only->setCheckable(true);
+    m_only->setObjectName("onlyThis");
+    m_only->setToolTip(tr("Hide the panels that this page does not need"));
+    m_close->setIcon(icon("close"));
+    m_close->setObjectName("closeLesson");
+    m_close->setAccessibleName(tr("Close the lesson"));
+    m_close->setToolTip(tr("Close the lesson; your scene comes back as it was"));
+    m_place->setProperty("tone", 2);
+    m_points->setProperty("tone", 2);
+    m_place->setObjectName("lessonPlace");
+    m_points->setObjectName("lessonPoints");
+    auto* top = new QHBoxLayout;
+    top->addWidget(m_all);
+    top->addWidget(m_title, 1);
+    top->addWidget(m_only);
+    top->addWidget(m_close);
+    auto* below = new QHBoxLayout;
+    below->addWidget(m_place, 1);
+    below->addWidget(m_points);
+    auto* column = new QVBoxLayout(this);
+    column->addLayout(top);
+    column->addWidget(m_segments);
+    column->addLayout(below);
+    connect(m_all, &QPushButton::clicked, this, &LessonHead::leaveAsked);
+    connect(m_close, &QToolButton::clicked, this, &LessonHead::leaveAsked);
+    followTheme(this, [this, top, column] {
+        const Theme& theme = Theme::current();
+        m_title->setFont(theme.text(13, 600));
+        for (QLabel* label : {m_place, m_points}) label->setFont(theme.text(12));
+        m_only->setFont(theme.text(12));
+        m_all->setMinimumWidth(m_all->fontMetrics().horizontalAdvance(m_all->text()) + theme.px(12));
+        top->setSpacing(theme.px(6));
+        column->setContentsMargins(theme.px(14), theme.px(6), theme.px(10), theme.px(6));
+        column->setSpacing(theme.px(4));
+    });
+}
+
+void LessonHead::showRun() {
+    if (!m_run.lesson()) return;
+    const int pages = m_run.pageCount();
+    m_title->setText(toQString(m_run.lesson()->title));
+    m_place->setText(m_run.isAtEnd() ? tr("%1 pages").arg(pages)
+                                     : tr("Page %1 of %2").arg(m_run.page() + 1).arg(pages));
+    const double of = m_run.pointsOf();
+    m_points->setText(of > 0 ? tr("%1 of %2 points so far").arg(pointsText(m_run.pointsSoFar()), pointsText(of))
+                             : QString());
+    m_segments->showPages();
+}
+
+LessonFoot::LessonFoot(LessonRun& run, QWidget* parent)
+    : QWidget(parent),
+      m_run(run),
+      m_back(new QPushButton(tr("Back"), this)),
+      m_next(new QPushButton(tr("Next"), this)),
+      m_why(new QLabel(this)) {
+    m_back->setObjectName("previousPage");
+    m_next->setObjectName("nextPage");
+    m_why->setProperty("tone", 2);
+    m_why->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    auto* row = new QHBoxLayout(this);
+    row->addWidget(m_back);
+    row->addWidget(m_why, 1);
+    row->addWidget(m_next);
+    connect(m_back, &QPushButton::clicked, &run, [&run] { run.goTo(run.page() - 1); });
+    connect(m_next, &QPushButton::clicked, &run, [&run] { run.goTo(run.page() + 1); });
+    followTheme(this, [this, row] {
+        const Theme& theme = Theme::current();
+        m_why->setFont(theme.text(12));
+        row->setContentsMargins(theme.px(14), theme.px(6), theme.px(14), theme.px(8));
+        row->setSpacing(theme.px(10));
+    });
+}
+
+void LessonFoot::showRun() {
+    const bool atEnd = m_run.isAtEnd(), settled = m_run.isSettled();
+    m_back->setEnabled(m_run.page() > 0);
+    m_back->setToolTip(m_run.page() > 0 ? tr("Previous page (Alt+←)") : tr("Already at the first page."));
+    m_next->setVisible(!atEnd);
+    m_next->setEnabled(settled);
+    m_next->setText(m_run.page() + 1 == m_run.pageCount() ? tr("Finish") : tr("Next"));
+    m_next->setToolTip(settled ? tr("Next page (Alt+→)") : tr("After your answer"));
+    m_next->setProperty("kind", settled ? "primary" : "");
+    m_next->style()->polish(m_next);
+    m_why->setText(atEnd ? QString() : settled ? tr("Enter goes on") : tr("after your answer"));
+}
+
+void LessonFoot::takeFocus() { m_next->setFocus(); }
+
+}  // namespace app

@@ -1,0 +1,60 @@
+#pragma once
+#include <QWidget>
+
+#include "app/core/lesson_run.h"
+
+class QLabel;
+class QPushButton;
+class QToolButton;
+
+namespace app {
+
+// How the pages of a lesson stand, a segment a page: done filled, the one that is open half filled and ringed until its
+// question is settled.
+class PageSegments : public QWidget {
+    Q_OBJECT
+public:
+    PageSegments(const LessonRun& run, QWidget* parent);
+    void showPages();
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    const LessonRun& m_run;
+};
+
+// Above a page: the way back to all lessons, the lesson's name, Only this, close; its pages and points.
+class LessonHead : public QWidget {
+    Q_OBJECT
+public:
+    LessonHead(const LessonRun& run, QWidget* parent);
+    void showRun();
+    QToolButton& onlyThis() { return *m_only; }
+
+signals:
+    void leaveAsked();  // to all lessons, or to one's own scene
+
+private:
+    const LessonRun& m_run;
+    QPushButton* m_all;
+    QLabel *m_title, *m_place, *m_points;
+    QToolButton *m_only, *m_close;
+    PageSegments* m_segments;
+};
+
+// Below a page, always in sight: Back and Next.
+class LessonFoot : public QWidget {
+    Q_OBJECT
+public:
+    LessonFoot(LessonRun& run, QWidget* parent);
+    void showRun();
+    void takeFocus();  // Next
+
+private:
+    LessonRun& m_run;
+    QPushButton *m_back, *m_next;
+    QLabel* m_why;
+};
+
+}  // namespace app

@@ -1,0 +1,20 @@
+#pragma once
+#include <QDialog>
+
+#include "app/core/lesson_results.h"
+#include "app/panels/lesson_shelf.h"
+
+namespace app {
+
+// What was tried on every page of every lesson, as the results have it.
+class LessonResultsDialog : public QDialog {
+    Q_OBJECT
+public:
+    static void showResults(const LessonShelf& shelf, const LessonResults& results,
+                            QWidget* parent);  // and goes when it is closed
+
+private:
+    LessonResultsDialog(const LessonShelf& shelf, const LessonResults& results, QWidget* parent);
+};
+
+}  // namespace app

@@ -1,0 +1,121 @@
+// A lesson in the window: the user's scene is put aside and comes back; what a page hides is hidden everywhere.
+#include <QFile>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QTest>
+#include <QToolBar>
+#include <QToolButton>
+
+#include "app/desktop/panel_dock.h"
+#include "app/desktop/view_area.h"
+#include "app/panels/buffer_view.h"
+#include "app/panels/lesson_panel.h"
+#include "tests/app/window_fixture.h"
+
+namespace app {
+namespace {
+
+class WindowLesson : public WindowTest {
+protected:
+    void writeLesson() {
+        QFile file(folder.filePath("lesson.md"));
+        ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+        file.write(
+            "title: Hiding\nlecture: L\nsummary: S.\nscene: pyramid\n\n# First\nhides: normal, counts\nbuffers: color, "
+            "normal\nText.\nquestion: 2 + 3?\nanswer: 2 + 3\n\n## then\nAfter.\n\n# Second\nset: camera.theta = "
+            "20\nText.\n");
+    }
+    void openLesson() {
+        writeLesson();
+        ASSERT_TRUE(window.openFile(folder.path()));
+        ASSERT_TRUE(waitForFrame());
+        ASSERT_TRUE(QTest::qWaitFor([&] { return panel().run().texts().has_value(); }, 10000));
+    }
+    LessonPanel& panel() { return *window.findChild<LessonPanel*>(); }
+    QString title() { return find<QLabel>("title")->text(); }
+    bool shows(const char* dock) { return find<PanelDock>(dock)->isVisible(); }
+};
+
+TEST_F(WindowLesson, TheUsersSceneComesBackWithItsChangesAndItsSteps) {
+    ASSERT_TRUE(window.openFile(resourceScene("two_pyramids.scene")));
+    ASSERT_TRUE(waitForFrame());
+    const auto theta = *findSetting(document().scene(), "camera.theta");
+    const double before = theta.get(document().scene());
+    document().change(theta, 47.25);
+    document().change(theta, 50);
+    document().undoStack()->undo();
+    document().setStage(pipeline::StageId::Cull);
+    document().pick(glm::ivec2(300, 200));
+    ASSERT_TRUE(waitForFrame());
+    const bool hadScene = shows("scene"), hadInspector = shows("inspector");
+    const auto state = window.state({});
+
+    openLesson();  // asks nothing
+    EXPECT_EQ(title(), "Lesson: Hiding · your scene stays as it was");
+    EXPECT_FALSE(document().undoStack()->canUndo());
+    EXPECT_FALSE(document().isChanged());
+    panel().goTo(1);
+    EXPECT_FALSE(document().undoStack()->canUndo()) << "a page is no edit";
+    find<QToolButton>("closeLesson")->click();
+
+    EXPECT_EQ(document().scene().name, "two_pyramids.scene");
+    EXPECT_EQ(theta.get(document().scene()), 47.25);
+    EXPECT_EQ(window.state({}), state);
+    EXPECT_TRUE(document().isChanged());
+    EXPECT_EQ(shows("scene"), hadScene);
+    EXPECT_EQ(shows("inspector"), hadInspector);
+    document().undoStack()->redo();
+    EXPECT_EQ(theta.get(document().scene()), 50);
+    document().undoStack()->undo();
+    document().undoStack()->undo();
+    EXPECT_EQ(theta.get(document().scene()), before);
+    EXPECT_FALSE(document().isChanged());
+    EXPECT_TRUE(title().startsWith("two_pyramids.scene"));
+}
+
+TEST_F(WindowLesson, WithoutASceneClosingGoesBackToTheStartPage) {
+    openLesson();
+    EXPECT_EQ(title(), "Lesson: Hiding");
+    find<QToolButton>("closeLesson")->click();
+    EXPECT_FALSE(window.state({}));
+    EXPECT_FALSE(shows("lesson"));
+}
+
+TEST_F(WindowLesson, WhatAPageHidesIsHiddenUntilTheAnswer) {
+    openLesson();
+    const auto normalView = [&] {
+        for (BufferView* view : window.views().shownBuffers())
+            if (view->buffer().id == pipeline::BufferId::Normal) return view;
+        return static_cast<BufferView*>(nullptr);
+    };
+    ASSERT_NE(normalView(), nullptr);
+    EXPECT_EQ(normalView()->message(), "normal\nafter your answer");
+    EXPECT_FALSE(normalView()->shown());
+    EXPECT_FALSE(shows("inspector") || shows("tables") || shows("scanline"));
+    EXPECT_FALSE(find<PanelDock>("inspector")->toggleViewAction()->isEnabled());
+    EXPECT_EQ(find<QAbstractButton>("inspectorTab")->text(), "Inspector, after your answer");
+    EXPECT_FALSE(find<QAbstractButton>("inspectorTab")->isEnabled());
+    EXPECT_EQ(find<QLabel>("statusHidden")->text(), "3 things hidden until you answer");
+    find<QLineEdit>("answer")->setText("5");
+    find<QPushButton>("check")->click();
+    ASSERT_TRUE(waitForFrame());
+    EXPECT_TRUE(QTest::qWaitFor([&] { return normalView()->shown().has_value(); }, 10000));
+    EXPECT_TRUE(find<QAbstractButton>("inspectorTab")->isEnabled());
+    EXPECT_EQ(find<QLabel>("statusHidden")->text(), "");
+}
+
+TEST_F(WindowLesson, OnlyThisHidesTheOtherPanelsAndIsRemembered) {
+    openPyramid();
+    window.resize(1600, 1000);
+    openLesson();
+    EXPECT_TRUE(shows("lesson"));
+    EXPECT_FALSE(shows("scene") || shows("settings") || find<QToolBar>("timelineBar")->isVisible());
+    find<QToolButton>("onlyThis")->click();
+    EXPECT_TRUE(shows("scene") && shows("settings") && find<QToolBar>("timelineBar")->isVisible());
+    EXPECT_FALSE(shows("inspector")) << "it is hidden until the answer";
+    EXPECT_FALSE(LessonPanel(document()).isOnlyThis());
+}
+
+}  // namespace
+}  // namespace app
