@@ -78,6 +78,12 @@ QSize OptionButton<Button>::sizeHint() const {
     return {width, heightForWidth(width)};
 }
 
+// Of narrow lines: else the words in one line would be the least width of the page.
+template <class Button>
+QSize OptionButton<Button>::minimumSizeHint() const {
+    return {Theme::current().px(140), Theme::current().px(30)};
+}
+
 template <class Button>
 void OptionButton<Button>::paintEvent(QPaintEvent*) {
     const Theme& theme = Theme::current();

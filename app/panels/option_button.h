@@ -14,6 +14,7 @@ public:
     // Off: it was tried and is wrong; the reader's last answer, where it has a name, stays to be seen.
     void setOff(bool off);
     QSize sizeHint() const override;
+    QSize minimumSizeHint() const override;
     bool hasHeightForWidth() const override { return true; }
     int heightForWidth(int width) const override;
 
