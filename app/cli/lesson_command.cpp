@@ -261,6 +261,12 @@ void declareLesson(CLI::App& program, const CliHost&, int& status) {
     addName(*check);
     check->callback([options, &status] { status = checkOne(options->name); });
 
+    CLI::App* results =
+        command->add_subcommand("results", "Print your results of lessons, which are kept on this machine");
+    auto* json = results->add_flag("--json", options->json, "Print JSON");
+    results->add_flag("--forget", options->forget, "Forget all of them")->excludes(json);
+    results->callback([options, &status] { status = showResults(options->json, options->forget); });
+
     CLI::App* write = command->add_subcommand("export", "Write a lesson for paper: a handout, and its answers");
     addName(*write);
     write->add_option("-o,--output", options->folder, "The folder to write into; made when it is missing")
