@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "pipeline/plan/stage.h"
+#include "pipeline/scene/rules.h"
 
 namespace pipeline {
 
@@ -89,6 +90,8 @@ struct BufferInfo {
     std::string_view meaning;  // one sentence
     Palette palette;
     double neutral;  // where nothing was drawn, and what readers see when it is left out
+    PartSet
+        reads{};  // what a frame does for whoever asks for it; by these the plan knows when a scene has no use for it
 };
 
 // Its values are names: equal or not, and nothing between them.

@@ -346,7 +346,7 @@ void fill(const FrameData<Real>& data, const std::stop_token& stop, bool fragmen
         report.shadow.push_back(double(shadowAt(data.keys.shading, data.shadingSources(), k, triangle, position)));
     if (modelFacts(data.keys.shading.illumination.model).shadows)
         for (std::size_t k = 0; k < lights; ++k)
-            report.shadowPlaces.push_back(data.keys.shading.parts.lights[k]
+            report.shadowPlaces.push_back(data.keys.shading.parts.of(Part::Light, k)
                                               ? shadowPlace(data.keys.shading.lights[k], report.shadow[k])
                                               : kNotLookedFor);
     evaluateAll(data, triangle, b, report);

@@ -116,7 +116,7 @@ std::vector<std::string> shadowEvents(const FrameData<Real>& data, std::uint32_t
         } else if (looksUp(data, k)) {
             const ShadowDepths found = compare(data.shadowBuffer->lights[k][0], inputs.shadow, position, normal);
             text = comparisonOf(found) + (found.shadowed ? ": in shadow, only the ambient term" : ": lit");
-        } else if (!inputs.parts.lights[k]) {
+        } else if (!inputs.parts.of(Part::Light, k)) {
             text = kNotLookedFor;
         } else {
             text = "lit, without a shadow buffer";

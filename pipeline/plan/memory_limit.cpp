@@ -17,9 +17,9 @@ BufferSet heldBy(const Scene& scene, const Needs& needs, StageId until) {
     using enum BufferId;
     BufferSet held = needs.buffers;
     if (until >= StageId::ZBuffer) held.set(index(ZView));
-    if (until >= StageId::ZBuffer && needs.seenPolygons) held.set(index(PolygonId));
-    if (until >= StageId::ZBuffer && needs.fragmentCounts) held |= setOf({Overdraw, DepthWrites});
-    if (until >= StageId::ZBuffer && needs.weights) held.set(index(Barycentric));
+    if (until >= StageId::ZBuffer && needs[Part::SeenPolygons]) held.set(index(PolygonId));
+    if (until >= StageId::ZBuffer && needs[Part::FragmentCounts]) held |= setOf({Overdraw, DepthWrites});
+    if (until >= StageId::ZBuffer && needs[Part::Weights]) held.set(index(Barycentric));
     if (until == StageId::Shading) held.set(index(Color));
     if (scene.settings.antialiasing == 1) held.reset(index(Antialiased));
     return held;
@@ -47,7 +47,7 @@ Shadows shadowsOf(const Scene& scene, const Needs& needs, StageId until) {
     Shadows all;
     const double texels = double(scene.settings.shadowSize) * double(scene.settings.shadowSize);
     for (std::size_t k = 0; k < scene.lights.size() && until >= StageId::ShadowBuffer; ++k) {
-        if (!needs.shadowBuffer[k]) continue;
+        if (!needs.of(Part::ShadowBuffer, k)) continue;
         const int faces = sampleGrid(scene.lights[k]).count() * shadowFacesPerSample(scene.lights[k].kind);
         // Several faces are kept one by one, and once more side by side where the buffer is asked for.
         const bool again = faces > 1 && needs.buffers[index(BufferId::ShadowBuffer)];

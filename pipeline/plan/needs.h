@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -6,38 +7,35 @@
 #include "pipeline/buffers/buffer_table.h"
 #include "pipeline/plan/stage.h"
 #include "pipeline/scene/scene.h"
+#include "pipeline/stages/parts.h"
 
 namespace pipeline {
 
 // What a scene and the buffers asked for need of each stage, and why not the rest. Every reason
 // here leaves the picture the same, bit for bit.
 
-// Empty text: needed. Else the reason it is left out, one sentence, and the rule that says so;
-// no rule where there is nothing that could be done ("The light casts no shadow.").
+// Of a part of a stage. Empty text: needed. Else the reason it is left out, one sentence, and the rule that says so;
+// no rule where there is nothing that could be done ("The light casts no shadow."). What is needed and has a rule is left
+// out element by element, by the stage itself.
 struct Need {
     std::string notBecause{};
     std::optional<Rule> rule{};
     std::string despite{};  // of what is needed only because a rule is off: what it would say, and that it is off
     explicit operator bool() const { return notBecause.empty(); }
+    bool isWhole() const { return notBecause.empty() && !rule; }
 };
 
 struct Needs {
-    Need modelTransform, unitNormals;   // copies of what the mesh has: places, and given normals at length 1
-    Need cull, shadowBuffers, normals;  // whole stages
-    Need polygonNormals, vertexNormals;
-    Need normalSums;               // of polygon normals, around vertices
-    std::vector<bool> ownNormals;  // per object: none of these sums is read; empty: of every object some may be
-    Need polygonTerms, vertexTerms, ambient, position, viewVector;
-    Need depthTest;                                                // of fragments at a pixel
-    Need seenPolygons, fragmentCounts, weights;                    // what stage 5 leaves beside distances
-    Need reflection, halfway;                                      // R and H
-    Need vectorShading;                                            // several pixels at a time
-    bool fast = false;                                             // these in the arithmetic `fast`
-    Need layers, layerSort;                                        // of translucent polygons
-    std::vector<Need> shadowBuffer, light, specular, attenuation;  // per light
-    bool hiddenPolygons = false, hiddenVertices = false;           // what nobody can see is evaluated too
-    BufferSet buffers;                                             // those that are made
-    RuleSet rules;                                                 // in force
+    std::array<Need, kPartCount> whole;                // by Part; of a part per light, whether it is needed for any
+    std::array<std::vector<Need>, kPartCount> lights;  // by Part: per light, where the part is per light
+    std::vector<bool> ownNormals;  // per object: no sum around a vertex is read; empty: of every object some may be
+    BufferSet buffers;             // those that are made
+    RuleSet rules;                 // in force
+
+    const Need& operator[](Part part) const { return whole[index(part)]; }
+    const Need& of(Part part, std::size_t light) const { return lights[index(part)][light]; }
+    // What a stage that declares these parts carries out.
+    Parts parts(PartSet declared) const;
 };
 // until: the stage after which the run ends.
 Needs needsOf(const Scene& scene, BufferSet wanted, StageId until = StageId::Shading);

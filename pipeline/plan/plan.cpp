@@ -73,9 +73,9 @@ std::string difference(const ZBufferInputs& a, const ZBufferInputs& b) {
     if (a.visibility != b.visibility) return "The setting visibility changed.";
     if (a.translucent != b.translucent) return "Other objects are translucent.";
     if (a.split != b.split) return "The setting split changed.";
-    if ((b.names && !a.names) || (b.counts && !a.counts) || (b.weights && !a.weights))
-        return "Other buffers are asked for.";
-    return a.clipAll == b.clipAll ? "" : "The rule of clipping was switched.";
+    for (const Part part : {Part::SeenPolygons, Part::FragmentCounts, Part::Weights})
+        if (b.parts[part] && !a.parts[part]) return "Other buffers are asked for.";
+    return a.parts[Part::Clipping] == b.parts[Part::Clipping] ? "" : "The rule of clipping was switched.";
 }
 
 std::string difference(const ShadingInputs& a, const ShadingInputs& b) {
@@ -95,10 +95,11 @@ std::string difference(const ShadingInputs& a, const ShadingInputs& b) {
     if (a.samples != b.samples) return "The setting antialiasing changed.";
     if (a.samplePattern != b.samplePattern) return "The setting antialiasing_pattern changed.";
     if (!(a.layers == b.layers)) return "The layers of translucent surfaces changed.";
-    if (a.parts.fast != b.parts.fast)
-        return b.parts.fast ? "Fast arithmetic is used now." : "Exact arithmetic is used now.";
-    if (a.parts.vectors != b.parts.vectors)
-        return b.parts.vectors ? "Pixels are shaded in vectors now." : "Pixels are shaded one by one now.";
+    if (a.parts[Part::FastVectors] != b.parts[Part::FastVectors])
+        return b.parts[Part::FastVectors] ? "Fast arithmetic is used now." : "Exact arithmetic is used now.";
+    if (a.parts[Part::ShadedInVectors] != b.parts[Part::ShadedInVectors])
+        return b.parts[Part::ShadedInVectors] ? "Pixels are shaded in vectors now."
+                                              : "Pixels are shaded one by one now.";
     return a == b ? "" : "Other parts of it are needed.";
 }
 
@@ -114,7 +115,7 @@ bool hasSameIncidence(ShadingInputs a, const ShadingInputs& b) {
     a.illumination.detail.reflection = b.illumination.detail.reflection;
     a.illumination.detail.halfway = b.illumination.detail.halfway;
     a.illumination.detail.logContrast = b.illumination.detail.logContrast;
-    a.parts.ambient = b.parts.ambient, a.parts.position = b.parts.position, a.parts.viewVector = b.parts.viewVector;
+    for (const Part part : {Part::Ambient, Part::Position, Part::ViewVector}) a.parts.whole.set(part, b.parts[part]);
     return a == b;
 }
 
@@ -156,7 +157,7 @@ PlanPart incidenceOf(const ShadingInputs& inputs, glm::ivec2 picture, BufferSet 
         return info.stage == StageId::Shading && info.domain == Domain::Pixel && info.id != BufferId::Color &&
                info.id != BufferId::Intensity && wanted[index(info.id)];
     });
-    if (inputs.shading != Shading::Phong || !inputs.parts.vectors) {
+    if (inputs.shading != Shading::Phong || !inputs.parts[Part::ShadedInVectors]) {
         part.why = "Not kept for other materials: Phong shading in vectors of pixels alone keeps them.";
     } else if (inputs.samples > 1) {
         part.why = "Not kept for other materials: each of a pixel's samples has its own.";
@@ -226,13 +227,15 @@ Plan decide(const Scene& scene, const FrameRequest& request, const Needs& needs,
     const Need always;
     using enum StageId;
     step(Transform, always, changed(&StageKeys::transform), {});
-    step(Cull, needs.cull, changed(&StageKeys::cull), {Transform});
-    step(Normals, needs.normals, changed(&StageKeys::normals), {Transform});
+    step(Cull, needs[Part::Culling], changed(&StageKeys::cull), {Transform});
+    // For either kind; the reason is that of the polygon normals.
+    const Need& normals = needs[needs[Part::VertexNormals] ? Part::VertexNormals : Part::PolygonNormals];
+    step(Normals, normals, changed(&StageKeys::normals), {Transform});
     const std::string casters = changed(&StageKeys::shadowBuffer);
     if (past.keys && isSameWorld(past.keys->transform, keys.transform))
-        step(StageId::ShadowBuffer, needs.shadowBuffers, casters, {});
+        step(StageId::ShadowBuffer, needs[Part::ShadowBuffer], casters, {});
     else
-        step(StageId::ShadowBuffer, needs.shadowBuffers, casters, {Transform});
+        step(StageId::ShadowBuffer, needs[Part::ShadowBuffer], casters, {Transform});
     step(ZBuffer, always, changed(&StageKeys::zBuffer), {Transform, Cull});
     std::string shading = changed(&StageKeys::shading);
     if (shading.empty() && past.keys && !shadingCovers(past.wanted, needs.buffers, keys.shading.samples))
@@ -248,7 +251,7 @@ Plan decide(const Scene& scene, const FrameRequest& request, const Needs& needs,
 
 void explain(const Scene& scene, const Needs& needs, Plan& plan) {
     for (PlanStep& step : plan) {
-        step.parts = partsOf(step.stage, scene, needs, step.action);
+        step.parts = planParts(step.stage, scene, needs, step.action);
         if (step.incidence) step.parts.push_back(*step.incidence);
         if (step.action != Action::LeaveOut) continue;
         for (PlanPart& part : step.parts) {

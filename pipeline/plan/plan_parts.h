@@ -7,6 +7,6 @@
 namespace pipeline {
 
 // The parts of a stage that may be left out by themselves, for a stage that does `action`.
-std::vector<PlanPart> partsOf(StageId stage, const Scene& scene, const Needs& needs, Action action);
+std::vector<PlanPart> planParts(StageId stage, const Scene& scene, const Needs& needs, Action action);
 
 }  // namespace pipeline

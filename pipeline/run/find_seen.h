@@ -67,8 +67,8 @@ inline std::vector<std::uint32_t> placesOf(const std::vector<std::uint8_t>& isSe
 // Which polygons and vertices are evaluated: nothing where all are.
 template <class Real>
 ElementPlaces findSeen(const ShadingInputs& inputs, const ShadingSources<Real>& in, Threads& threads) {
-    const bool polygons = inputs.parts.polygonTerms && !inputs.parts.hiddenPolygons;
-    const bool vertices = inputs.parts.vertexTerms && !inputs.parts.hiddenVertices;
+    const bool polygons = inputs.parts[Part::PolygonTerms] && !inputs.parts[Part::HiddenPolygons];
+    const bool vertices = inputs.parts[Part::VertexTerms] && !inputs.parts[Part::HiddenVertices];
     if (!polygons && !vertices) return {};
     const std::vector<std::uint8_t> isSeen = seenPolygons(inputs, in, threads);
     ElementPlaces places;

@@ -189,7 +189,7 @@ std::string Frame::whyAbsent(const BufferName& name) const {
     if (info.perLight && (name.light < 0 || std::size_t(name.light) >= m_scene->lights.size()))
         return "The scene has no light " + std::to_string(name.light) + ".";
     if (index(info.stage) > index(m_until)) return m_plan[index(info.stage)].why;
-    if (name.id == BufferId::ShadowBuffer) return m_needs.shadowBuffer[std::size_t(name.light)].notBecause;
+    if (name.id == BufferId::ShadowBuffer) return m_needs.of(Part::ShadowBuffer, std::size_t(name.light)).notBecause;
     const std::string useless = whyUseless(*m_scene, name.id);
     return useless.empty() ? "Nobody has asked for it yet." : useless;
 }

@@ -108,13 +108,13 @@ inline std::shared_ptr<const ZBufferOutput<float>> runZBufferInVectors(
     const ZBufferInputs& inputs, const TransformOutput<float>& in, const SetUpInputs& setUp,
     std::function<Buffer2D<std::uint32_t>()> findTriangles, Threads& threads) {
     auto out = std::make_shared<ZBufferOutput<float>>();
-    if (inputs.weights) out->barycentric = {in.view.size, Vec3<float>(0)};
-    if (inputs.counts) out->overdraw = out->depthWrites = {in.view.size, 0};
+    if (inputs.parts[Part::Weights]) out->barycentric = {in.view.size, Vec3<float>(0)};
+    if (inputs.parts[Part::FragmentCounts]) out->overdraw = out->depthWrites = {in.view.size, 0};
     auto seen = std::make_shared<SeenBlocks>();
     seen->pieces = prepareSetUp(setUp);
     setUpPieces(setUp, 0, seen->pieces.pieces.size(), seen->pieces, threads);
     seen->z = BlockBuffer2D<float>(in.view.size);
-    if (inputs.names) seen->name = BlockBuffer2D<std::uint32_t>(in.view.size);
+    if (inputs.parts[Part::SeenPolygons]) seen->name = BlockBuffer2D<std::uint32_t>(in.view.size);
     const TrianglePieces& pieces = seen->pieces;
     for (const TrianglePiece& piece : pieces.pieces) out->clipped += piece.clipped, out->unclipped += piece.unclipped;
     for (std::size_t tile = 0; tile < pieces.tileCount(); ++tile) out->tileIsDrawn.push_back(pieces.touches(tile));
@@ -129,7 +129,7 @@ inline std::shared_ptr<const ZBufferOutput<float>> runZBufferInVectors(
     out->seen = seen;
     const std::vector<std::uint8_t>& drawn = out->tileIsDrawn;
     out->zView = LateBuffer2D<float>([seen, drawn] { return rowsOf(seen->z, drawn, SeenBlocks::kNowhere); });
-    if (!inputs.names) {
+    if (!inputs.parts[Part::SeenPolygons]) {
         out->triangle = LateBuffer2D<std::uint32_t>(std::move(findTriangles));
         return out;
     }
@@ -153,21 +153,22 @@ std::shared_ptr<const ZBufferOutput<Real>> runZBuffer(const ZBufferInputs& input
     std::span<const Verdict> verdicts;
     if (cull) verdicts = cull->verdicts;
     std::span<const std::uint8_t> marks;
-    if (cull && !inputs.clipAll) marks = cull->marks;
+    if (cull && !inputs.parts[Part::Clipping]) marks = cull->marks;
     const std::vector<std::uint8_t> drawn =
         drawnIn(Pass::Opaque, *in.topology, in.transparent, inputs.translucent, cull.get());
     if constexpr (std::is_same_v<Real, float>) {
-        if (inputs.visibility == Visibility::ZBuffer && in.depthFormat == DepthFormat::Linear) {
+        if (inputs.parts[Part::DrawnInVectors]) {
             // The stage once more, for the triangles alone; what the stages before have left is kept for it.
             const auto findTriangles = [again = inputs, transform, cull]() mutable {
                 Threads one(1, {});
-                again.names = true, again.counts = again.weights = false;
+                again.parts.whole.set(Part::SeenPolygons);
+                again.parts.whole.set(Part::FragmentCounts, false).set(Part::Weights, false);
                 return *runZBuffer<float>(again, transform, cull, one)->triangle;
             };
-            return runZBufferInVectors(
-                inputs, in,
-                {*in.topology, in.view, in.world, &in.snapped, verdicts, marks, drawn, inputs.names, inputs.clipAll},
-                findTriangles, threads);
+            return runZBufferInVectors(inputs, in,
+                                       {*in.topology, in.view, in.world, &in.snapped, verdicts, marks, drawn,
+                                        inputs.parts[Part::SeenPolygons], inputs.parts[Part::Clipping]},
+                                       findTriangles, threads);
         }
     }
     auto out = std::make_shared<ZBufferOutput<Real>>(prepareZBuffer<Real>({{0, 0}, in.view.size}, in.depthFormat));
@@ -230,7 +231,7 @@ ShadingCounts shadeTile(const ShadingInputs& inputs, const ShadingSources<Real>&
         if (!out.incidence.empty() && out.incidence[i] &&
             relightInVectors(inputs, looks, *out.incidence[i], pixels, out, relit))
             return relit;
-        if (inputs.parts.vectors) return shadePixelsInVectors(inputs, in, pixels, out);
+        if (inputs.parts[Part::ShadedInVectors]) return shadePixelsInVectors(inputs, in, pixels, out);
     }
     return shadePixels(inputs, in, pixels, out);
 }
@@ -245,9 +246,9 @@ void shadePicture(const ShadingInputs& inputs, const ShadingSources<Real>& in, S
         for (const Material& material : inputs.materials) looks.emplace_back(inputs, material);
     threads.forRange(drawn.size(), kTileGrain, [&](std::size_t begin, std::size_t end) {
         for (std::size_t tile = begin; tile < end; ++tile) {
-            if (!inputs.parts.emptyTiles && !drawn[tile]) {
+            if (!inputs.parts[Part::Tiles] && !drawn[tile]) {
                 if constexpr (std::is_same_v<Real, float>)
-                    if (inputs.parts.vectors) leaveTileDark(tileOf(in.transform.view.size, tile), out);
+                    if (inputs.parts[Part::ShadedInVectors]) leaveTileDark(tileOf(in.transform.view.size, tile), out);
                 counts.add({.emptyTiles = 1});
                 continue;
             }

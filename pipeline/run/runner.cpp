@@ -30,36 +30,15 @@ std::shared_ptr<const Topology> topologyOf(const Scene& scene, const FramePtr& b
     return std::make_shared<const Topology>(makeTopology(std::move(meshes)));
 }
 
-namespace {
-
-bool without(const Needs& needs, Rule rule) { return !needs.rules[index(rule)]; }
-
-ShadingParts shadingParts(const Needs& needs) {
-    ShadingParts parts;
-    for (const Need& need : needs.light) parts.lights.push_back(bool(need));
-    for (const Need& need : needs.attenuation) parts.attenuation.push_back(bool(need));
-    parts.polygonTerms = bool(needs.polygonTerms), parts.vertexTerms = bool(needs.vertexTerms);
-    parts.hiddenPolygons = needs.hiddenPolygons, parts.hiddenVertices = needs.hiddenVertices;
-    parts.ambient = bool(needs.ambient);
-    parts.position = bool(needs.position), parts.viewVector = bool(needs.viewVector);
-    parts.idleLookups = without(needs, Rule::ShadowLookup);
-    parts.emptyTiles = without(needs, Rule::EmptyTiles);
-    parts.vectors = bool(needs.vectorShading), parts.fast = needs.fast;
-    return parts;
-}
-
-}  // namespace
-
 StageKeys stageKeys(const Scene& scene, const Needs& needs, std::shared_ptr<const Topology> topology) {
     const Settings& settings = scene.settings;
-    StageKeys keys{transformInputs(scene, std::move(topology), !needs.modelTransform),
+    StageKeys keys{transformInputs(scene, std::move(topology), !needs[Part::ModelTransform]),
                    {settings.cull},
-                   {settings.normalWeight, bool(needs.polygonNormals), bool(needs.vertexNormals), needs.ownNormals,
-                    settings.forms.polygonNormal, settings.forms.cornerAngle, settings.forms.unit,
-                    needs.vertexNormals && !needs.unitNormals},
+                   {settings.normalWeight, bool(needs[Part::PolygonNormals]), bool(needs[Part::VertexNormals]),
+                    needs.ownNormals, settings.forms.polygonNormal, settings.forms.cornerAngle, settings.forms.unit,
+                    needs[Part::VertexNormals] && !needs[Part::Normalisation]},
                    {{}, settings.shadowSize, settings.shadowCull},
-                   {settings.visibility, settings.split, without(needs, Rule::Clipping), translucentSides(scene),
-                    bool(needs.seenPolygons), bool(needs.fragmentCounts), bool(needs.weights)},
+                   {settings.visibility, settings.split, translucentSides(scene), needs.parts(kZBufferParts)},
                    {settings.shading,
                     settings.shading == Shading::Flat ? Interpolation::Perspective : settings.interpolation,
                     settings.visibility == Visibility::None,
@@ -69,12 +48,12 @@ StageKeys stageKeys(const Scene& scene, const Needs& needs, std::shared_ptr<cons
                     {},
                     scene.ambient,
                     {settings.shadowBias, settings.shadowBiasValue, settings.shadowFilter},
-                    shadingParts(needs)}};
-    keys.shading.illumination.detail = {bool(needs.reflection),         bool(needs.halfway),
-                                        without(needs, Rule::Specular), without(needs, Rule::VanishingPower),
-                                        settings.forms.power,           settings.forms.unit};
-    if (needs.layers)
-        keys.shading.layers = {true, bool(needs.layerSort), settings.translucency,
+                    needs.parts(kShadingParts)}};
+    keys.shading.illumination.detail = {
+        bool(needs[Part::Reflection]), bool(needs[Part::Halfway]), !needs.rules[index(Rule::Specular)],
+        needs[Part::Powers].isWhole(), settings.forms.power,       settings.forms.unit};
+    if (needs[Part::Layers])
+        keys.shading.layers = {true, bool(needs[Part::LayerSort]), settings.translucency,
                                settings.visibility == Visibility::ZBuffer, keys.zBuffer.translucent};
     keys.shading.firstVertexNormal = lightsFirstVertex(settings);
     keys.shading.samples = settings.antialiasing;
@@ -84,14 +63,11 @@ StageKeys stageKeys(const Scene& scene, const Needs& needs, std::shared_ptr<cons
         keys.shading.backMaterials.push_back(object.backMaterial.value_or(object.material));
     }
     keys.shading.lights = lightsInWorldSpace(scene, keys.transform.view);
-    // What the contrast is found of: terms of light by its colour, summed up in pixels; elsewhere a vertex's terms are
-    // interpolated one by one.
-    const bool sums = settings.shading == Shading::Phong && !modelFacts(settings.model).found.glLights;
-    if (sums && needs.rules[index(Rule::VanishingPower)] && !needs.buffers[index(BufferId::Specular)])
+    if (!needs[Part::NegligiblePowers].isWhole())
         keys.shading.illumination.detail.logContrast = logContrast(keys.shading);
     const std::vector<Light>& lights = keys.shading.lights;
     for (std::size_t k = 0; k < scene.lights.size(); ++k) {
-        if (needs.shadowBuffer[k])
+        if (needs.of(Part::ShadowBuffer, k))
             keys.shadowBuffer.casters.push_back({lights[k].kind, samplePlaces(lights[k])});
         else
             keys.shadowBuffer.casters.push_back({});

@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <bitset>
+#include <concepts>
 #include <cstdint>
 #include <string_view>
 
@@ -36,10 +37,7 @@ enum class Rule : std::uint8_t {
     TranslucentPass,
     LayerSort,
 };
-inline constexpr std::size_t kRuleCount = 25;
 constexpr std::size_t index(Rule rule) { return static_cast<std::size_t>(rule); }
-
-using RuleSet = std::bitset<kRuleCount>;
 
 struct RuleInfo {
     std::string_view key;    // of its switch among the settings: "rule.specular"
@@ -48,11 +46,10 @@ struct RuleInfo {
 };
 
 // In the order of the enumerators.
-inline constexpr std::array<RuleInfo, kRuleCount> kRules{{
+inline constexpr auto kRules = std::to_array<RuleInfo>({
     {"rule.model_transform", "Model transform",
      "Leaves the model transform of the only object out where its matrix is the identity: its vertices are read where "
-     "the "
-     "mesh has them, and so are normals that have length 1."},
+     "the mesh has them, and so are normals that have length 1."},
     {"rule.culling", "Culling", "Leaves culling out where it drops nothing and nobody reads its verdicts."},
     {"rule.polygon_normals", "Polygon normals",
      "Leaves polygon normals, and their sums around vertices, out where nobody reads them."},
@@ -87,9 +84,89 @@ inline constexpr std::array<RuleInfo, kRuleCount> kRules{{
     {"rule.unread_buffers", "Unread buffers", "Leaves buffers out that nobody asks for."},
     {"rule.translucent_pass", "Translucent pass", "Leaves the pass over translucent polygons out where there is none."},
     {"rule.layer_sort", "Sort of layers", "Leaves the sort of layers out where one triangle alone is translucent."},
-}};
+});
+inline constexpr std::size_t kRuleCount = kRules.size();
+static_assert(kRuleCount == index(Rule::LayerSort) + 1);
+using RuleSet = std::bitset<kRuleCount>;
+
 constexpr const RuleInfo& ruleInfo(Rule rule) { return kRules[index(rule)]; }
 // "specular": the key without its group.
 constexpr std::string_view name(Rule rule) { return ruleInfo(rule).key.substr(5); }
+
+// What stages do that may be left out by itself: stage by stage, in the order in which a plan lists it. The row of each in
+// pipeline/plan/part_table.cpp says when; stages and buffers name what they read.
+enum class Part : std::uint8_t {
+    ModelTransform,
+    Culling,
+    PolygonNormals,
+    NormalSums,  // around vertices
+    VertexNormals,
+    Normalisation,  // of the vertex normals
+    ShadowBuffer,   // per light
+    Clipping,
+    SeenPolygons,  // what stage 5 leaves beside distances
+    FragmentCounts,
+    Weights,
+    DepthTest,
+    Sort,
+    Split,
+    DrawnInVectors,
+    PolygonTerms,
+    VertexTerms,
+    HiddenPolygons,
+    HiddenVertices,
+    Ambient,
+    Light,        // per light
+    Specular,     // per light
+    Attenuation,  // per light
+    Reflection,   // R
+    Halfway,      // H
+    Powers,
+    NegligiblePowers,  // which change no bit of a sum
+    ViewVector,        // at a pixel
+    Position,          // at a pixel
+    ShadowLookup,
+    Antialiasing,
+    ShadedInVectors,
+    FastVectors,
+    Tiles,
+    Layers,
+    LayerSort,
+    Emission,
+    Intensity,  // beside the frame buffer
+};
+inline constexpr std::size_t kPartCount = 38;
+constexpr std::size_t index(Part part) { return static_cast<std::size_t>(part); }
+
+// A bit for each part.
+class PartSet {
+public:
+    static constexpr PartSet all() {
+        PartSet set;
+        set.m_bits = ~std::uint64_t(0);
+        return set;
+    }
+    constexpr bool operator[](Part part) const { return (m_bits >> index(part) & 1) != 0; }
+    constexpr PartSet& set(Part part, bool on = true) {
+        const std::uint64_t bit = std::uint64_t(1) << index(part);
+        m_bits = on ? m_bits | bit : m_bits & ~bit;
+        return *this;
+    }
+    constexpr PartSet& operator|=(PartSet more) {
+        m_bits |= more.m_bits;
+        return *this;
+    }
+    constexpr bool operator==(const PartSet&) const = default;
+
+private:
+    static_assert(kPartCount <= 64);
+    std::uint64_t m_bits = 0;
+};
+template <std::same_as<Part>... Parts>
+constexpr PartSet partsOf(Parts... parts) {
+    PartSet set;
+    (set.set(parts), ...);
+    return set;
+}
 
 }  // namespace pipeline

@@ -26,7 +26,7 @@ public:
           m_kept(kept),
           m_vanishesFrom(vanishesFrom<float>(inputs.illumination.detail.logContrast)) {
         for (std::size_t k = 0; k < m_count; ++k)
-            if (inputs.parts.lights[k]) m_lights.push_back(k);
+            if (inputs.parts.of(Part::Light, k)) m_lights.push_back(k);
         for (const Look& look : looks) m_bases.push_back(sumOf(look.base));
     }
     bool relight(Tile tile, ShadingOutput<float>& out, ShadingCounts& counts) {
@@ -123,8 +123,8 @@ private:
 
 bool relightTile(const ShadingInputs& inputs, std::span<const Look> looks, const Incidence& kept, Tile tile,
                  ShadingOutput<float>& out, ShadingCounts& counts) {
-    return inputs.parts.fast ? TileRelighter<Fast>(inputs, looks, kept).relight(tile, out, counts)
-                             : TileRelighter<Exact>(inputs, looks, kept).relight(tile, out, counts);
+    return inputs.parts[Part::FastVectors] ? TileRelighter<Fast>(inputs, looks, kept).relight(tile, out, counts)
+                                           : TileRelighter<Exact>(inputs, looks, kept).relight(tile, out, counts);
 }
 
 }  // namespace pipeline::HWY_NAMESPACE

@@ -69,8 +69,8 @@ public:
         for (const Light& light : inputs.lights) m_lights.emplace_back(light);
         m_vanishesFrom = vanishesFrom<float>(inputs.illumination.detail.logContrast);
         m_lookUps.resize(m_casters.biases.size());
-        const bool isViewed = inputs.shading == Shading::Phong && inputs.parts.viewVector;
-        m_sharesViews = isViewed && (m_keeps || std::ranges::count(inputs.parts.lights, true) > 1);
+        const bool isViewed = inputs.shading == Shading::Phong && inputs.parts[Part::ViewVector];
+        m_sharesViews = isViewed && (m_keeps || inputs.parts.count(Part::Light) > 1);
         if (!m_keeps && !out.incidence.empty()) m_keeper.emplace(inputs.lights.size());
     }
 
@@ -81,7 +81,7 @@ public:
             m_views.beginRow(y);
             if (m_sharesViews) leaveViews();
             for (std::size_t k = 0; k < m_lights.size(); ++k)
-                if (const auto bias = m_casters.biasOf[k]; bias && m_inputs.parts.lights[k])
+                if (const auto bias = m_casters.biasOf[k]; bias && m_inputs.parts.of(Part::Light, k))
                     m_casters.lights[k].template prepare<A>(m_row.surface, m_row.surface.bias[*bias], m_lookUps[*bias]);
             m_groups.find(m_row.surface, m_surfaces.tellsObjects());
             m_isAlone = m_groups.areOne();
@@ -126,7 +126,7 @@ private:
         if (isLeft) leaveBase<kKeeps>(group, look);
         if (m_keeper) m_keeper->add(group, look.highlight);
         for (std::size_t k = 0; k < m_lights.size(); ++k) {
-            if (!m_inputs.parts.lights[k]) continue;
+            if (!m_inputs.parts.of(Part::Light, k)) continue;
             switch (look.highlight) {
                 case SpecularForm::None: reflect<kKeeps, SpecularForm::None>(group, k); break;
                 case SpecularForm::Reflection: reflect<kKeeps, SpecularForm::Reflection>(group, k); break;
@@ -261,7 +261,7 @@ private:
     bool dim(const Group& group, std::size_t k, AreZero areZero) {
         if (!isDimmed(k)) return false;
         const ShadowLight& light = m_casters.lights[k];
-        const bool everywhere = m_inputs.parts.idleLookups || (kKeeps && has(BufferId::Shadow));
+        const bool everywhere = m_inputs.parts[Part::ShadowLookup] || (kKeeps && has(BufferId::Shadow));
         const auto bias = m_casters.biasOf[k];
         Group wanted;
         long long lookups = 0, pixels = 0;
@@ -315,9 +315,8 @@ private:
         }
         const auto lights = std::int32_t(m_lights.size());
         for (std::int32_t k = 0; k < lights; ++k) {
-            if (!m_inputs.parts.lights[std::size_t(k)]) continue;
-            // Gathered once.
-            for (std::size_t n = 0; n < group.count; ++n) {
+            if (!m_inputs.parts.of(Part::Light, std::size_t(k))) continue;
+            for (std::size_t n = 0; n < group.count; ++n) {  // gathered once
                 const Elements<A> at = elementsAt(n);
                 store(at.sum(elements.terms, lights, k, 0), m_row.diffuse, group.at[n]);
                 store(at.sum(elements.terms, lights, k, 1), m_row.specular, group.at[n]);
@@ -366,7 +365,8 @@ ShadingCounts shadeTile(const ShadingInputs& inputs, const ShadingSources<float>
 
 ShadingCounts shadeTileInVectors(const ShadingInputs& inputs, const ShadingSources<float>& in, Tile tile,
                                  ShadingOutput<float>& out) {
-    return inputs.parts.fast ? shadeTile<Fast>(inputs, in, tile, out) : shadeTile<Exact>(inputs, in, tile, out);
+    return inputs.parts[Part::FastVectors] ? shadeTile<Fast>(inputs, in, tile, out)
+                                           : shadeTile<Exact>(inputs, in, tile, out);
 }
 
 int lanesHere() { return int(hn::Lanes(F())); }

@@ -84,7 +84,7 @@ public:
           m_biases(biases),
           m_facing(facing),
           m_perPixel(inputs.shading == Shading::Phong),
-          m_positioned(inputs.parts.position),
+          m_positioned(inputs.parts[Part::Position]),
           m_tellsObjects(m_perPixel && inputs.materials.size() > 1),
           m_mirrors(in.transform.anyMirrored()) {
         if (const SeenBlocks* seen = in.zBuffer.seen.get()) {

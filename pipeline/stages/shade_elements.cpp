@@ -41,9 +41,9 @@ void shadeElement(const ShadingInputs& inputs, const Surface<Real>& at, const Ma
     const std::size_t lights = inputs.lights.size();
     BaseTerms<Real> base = baseTerms<Real>(inputs, material);
     for (std::size_t k = 0; k < lights; ++k) {
-        if (!inputs.parts.lights[k]) continue;
+        if (!inputs.parts.of(Part::Light, k)) continue;
         const LightSample<Real> sample =
-            sampleLight(inputs.illumination, inputs.lights[k], material, at, inputs.parts.attenuation[k]);
+            sampleLight(inputs.illumination, inputs.lights[k], material, at, inputs.parts.of(Part::Attenuation, k));
         count(sample, counts);
         out.terms[place * lights + k] = {sample.diffuse, sample.specular};
         base.ambient += sample.ambient;

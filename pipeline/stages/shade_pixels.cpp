@@ -20,15 +20,15 @@ struct Pixel {
 template <class Real>
 void lightAtPixel(const ShadingInputs& inputs, const ShadingSources<Real>& in, const ShadingOutput<Real>& out,
                   std::size_t k, const Pixel<Real>& pixel, bool vectors, LightSample<Real>& s) {
-    const std::size_t lights = inputs.lights.size();
     const auto sample = [&](const Surface<Real>& at) {
-        return sampleLight(inputs.illumination, inputs.lights[k], pixel.material, at, inputs.parts.attenuation[k]);
+        return sampleLight(inputs.illumination, inputs.lights[k], pixel.material, at,
+                           inputs.parts.of(Part::Attenuation, k));
     };
     switch (inputs.shading) {
         case Shading::Phong: s = sample(pixel.surface); return;
         case Shading::Flat: {
             if (vectors) s = sample(polygonSurface(inputs, in, pixel.polygon));
-            const LightTerms<Real>& terms = out.polygons.termsOf(pixel.polygon, lights, k);
+            const LightTerms<Real>& terms = out.polygons.termsOf(pixel.polygon, inputs.lights.size(), k);
             s.diffuse = terms.diffuse, s.specular = terms.specular;
             return;
         }
@@ -38,9 +38,9 @@ void lightAtPixel(const ShadingInputs& inputs, const ShadingSources<Real>& in, c
             for (std::size_t i = 0; i < pixel.weights.count; ++i) {
                 const Real weight = pixel.weights.weights[i];
                 const std::uint32_t vertex = pixel.weights.vertices[i];
-                const LightTerms<Real>& terms = vertexElements(out, pixel.back).termsOf(vertex, lights, k);
-                s.diffuse += weight * terms.diffuse;
-                s.specular += weight * terms.specular;
+                const LightTerms<Real>& terms =
+                    vertexElements(out, pixel.back).termsOf(vertex, inputs.lights.size(), k);
+                s.diffuse += weight * terms.diffuse, s.specular += weight * terms.specular;
                 if (!vectors) continue;
                 const LightSample<Real> v = sample(vertexSurface(inputs, in, vertex, pixel.back));
                 s.L += weight * v.L, s.R += weight * v.R, s.H += weight * v.H;
@@ -103,7 +103,7 @@ Surface<Real> shownSurface(const ShadingInputs& inputs, const ShadingSources<Rea
     if (inputs.shading == Shading::Phong || (wanted && inputs.shading == Shading::Gouraud))
         return pixelSurface(inputs, in, triangle, at, barycentric, weights);
     const Vec3<Real> position =
-        inputs.parts.position ? interpolated(in.transform.world, corners.vertices, barycentric) : Vec3<Real>(0);
+        inputs.parts[Part::Position] ? interpolated(in.transform.world, corners.vertices, barycentric) : Vec3<Real>(0);
     if (!wanted) return {position, Vec3<Real>(0), Vec3<Real>(0)};
     const Surface<Real> polygon = polygonSurface(inputs, in, in.transform.topology->polygonOf(triangle));
     return {position, polygon.N, polygon.V};
@@ -126,7 +126,7 @@ Vec3<Real> shade(const ShadingInputs& inputs, const ShadingSources<Real>& in, co
     write.put(BufferId::ViewVector, pixel.surface.V);
     BaseTerms<Real> base = baseAtPixel(inputs, out, pixel);
     for (std::size_t k = 0; k < inputs.lights.size(); ++k) {
-        if (!inputs.parts.lights[k]) continue;
+        if (!inputs.parts.of(Part::Light, k)) continue;
         LightSample<Real>& s = scratch.samples[k];
         lightAtPixel(inputs, in, out, k, pixel, wanted.vectors, s);
         if (inputs.shading != Shading::Phong) continue;
@@ -138,10 +138,10 @@ Vec3<Real> shade(const ShadingInputs& inputs, const ShadingSources<Real>& in, co
     // One fixed order, so that the terms' buffers sum to the intensity to the last bit.
     Vec3<Real> intensity = sumOf(base);
     for (std::size_t k = 0; k < inputs.lights.size(); ++k) {
-        if (!inputs.parts.lights[k]) continue;
+        if (!inputs.parts.of(Part::Light, k)) continue;
         const LightSample<Real>& s = scratch.samples[k];
         const bool idle = s.diffuse == Vec3<Real>(0) && s.specular == Vec3<Real>(0);
-        const bool lookUp = inputs.parts.idleLookups || wanted.everyShadow || !idle;
+        const bool lookUp = inputs.parts[Part::ShadowLookup] || wanted.everyShadow || !idle;
         const Real shadow = lookUp ? shadowAt(inputs, in, k, id, pixel.surface.position) : Real(1);
         if (in.shadow && !in.shadow->lights[k].empty()) ++(lookUp ? counts.lookups : counts.idleLookups);
         const Vec3<Real> diffuse = shadow * s.diffuse, specular = shadow * s.specular;

@@ -52,14 +52,14 @@ Surface<Real> pixelSurface(const ShadingInputs& inputs, const ShadingSources<Rea
     const auto& v = in.transform.topology->triangles[triangle].vertices;
     const std::uint32_t polygon = in.transform.topology->polygonOf(triangle);
     const Vec3<Real> position =
-        inputs.parts.position ? interpolated(in.transform.world, v, barycentric) : Vec3<Real>(0);
+        inputs.parts[Part::Position] ? interpolated(in.transform.world, v, barycentric) : Vec3<Real>(0);
     const Vec3<Real> normal =
         in.normals.vertex.empty()
             ? in.normals.polygon[polygon]
             : normalized(interpolated(weights, [&](std::uint32_t vertex) { return in.normals.vertex[vertex]; }),
                          inputs.illumination.detail.unit);
     Vec3<Real> V(0);
-    if (inputs.parts.viewVector)
+    if (inputs.parts[Part::ViewVector])
         V = modelFacts(inputs.illumination.model).viewer == Viewer::Setting
                 ? viewVector(inputs, in.transform.view, position)
                 : towardsEye<Real>(in.transform.view, pixel, inputs.illumination.detail.unit);
@@ -67,7 +67,7 @@ Surface<Real> pixelSurface(const ShadingInputs& inputs, const ShadingSources<Rea
 }
 
 ShadingInputs withAllVectors(ShadingInputs inputs) {
-    inputs.parts.position = inputs.parts.viewVector = true;
+    inputs.parts.whole.set(Part::Position).set(Part::ViewVector);
     inputs.illumination.detail.reflection = inputs.illumination.detail.halfway = true;
     inputs.illumination.detail.logContrast = std::numeric_limits<double>::infinity();
     return inputs;
@@ -80,7 +80,7 @@ double logContrast(const ShadingInputs& inputs) {
         for (const Material& material : *materials) {
             const Vec3d base = sumOf(baseTerms<double>(inputs, material));
             for (std::size_t k = 0; k < inputs.lights.size(); ++k) {
-                if (!inputs.parts.lights[k]) continue;
+                if (!inputs.parts.of(Part::Light, k)) continue;
                 const Vec3d shining = inputs.lights[k].intensity * inputs.lights[k].color;
                 const Vec3d diffuse = shining * material.diffuse, specular = shining * material.specular;
                 for (int c = 0; c < 3; ++c) {
@@ -100,7 +100,7 @@ ShadingOutput<Real> prepareShading(const ShadingInputs& inputs, const ShadingSou
                                 in.transform.transparent);
     const glm::ivec2 size = in.transform.view.size;
     if (inputs.outlines) wanted.reset();  // nothing else is known of a line
-    if (!inputs.parts.vectors) wanted.set(index(BufferId::Intensity));
+    if (!inputs.parts[Part::ShadedInVectors]) wanted.set(index(BufferId::Intensity));
     if (inputs.samples > 1) wanted.set(index(BufferId::Antialiased));
     for (const BufferInfo& info : bufferTable()) {
         if (info.stage != StageId::Shading || info.domain != Domain::Pixel || info.element != Element::Real ||
@@ -108,7 +108,7 @@ ShadingOutput<Real> prepareShading(const ShadingInputs& inputs, const ShadingSou
             continue;
         const std::size_t lights = info.perLight ? inputs.lights.size() : 1;
         for (std::size_t k = 0; k < lights; ++k) {
-            if (info.id == BufferId::Intensity && inputs.parts.vectors)
+            if (info.id == BufferId::Intensity && inputs.parts[Part::ShadedInVectors])
                 out.vectors[index(info.id)].emplace_back(size);
             else if (info.channels == 3)
                 out.vectors[index(info.id)].emplace_back(size, Vec3<Real>(Real(info.neutral)));
@@ -116,7 +116,7 @@ ShadingOutput<Real> prepareShading(const ShadingInputs& inputs, const ShadingSou
                 out.scalars[index(info.id)].emplace_back(size, Real(info.neutral));
         }
     }
-    out.color = inputs.parts.vectors ? Buffer2D<Color8>(size) : Buffer2D<Color8>(size, Color8(0));
+    out.color = inputs.parts[Part::ShadedInVectors] ? Buffer2D<Color8>(size) : Buffer2D<Color8>(size, Color8(0));
     if (wanted[index(BufferId::Layers)]) out.layers = {size, 0};
     return out;
 }
@@ -132,8 +132,8 @@ void prepareElements(const ShadingInputs& inputs, const ShadingSources<Real>& in
         elements.intensity.assign(room, Vec3<Real>(0));
     };
     const Topology& topology = *in.transform.topology;
-    if (inputs.parts.polygonTerms) makeRoom(out.polygons, std::move(places.polygons), topology.polygonCount());
-    if (!inputs.parts.vertexTerms) return;
+    if (inputs.parts[Part::PolygonTerms]) makeRoom(out.polygons, std::move(places.polygons), topology.polygonCount());
+    if (!inputs.parts[Part::VertexTerms]) return;
     if (inputs.illumination.twoSided) makeRoom(out.verticesBack, places.vertices, topology.vertexCount());
     makeRoom(out.vertices, std::move(places.vertices), topology.vertexCount());
 }

@@ -16,21 +16,12 @@ namespace pipeline {
 // Stage 6: the illumination of what is seen, and the frame buffer. Deferred: the z-buffer has
 // decided, so each pixel is shaded once, and every quantity on the way can be kept.
 
-// What of the stage is carried out. All of it by default; the plan leaves parts out
-// (pipeline/scene/rules.h), which changes nothing that is asked for.
-struct ShadingParts {
-    std::vector<bool> lights{};       // per light: evaluated
-    std::vector<bool> attenuation{};  // per light: computed
-    bool polygonTerms = true, vertexTerms = true;
-    bool hiddenPolygons = true, hiddenVertices = true;  // also what nobody can see is evaluated
-    bool ambient = true;
-    bool position = true, viewVector = true;  // of a pixel's surface
-    bool idleLookups = true;                  // S also where the terms that it multiplies are 0
-    bool emptyTiles = true;                   // also tiles in which nothing was drawn
-    bool vectors = false;                     // several pixels at a time, pipeline/simd
-    bool fast = false;                        // these in the arithmetic `fast`
-    bool operator==(const ShadingParts&) const = default;
-};
+// What it may leave out. HiddenPolygons, HiddenVertices: what nobody can see is evaluated too; ShadowLookup: S also where
+// the terms that it multiplies are 0; Tiles: also those in which nothing was drawn.
+inline constexpr PartSet kShadingParts =
+    partsOf(Part::PolygonTerms, Part::VertexTerms, Part::HiddenPolygons, Part::HiddenVertices, Part::Ambient,
+            Part::Light, Part::Attenuation, Part::ViewVector, Part::Position, Part::ShadowLookup, Part::ShadedInVectors,
+            Part::FastVectors, Part::Tiles);
 
 // What was done and what was not, in counts that no clock disturbs.
 struct ShadingCounts {
@@ -67,7 +58,7 @@ struct ShadingInputs {
     std::vector<Light> lights;            // in world space
     AmbientLight ambient;
     ShadowSettings shadow;
-    ShadingParts parts{};
+    Parts parts{};
     LayerInputs layers{};
     int samples = 1;  // along a side of a pixel; above 1 the frame buffer shows their mean
     SamplePattern samplePattern = SamplePattern::Grid;

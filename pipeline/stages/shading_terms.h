@@ -8,9 +8,9 @@ namespace pipeline {
 template <class Real>
 BaseTerms<Real> baseTerms(const ShadingInputs& inputs, const Material& material) {
     const Model model = inputs.illumination.model;
-    return {
-        Vec3<Real>(0) + emissionTerm<Real>(model, material),
-        Vec3<Real>(0) + (inputs.parts.ambient ? ambientTerm<Real>(model, inputs.ambient, material) : Vec3<Real>(0))};
+    return {Vec3<Real>(0) + emissionTerm<Real>(model, material),
+            Vec3<Real>(0) +
+                (inputs.parts[Part::Ambient] ? ambientTerm<Real>(model, inputs.ambient, material) : Vec3<Real>(0))};
 }
 
 // Vertices as seen from the front or from behind.

@@ -8,6 +8,7 @@
 #include "pipeline/buffers/late_buffer.h"
 #include "pipeline/scene/opacity.h"
 #include "pipeline/stages/bin.h"
+#include "pipeline/stages/parts.h"
 
 namespace pipeline {
 
@@ -17,15 +18,17 @@ namespace pipeline {
 inline constexpr std::uint32_t kNoTriangle = ~0u;  // nothing was drawn
 inline constexpr std::int32_t kNothing = -1;       // the same, in object_id and polygon_id
 
+// What it may leave out: clipping of polygons that culling found whole in the picture; and, drawn in vectors by
+// pipeline/simd alone, what stands beside z_view and depth. Which triangle is seen is then found when somebody first reads
+// it.
+inline constexpr PartSet kZBufferParts =
+    partsOf(Part::Clipping, Part::SeenPolygons, Part::FragmentCounts, Part::Weights, Part::DrawnInVectors);
+
 struct ZBufferInputs {
     Visibility visibility = Visibility::ZBuffer;
     bool split = true;                            // Painter
-    bool clipAll = true;                          // also polygons that culling found whole in the picture
     std::vector<TranslucentSides> translucent{};  // per object: what stage 6 draws later; empty when nothing
-    // What is left behind beside z_view and depth; pipeline/simd alone leaves it out.
-    bool names = true;    // which triangle is seen; else it is found when somebody first reads it
-    bool counts = true;   // overdraw and depth writes
-    bool weights = true;  // barycentric weights; with names alone
+    Parts parts{};
     bool operator==(const ZBufferInputs&) const = default;
 };
 

@@ -96,7 +96,7 @@ Drawing<Real> takeApart(const FrameData<Real>& data) {
         return out;
     }
     std::span<const std::uint8_t> marks;
-    if (data.cull && !inputs.clipAll) marks = data.cull->marks;
+    if (data.cull && !inputs.parts[Part::Clipping]) marks = data.cull->marks;
     out.bins =
         binTriangles<Real>(*in.topology, in.view, in.world, data.verdicts(), marks,
                            drawnIn(Pass::Opaque, *in.topology, in.transparent, inputs.translucent, data.cull.get()));

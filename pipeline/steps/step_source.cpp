@@ -38,7 +38,7 @@ template <class Real>
 class Source : public StepSource {
 public:
     explicit Source(FramePtr whole) : m_frame(std::move(whole)), m_data(*dataOf<Real>(*m_frame)) {
-        m_data.keys.shading.parts.vectors = false;  // single pixels are shaded exactly
+        m_data.keys.shading.parts.whole.set(Part::ShadedInVectors, false);  // single pixels are shaded exactly
         const Topology& topology = *m_data.transform->topology;
         for (const StageId stage : kStages) runs[index(stage)] = m_data.has(stage);
         using enum ElementKind;

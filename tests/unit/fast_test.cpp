@@ -20,7 +20,7 @@ Scene in(Scene scene, Arithmetic arithmetic) {
 FramePtr picture(const Scene& scene) { return test::frameOf(scene, setOf({BufferId::Color, BufferId::Intensity})); }
 
 bool ranFast(const Frame& frame) {
-    return readStages(frame, [](const auto& data) { return data.keys.shading.parts.fast; });
+    return readStages(frame, [](const auto& data) { return data.keys.shading.parts[Part::FastVectors]; });
 }
 
 // Of the intensities, in units of the one that 255 stands for: how many differ by more than 1/255, and of how many.

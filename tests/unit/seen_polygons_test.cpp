@@ -13,7 +13,9 @@ FramePtr untilZBuffer(const Scene& scene, BufferSet wanted, const FramePtr& befo
     return runFrame(std::make_shared<const Scene>(scene), request, before);
 }
 const ZBufferOutput<float>& zBufferOf(const Frame& frame) { return *dataOf<float>(frame)->zBuffer; }
-bool keepsNames(const Frame& frame) { return !zBufferOf(frame).seen || dataOf<float>(frame)->keys.zBuffer.names; }
+bool keepsNames(const Frame& frame) {
+    return !zBufferOf(frame).seen || dataOf<float>(frame)->keys.zBuffer.parts[Part::SeenPolygons];
+}
 
 const BufferSet kDepths = setOf({BufferId::ZView, BufferId::Depth});
 

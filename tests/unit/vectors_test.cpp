@@ -208,8 +208,8 @@ bool expectTheSameShading(const Scene& scene, BufferSet wanted) {
     const FramePtr frame = test::frameOf(scene, wanted.set(index(BufferId::Barycentric)));
     const FrameData<float>& data = *dataOf<float>(*frame);
     ShadingInputs inputs = data.keys.shading;
-    if (!inputs.parts.vectors || inputs.samples > 1) return false;
-    inputs.parts.vectors = false;
+    if (!inputs.parts[Part::ShadedInVectors] || inputs.samples > 1) return false;
+    inputs.parts.whole.set(Part::ShadedInVectors, false);
     BufferSet made;
     for (std::size_t id = 0; id < kBufferCount; ++id)
         made[id] = !data.shading->vectors[id].empty() || !data.shading->scalars[id].empty();
@@ -235,7 +235,7 @@ bool expectTheSameShading(const Scene& scene, BufferSet wanted) {
         for (std::size_t k = 0; k < out.scalars[id].size(); ++k)
             EXPECT_TRUE(bits(out.scalars[id][k].pixels) == bits(data.shading->scalars[id][k].pixels)) << name << k;
     }
-    if (!inputs.parts.polygonTerms && !inputs.parts.vertexTerms) {  // else these have been counted too
+    if (!inputs.parts[Part::PolygonTerms] && !inputs.parts[Part::VertexTerms]) {  // else these have been counted too
         EXPECT_EQ(counts.evaluations, data.shading->counts.evaluations);
         EXPECT_EQ(counts.powers, data.shading->counts.powers);
         EXPECT_EQ(counts.vanished, data.shading->counts.vanished);
