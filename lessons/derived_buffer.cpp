@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "pipeline/stages/view.h"
+#include "pipeline/scene/view.h"
 
 namespace lessons {
 

@@ -10,9 +10,9 @@
 #include "pipeline/export/json.h"
 #include "pipeline/plan/memory_limit.h"
 #include "pipeline/plan/needs.h"
+#include "pipeline/plan/scene_remarks.h"
 #include "pipeline/run/frame_remarks.h"
 #include "pipeline/run/runner.h"
-#include "pipeline/scene/scene_remarks.h"
 #include "pipeline/scene/settings_table.h"
 
 namespace app {

@@ -4,8 +4,8 @@
 #include <stop_token>
 #include <vector>
 
+#include "pipeline/core/stage.h"
 #include "pipeline/export/json.h"
-#include "pipeline/plan/stage.h"
 
 namespace app {
 

@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "lessons/state/window_state.h"
+#include "pipeline/core/stage.h"
 #include "pipeline/formats/read_progress.h"
-#include "pipeline/plan/stage.h"
 #include "pipeline/scene/scene.h"
 
 namespace app {

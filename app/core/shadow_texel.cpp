@@ -1,8 +1,8 @@
 #include "app/core/shadow_texel.h"
 
-#include "pipeline/illumination/shadow_factor.h"
 #include "pipeline/run/frame_data.h"
 #include "pipeline/stages/interpolate.h"
+#include "pipeline/stages/shadow_factor.h"
 #include "pipeline/stages/z_buffer.h"
 
 namespace app {

@@ -3,7 +3,7 @@
 
 #include "app/view3d/view_picture.h"
 #include "pipeline/run/frame.h"
-#include "pipeline/stages/view.h"
+#include "pipeline/scene/view.h"
 
 namespace app {
 

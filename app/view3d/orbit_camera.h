@@ -6,7 +6,7 @@
 
 #include "pipeline/core/real.h"
 #include "pipeline/core/triangle_tree.h"
-#include "pipeline/stages/view.h"
+#include "pipeline/scene/view.h"
 
 namespace app {
 

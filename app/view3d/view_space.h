@@ -4,7 +4,7 @@
 #include <string>
 
 #include "app/view3d/orbit_camera.h"
-#include "pipeline/stages/view.h"
+#include "pipeline/scene/view.h"
 
 namespace app {
 

@@ -12,7 +12,7 @@
 #include "lessons/state/shown_channel.h"
 #include "pipeline/core/real.h"
 #include "pipeline/core/result.h"
-#include "pipeline/plan/stage.h"
+#include "pipeline/core/stage.h"
 #include "pipeline/steps/moment.h"
 
 namespace lessons {

@@ -7,7 +7,7 @@
 #include <limits>
 #include <type_traits>
 
-#include "pipeline/stages/transform.h"
+#include "pipeline/buffers/screen_position.h"
 
 namespace pipeline {
 

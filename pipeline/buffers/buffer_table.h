@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "pipeline/plan/stage.h"
+#include "pipeline/core/stage.h"
 #include "pipeline/scene/rules.h"
 
 namespace pipeline {

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "pipeline/stages/cull.h"
+#include "pipeline/buffers/verdict.h"
 
 namespace pipeline {
 

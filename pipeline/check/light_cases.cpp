@@ -10,7 +10,7 @@
 #include "pipeline/check/scenes.h"
 #include "pipeline/illumination/illumination.h"
 #include "pipeline/illumination/opengl.h"
-#include "pipeline/scene/scene_remarks.h"
+#include "pipeline/plan/scene_remarks.h"
 #include "pipeline/scene/settings_table.h"
 #include "pipeline/scene/shape.h"
 #include "pipeline/stages/shading.h"

@@ -8,7 +8,7 @@
 #include "pipeline/check/case.h"
 #include "pipeline/check/scenes.h"
 #include "pipeline/plan/memory_limit.h"
-#include "pipeline/scene/scene_remarks.h"
+#include "pipeline/plan/scene_remarks.h"
 #include "pipeline/scene/settings_table.h"
 #include "pipeline/scene/shape.h"
 

@@ -9,7 +9,7 @@
 #include "pipeline/check/scenes.h"
 #include "pipeline/run/frame_data.h"
 #include "pipeline/scene/shape.h"
-#include "pipeline/stages/view.h"
+#include "pipeline/scene/view.h"
 
 // Shadow buffers: bias, resolution, where lights stand.
 namespace pipeline::check {

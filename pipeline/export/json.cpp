@@ -4,8 +4,8 @@
 #include <map>
 
 #include "pipeline/export/file_hash.h"
+#include "pipeline/plan/scene_remarks.h"
 #include "pipeline/run/frame_remarks.h"
-#include "pipeline/scene/scene_remarks.h"
 #include "pipeline/scene/settings_table.h"
 
 namespace pipeline {

@@ -5,14 +5,9 @@
 
 #include "pipeline/buffers/buffer2d.h"
 #include "pipeline/export/exporter.h"
+#include "pipeline/formats/png_scene.h"
 
 namespace pipeline {
-
-// Text chunks: the scene, which pipeline/formats/png_scene.h reads again, and what the window showed, as TOML; the scene
-// stands beside it.
-inline constexpr char kSceneChunk[] = "Shadescope scene";
-inline constexpr char kStateChunk[] = "Shadescope state";
-inline constexpr std::size_t kMaxCarriedScene = std::size_t{1} << 20;  // bytes of text
 
 // 8-bit sRGB. The frame buffer as it is; other buffers through their palette, whose name and range stand in text chunks,
 // as does the scene where the item has it. Unbounded values as palette.h says.

@@ -6,7 +6,6 @@
 #include <csetjmp>
 #include <cstring>
 
-#include "pipeline/export/png_file.h"
 #include "pipeline/formats/toml_scene.h"
 
 namespace pipeline {

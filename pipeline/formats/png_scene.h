@@ -7,7 +7,12 @@
 
 namespace pipeline {
 
-// A picture that this program exported carries its scene (pipeline/export/png_file.h).
+// The text chunks in which a picture that this program exported (pipeline/export/png_file.h) carries its scene and what the
+// window showed, as TOML; the scene stands beside it.
+inline constexpr char kSceneChunk[] = "Shadescope scene";
+inline constexpr char kStateChunk[] = "Shadescope state";
+inline constexpr std::size_t kMaxCarriedScene = std::size_t{1} << 20;  // bytes of text
+
 bool looksLikePng(std::string_view start);
 // A picture without a scene, or one that is damaged, is refused.
 Result<Scene> readPngScene(const SourceText& source, const FileLoader& load);

@@ -1,6 +1,6 @@
 #pragma once
 #include "pipeline/illumination/model_table.h"
-#include "pipeline/stages/view.h"
+#include "pipeline/scene/view.h"
 
 namespace pipeline {
 

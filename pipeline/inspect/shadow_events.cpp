@@ -7,9 +7,9 @@
 #include <limits>
 
 #include "pipeline/core/number.h"
-#include "pipeline/illumination/texel_test.h"
 #include "pipeline/inspect/pixel_report.h"
 #include "pipeline/scene/area_light.h"
+#include "pipeline/stages/texel_test.h"
 
 namespace pipeline {
 namespace {

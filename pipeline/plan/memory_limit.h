@@ -1,7 +1,7 @@
 #pragma once
 #include "pipeline/buffers/buffer_table.h"
 #include "pipeline/core/result.h"
-#include "pipeline/plan/stage.h"
+#include "pipeline/core/stage.h"
 #include "pipeline/scene/scene.h"
 
 namespace pipeline {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "pipeline/buffers/buffer_table.h"
-#include "pipeline/plan/stage.h"
+#include "pipeline/core/stage.h"
 #include "pipeline/scene/scene.h"
 #include "pipeline/stages/parts.h"
 

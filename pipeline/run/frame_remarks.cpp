@@ -9,8 +9,8 @@
 
 #include "pipeline/core/text.h"
 #include "pipeline/plan/black.h"
+#include "pipeline/plan/scene_remarks.h"
 #include "pipeline/run/frame_data.h"
-#include "pipeline/scene/scene_remarks.h"
 
 namespace pipeline {
 namespace {

@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "pipeline/core/angles.h"
+#include "pipeline/scene/object_matrix.h"
 #include "pipeline/scene/opacity.h"
-#include "pipeline/stages/transform.h"
 
 namespace pipeline {
 namespace {

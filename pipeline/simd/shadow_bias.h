@@ -8,8 +8,8 @@
 
 #include <limits>
 
-#include "pipeline/illumination/shadow_factor.h"
 #include "pipeline/simd/arithmetic.h"
+#include "pipeline/stages/shadow_factor.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace pipeline::HWY_NAMESPACE {

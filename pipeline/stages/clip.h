@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "pipeline/core/real.h"
-#include "pipeline/stages/view.h"
+#include "pipeline/scene/view.h"
 
 namespace pipeline {
 

@@ -4,29 +4,12 @@
 #include <string>
 #include <vector>
 
+#include "pipeline/buffers/verdict.h"
 #include "pipeline/stages/transform.h"
 
 namespace pipeline {
 
 // Stage 2: which polygons go on. Each gets a verdict, whatever happens to it.
-enum class Verdict : std::uint8_t {
-    Kept,
-    BackFacing,
-    Degenerate,
-    OutsideNear,
-    OutsideFar,
-    OutsideLeft,
-    OutsideRight,
-    OutsideTop,
-    OutsideBottom,
-    Clipped,      // kept, and cut by the near or the far plane
-    Transparent,  // its object's opacity is 0
-    NotYet,       // the stage has not come to it: only while stepping inside the stage
-};
-inline constexpr std::size_t kVerdictCount = 12;
-std::string_view name(Verdict verdict);  // "back-facing", "outside the left plane"
-char letter(Verdict verdict);            // K, B, D, O, C, T; - while there is none yet
-constexpr bool goesOn(Verdict v) { return v == Verdict::Kept || v == Verdict::Clipped; }
 
 struct CullInputs {
     CullMode mode;

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "pipeline/stages/view.h"
+#include "pipeline/scene/view.h"
 
 namespace pipeline {
 

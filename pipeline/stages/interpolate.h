@@ -2,7 +2,7 @@
 #include <cstdint>
 
 #include "pipeline/core/numerics.h"
-#include "pipeline/stages/view.h"
+#include "pipeline/scene/view.h"
 
 namespace pipeline {
 

@@ -5,9 +5,9 @@
 
 #include "pipeline/buffers/buffer_table.h"
 #include "pipeline/illumination/illumination.h"
-#include "pipeline/illumination/shadow_factor.h"
 #include "pipeline/stages/interpolate.h"
 #include "pipeline/stages/normals.h"
+#include "pipeline/stages/shadow_factor.h"
 #include "pipeline/stages/vertex_weights.h"
 #include "pipeline/stages/z_buffer.h"
 

@@ -4,29 +4,17 @@
 #include <memory>
 #include <vector>
 
+#include "pipeline/buffers/screen_position.h"
+#include "pipeline/scene/object_matrix.h"
 #include "pipeline/scene/topology.h"
+#include "pipeline/scene/view.h"
 #include "pipeline/stages/depth.h"
 #include "pipeline/stages/snapped_vertices.h"
 #include "pipeline/stages/vertex_array.h"
-#include "pipeline/stages/view.h"
 
 namespace pipeline {
 
 // Stage 1: object to world to view to screen, vertex by vertex.
-
-// world = linear · object + translation: upright, scale, rotation about x, y, z, translation.
-struct ObjectMatrix {
-    glm::dmat3 linear{1.0};
-    Vec3d translation{0.0};
-    bool mirrors = false;  // the determinant is negative: windings turn round
-};
-ObjectMatrix makeObjectMatrix(const ObjectTransform& transform);
-Vec3d toWorld(const ObjectMatrix& matrix, Vec3d position);
-
-// Takes a normal of the object to the same side of the surface in world space, at some length: the
-// matrix of cofactors, |M| times the inverse transpose, without its division; or with it, not finite
-// where the object is flattened to a plane.
-glm::dmat3 normalMatrix(const ObjectMatrix& matrix, NormalMatrixForm form = NormalMatrixForm::Cofactors);
 
 // What the stage depends on, compared to find out whether it has to run again.
 struct TransformInputs {
@@ -71,18 +59,6 @@ void transform(const TransformInputs& inputs, std::size_t object, std::size_t be
 // Per vertex: its place in view space; (0, 0, 0) for one that is not done. Found when somebody looks.
 template <class Real>
 std::vector<Vec3<Real>> viewPlaces(const TransformOutput<Real>& in);
-// Stands three times where a vertex has no position in the picture: in perspective one that is not in front of the eye
-// (z_view <= 0), in any projection one whose position Real cannot hold, and one that is not done.
-inline constexpr double kNoScreenPosition = -1e30;
-// Of any arithmetic's buffer, also read as another: float rounds the number.
-template <class Real>
-constexpr bool hasScreenPosition(Vec3<Real> screen) {
-    constexpr double kRounding = 0x1p-20;
-    const auto isFilled = [](Real x) {
-        return x >= Real(kNoScreenPosition * (1 + kRounding)) && x <= Real(kNoScreenPosition * (1 - kRounding));
-    };
-    return !(isFilled(screen.x) && isFilled(screen.y) && isFilled(screen.z));
-}
 // Per vertex: x, y in pixels, depth as stored, also of one that the near or far plane cuts off; or kNoScreenPosition.
 // Computed when somebody looks: no stage reads it.
 template <class Real>

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "pipeline/core/result.h"
-#include "pipeline/plan/stage.h"
+#include "pipeline/core/stage.h"
 #include "pipeline/scene/scene.h"
 
 namespace pipeline {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "pipeline/scene/opacity.h"
-#include "pipeline/stages/view.h"
+#include "pipeline/scene/view.h"
 #include "pipeline/study/error_rows.h"
 
 namespace pipeline {

@@ -6,7 +6,7 @@
 
 #include "pipeline/core/text.h"
 #include "pipeline/plan/lit_scene.h"
-#include "pipeline/stages/view.h"
+#include "pipeline/scene/view.h"
 #include "pipeline/study/sweep.h"
 
 namespace pipeline {

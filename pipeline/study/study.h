@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "pipeline/core/sample.h"
-#include "pipeline/plan/stage.h"
+#include "pipeline/core/stage.h"
 #include "pipeline/run/frame.h"
 
 namespace pipeline {

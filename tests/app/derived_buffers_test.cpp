@@ -21,7 +21,7 @@
 #include "app/panels/state_picture.h"
 #include "pipeline/run/runner.h"
 #include "pipeline/scene/settings_table.h"
-#include "pipeline/stages/view.h"
+#include "pipeline/scene/view.h"
 #include "tests/support/files.h"
 #include "tests/support/scenes.h"
 

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "pipeline/plan/stage.h"
+#include "pipeline/core/stage.h"
 
 // One search for a stage's name finds its files, its row and its test.
 namespace {

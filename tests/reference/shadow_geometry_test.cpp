@@ -1,7 +1,7 @@
 // Shadows where geometry says: a box on a floor, a light whose shadow is worked out by hand.
 #include <gtest/gtest.h>
 
-#include "pipeline/stages/view.h"
+#include "pipeline/scene/view.h"
 #include "tests/support/scenes.h"
 
 namespace pipeline {

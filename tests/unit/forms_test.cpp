@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "pipeline/core/numerics.h"
-#include "pipeline/scene/scene_remarks.h"
+#include "pipeline/plan/scene_remarks.h"
 #include "pipeline/scene/settings_table.h"
 #include "pipeline/stages/rasterize.h"
 #include "pipeline/stages/transform.h"

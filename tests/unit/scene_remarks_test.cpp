@@ -1,5 +1,5 @@
 // What strange values come to: a defined value, nothing drawn, or an error; and what is said about them.
-#include "pipeline/scene/scene_remarks.h"
+#include "pipeline/plan/scene_remarks.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "pipeline/illumination/shadow_factor.h"
+#include "pipeline/stages/shadow_factor.h"
 #include "tests/support/scenes.h"
 
 namespace pipeline {

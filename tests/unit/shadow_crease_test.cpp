@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "pipeline/illumination/texel_test.h"
+#include "pipeline/stages/texel_test.h"
 #include "pipeline/study/shadow_verdict.h"
 #include "tests/support/scenes.h"
 

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "pipeline/core/angles.h"
-#include "pipeline/scene/scene_remarks.h"
+#include "pipeline/plan/scene_remarks.h"
 #include "pipeline/scene/settings_table.h"
 #include "tests/support/scenes.h"
 

@@ -1,4 +1,4 @@
-#include "pipeline/stages/view.h"
+#include "pipeline/scene/view.h"
 
 #include <algorithm>
 #include <cmath>

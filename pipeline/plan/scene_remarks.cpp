@@ -1,4 +1,4 @@
-#include "pipeline/scene/scene_remarks.h"
+#include "pipeline/plan/scene_remarks.h"
 
 #include <algorithm>
 #include <array>

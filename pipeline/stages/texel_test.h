@@ -1,5 +1,5 @@
 #pragma once
-#include "pipeline/illumination/shadow_factor.h"
+#include "pipeline/stages/shadow_factor.h"
 
 namespace pipeline {
 

@@ -1,4 +1,4 @@
-#include "pipeline/plan/stage.h"
+#include "pipeline/core/stage.h"
 
 #include <algorithm>
 

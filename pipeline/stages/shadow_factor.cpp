@@ -1,9 +1,9 @@
-#include "pipeline/illumination/shadow_factor.h"
+#include "pipeline/stages/shadow_factor.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "pipeline/illumination/texel_test.h"
+#include "pipeline/stages/texel_test.h"
 
 namespace pipeline {
 namespace {
