@@ -5,8 +5,6 @@
 #include <fmt/format.h>
 
 #include "pipeline/plan/plan_parts.h"
-#include "pipeline/run/frame_data.h"
-#include "pipeline/run/runner.h"
 #include "pipeline/simd/incidence.h"
 
 namespace pipeline {
@@ -119,27 +117,6 @@ bool hasSameIncidence(ShadingInputs a, const ShadingInputs& b) {
     return a == b;
 }
 
-struct Before {
-    const StageKeys* keys = nullptr;  // of a frame in the same precision
-    std::array<bool, kStageCount> has{};
-    bool keptIncidence = false;
-    BufferSet wanted;
-    long number = 0;
-};
-
-Before lookBack(const Scene& scene, const FramePtr& before) {
-    Before out;
-    if (!before || before->scene().settings.precision != scene.settings.precision) return out;
-    readStages(*before, [&](const auto& data) {
-        out.keys = &data.keys;
-        for (StageId stage : kStages) out.has[index(stage)] = data.has(stage);
-        if (data.shading) out.keptIncidence = !data.shading->incidence.empty();
-    });
-    out.wanted = before->made();
-    out.number = before->number();
-    return out;
-}
-
 // The buffers that shading leaves only when asked; the mean of several samples it leaves anyway.
 bool shadingCovers(BufferSet have, BufferSet wanted, int samples) {
     for (const BufferInfo& info : bufferTable())
@@ -150,7 +127,7 @@ bool shadingCovers(BufferSet have, BufferSet wanted, int samples) {
 }
 
 // What becomes of the incidence that a frame and the one before have in common.
-PlanPart incidenceOf(const ShadingInputs& inputs, glm::ivec2 picture, BufferSet wanted, const Before& past) {
+PlanPart incidenceOf(const ShadingInputs& inputs, glm::ivec2 picture, BufferSet wanted, const Past& past) {
     PlanPart part{"N·L, highlights and S", Action::LeaveOut, "", ""};
     const double bytes = incidenceBytes(picture, inputs.lights.size());
     const bool asked = std::ranges::any_of(bufferTable(), [&](const BufferInfo& info) {
@@ -179,16 +156,7 @@ PlanPart incidenceOf(const ShadingInputs& inputs, glm::ivec2 picture, BufferSet 
 
 }  // namespace
 
-Plan makePlan(const Scene& scene, const FrameRequest& request, const FramePtr& before) {
-    const Needs needs = needsOf(scene, request.wanted, request.until);
-    Plan plan = decide(scene, request, needs, stageKeys(scene, needs, topologyOf(scene, before)), before);
-    explain(scene, needs, plan);
-    return plan;
-}
-
-Plan decide(const Scene& scene, const FrameRequest& request, const Needs& needs, const StageKeys& keys,
-            const FramePtr& before) {
-    const Before past = lookBack(scene, before);
+Plan decide(const Needs& needs, StageId until, const StageKeys& keys, const Past& past) {
     const auto changed = [&](auto member) { return past.keys ? difference(past.keys->*member, keys.*member) : ""; };
     const std::string reused = fmt::format("Nothing that this stage reads has changed since frame {}.", past.number);
 
@@ -204,9 +172,9 @@ Plan decide(const Scene& scene, const FrameRequest& request, const Needs& needs,
         for (StageId read : reads)
             if (rewritten[index(read)] && because == stage) because = read;
 
-        if (index(stage) > index(request.until)) {
+        if (index(stage) > index(until)) {
             out.action = Action::LeaveOut;
-            out.why = fmt::format("The run ends after {}.", stageInfo(request.until).name);
+            out.why = fmt::format("The run ends after {}.", stageInfo(until).name);
         } else if (!need) {
             out.action = Action::LeaveOut;
             out.why = need.notBecause;
@@ -238,7 +206,7 @@ Plan decide(const Scene& scene, const FrameRequest& request, const Needs& needs,
         step(StageId::ShadowBuffer, needs[Part::ShadowBuffer], casters, {Transform});
     step(ZBuffer, always, changed(&StageKeys::zBuffer), {Transform, Cull});
     std::string shading = changed(&StageKeys::shading);
-    if (shading.empty() && past.keys && !shadingCovers(past.wanted, needs.buffers, keys.shading.samples))
+    if (shading.empty() && past.keys && !shadingCovers(past.made, needs.buffers, keys.shading.samples))
         shading = "Other buffers are asked for.";
     step(StageId::Shading, always, shading, {ZBuffer, Normals, StageId::ShadowBuffer, Transform, Cull});
     PlanStep& last = plan[index(StageId::Shading)];

@@ -4,9 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/buffers/buffer_table.h"
-#include "pipeline/core/stage.h"
-#include "pipeline/scene/scene.h"
+#include "pipeline/plan/stage_keys.h"
 
 namespace pipeline {
 
@@ -40,5 +38,18 @@ struct PlanStep {
 
 // One step per stage, in the order of kStages: what a frame will do, decided before anything runs.
 using Plan = std::array<PlanStep, kStageCount>;
+
+// What the frame before has left; nothing where there is none in the same precision.
+struct Past {
+    const StageKeys* keys = nullptr;
+    std::array<bool, kStageCount> has{};  // the stage's output
+    bool keptIncidence = false;
+    BufferSet made;
+    long number = 0;  // of that frame
+};
+
+// What each stage does up to `until`, and why, without its parts; those are for readers, and explain adds them.
+Plan decide(const Needs& needs, StageId until, const StageKeys& keys, const Past& past);
+void explain(const Scene& scene, const Needs& needs, Plan& plan);
 
 }  // namespace pipeline

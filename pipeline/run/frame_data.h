@@ -3,28 +3,11 @@
 #include <optional>
 #include <variant>
 
-#include "pipeline/plan/needs.h"
+#include "pipeline/plan/stage_keys.h"
 #include "pipeline/run/frame.h"
 #include "pipeline/stages/shading.h"
 
 namespace pipeline {
-
-// What each stage's output depends on beside the outputs of the stages before it. Compared by
-// value: that, and nothing else, tells whether a stage has to run again.
-struct StageKeys {
-    TransformInputs transform;
-    CullInputs cull;
-    NormalsInputs normals;
-    ShadowBufferInputs shadowBuffer;
-    ZBufferInputs zBuffer;
-    ShadingInputs shading;
-};
-StageKeys stageKeys(const Scene& scene, const Needs& needs, std::shared_ptr<const Topology> topology);
-
-// What each stage does, and why, without its parts; those are for readers, and explain adds them.
-Plan decide(const Scene& scene, const FrameRequest& request, const Needs& needs, const StageKeys& keys,
-            const FramePtr& before);
-void explain(const Scene& scene, const Needs& needs, Plan& plan);
 
 // The stages' outputs, each immutable and shared by every frame that it holds for; null where the
 // plan left the stage out.

@@ -8,7 +8,6 @@
 #include "pipeline/run/counts.h"
 #include "pipeline/run/frame_data.h"
 #include "pipeline/run/run_stages.h"
-#include "pipeline/scene/area_light.h"
 
 namespace pipeline {
 namespace {
@@ -30,49 +29,29 @@ std::shared_ptr<const Topology> topologyOf(const Scene& scene, const FramePtr& b
     return std::make_shared<const Topology>(makeTopology(std::move(meshes)));
 }
 
-StageKeys stageKeys(const Scene& scene, const Needs& needs, std::shared_ptr<const Topology> topology) {
-    const Settings& settings = scene.settings;
-    StageKeys keys{transformInputs(scene, std::move(topology), !needs[Part::ModelTransform]),
-                   {settings.cull},
-                   {settings.normalWeight, bool(needs[Part::PolygonNormals]), bool(needs[Part::VertexNormals]),
-                    needs.ownNormals, settings.forms.polygonNormal, settings.forms.cornerAngle, settings.forms.unit,
-                    needs[Part::VertexNormals] && !needs[Part::Normalisation]},
-                   {{}, settings.shadowSize, settings.shadowCull},
-                   {settings.visibility, settings.split, translucentSides(scene), needs.parts(kZBufferParts)},
-                   {settings.shading,
-                    settings.shading == Shading::Flat ? Interpolation::Perspective : settings.interpolation,
-                    settings.visibility == Visibility::None,
-                    illuminationOf(settings),
-                    {},
-                    {},
-                    {},
-                    scene.ambient,
-                    {settings.shadowBias, settings.shadowBiasValue, settings.shadowFilter},
-                    needs.parts(kShadingParts)}};
-    keys.shading.illumination.detail = {
-        bool(needs[Part::Reflection]), bool(needs[Part::Halfway]), !needs.rules[index(Rule::Specular)],
-        needs[Part::Powers].isWhole(), settings.forms.power,       settings.forms.unit};
-    if (needs[Part::Layers])
-        keys.shading.layers = {true, bool(needs[Part::LayerSort]), settings.translucency,
-                               settings.visibility == Visibility::ZBuffer, keys.zBuffer.translucent};
-    keys.shading.firstVertexNormal = lightsFirstVertex(settings);
-    keys.shading.samples = settings.antialiasing;
-    keys.shading.samplePattern = settings.antialiasingPattern;
-    for (const Object& object : scene.objects) {
-        keys.shading.materials.push_back(object.material);
-        keys.shading.backMaterials.push_back(object.backMaterial.value_or(object.material));
-    }
-    keys.shading.lights = lightsInWorldSpace(scene, keys.transform.view);
-    if (!needs[Part::NegligiblePowers].isWhole())
-        keys.shading.illumination.detail.logContrast = logContrast(keys.shading);
-    const std::vector<Light>& lights = keys.shading.lights;
-    for (std::size_t k = 0; k < scene.lights.size(); ++k) {
-        if (needs.of(Part::ShadowBuffer, k))
-            keys.shadowBuffer.casters.push_back({lights[k].kind, samplePlaces(lights[k])});
-        else
-            keys.shadowBuffer.casters.push_back({});
-    }
-    return keys;
+namespace {
+
+Past pastOf(const Scene& scene, const FramePtr& before) {
+    Past out;
+    if (!before || before->scene().settings.precision != scene.settings.precision) return out;
+    readStages(*before, [&](const auto& data) {
+        out.keys = &data.keys;
+        for (StageId stage : kStages) out.has[index(stage)] = data.has(stage);
+        if (data.shading) out.keptIncidence = !data.shading->incidence.empty();
+    });
+    out.made = before->made();
+    out.number = before->number();
+    return out;
+}
+
+}  // namespace
+
+Plan makePlan(const Scene& scene, const FrameRequest& request, const FramePtr& before) {
+    const Needs needs = needsOf(scene, request.wanted, request.until);
+    const StageKeys keys = stageKeys(scene, needs, topologyOf(scene, before));
+    Plan plan = decide(needs, request.until, keys, pastOf(scene, before));
+    explain(scene, needs, plan);
+    return plan;
 }
 
 // Has access to a frame's inside while it is made.
@@ -87,7 +66,7 @@ public:
         const double needed = millisecondsSince(decides);
         StageKeys keys = stageKeys(*scene, frame->m_needs, frame->m_topology);  // what the stages read
         const Clock::time_point plans = Clock::now();
-        frame->m_plan = decide(*scene, request, frame->m_needs, keys, before);
+        frame->m_plan = decide(frame->m_needs, request.until, keys, pastOf(*scene, before));
         frame->m_planMilliseconds = needed + millisecondsSince(plans);
         frame->m_made = frame->m_needs.buffers;
         frame->m_number = before ? before->m_number + 1 : 1;

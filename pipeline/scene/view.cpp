@@ -7,7 +7,7 @@
 #include "pipeline/core/angles.h"
 #include "pipeline/core/numerics.h"
 #include "pipeline/scene/opacity.h"
-#include "pipeline/stages/transform.h"
+#include "pipeline/scene/object_matrix.h"
 
 namespace pipeline {
 namespace {

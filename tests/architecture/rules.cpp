@@ -66,9 +66,17 @@ struct Layer {
     int height;
 };
 constexpr std::array kLayers{
-    Layer{"pipeline/formats/", 1}, Layer{"pipeline/export/", 1}, Layer{"pipeline/check/", 2}, Layer{"pipeline/", 0},
-    Layer{"lessons/state/", 2},    Layer{"lessons/", 3},         Layer{"app/cli/", 4},        Layer{"app/core/", 4},
-    Layer{"app/view3d/", 5},       Layer{"app/panels/", 6},      Layer{"app/desktop/", 7},    Layer{"tests/", 8},
+    Layer{"pipeline/core/", 0},    Layer{"pipeline/scene/", 1},
+    Layer{"pipeline/buffers/", 2}, Layer{"pipeline/illumination/", 3},
+    Layer{"pipeline/stages/", 4},  Layer{"pipeline/simd/", 5},
+    Layer{"pipeline/plan/", 6},    Layer{"pipeline/run/", 7},
+    Layer{"pipeline/inspect/", 8}, Layer{"pipeline/steps/", 9},
+    Layer{"pipeline/study/", 9},   Layer{"pipeline/formats/", 10},
+    Layer{"pipeline/export/", 11}, Layer{"pipeline/check/", 12},
+    Layer{"lessons/state/", 12},   Layer{"lessons/", 13},
+    Layer{"app/cli/", 14},         Layer{"app/core/", 14},
+    Layer{"app/view3d/", 15},      Layer{"app/panels/", 16},
+    Layer{"app/desktop/", 17},     Layer{"tests/", 18},
 };
 
 const Layer* layerOf(std::string_view path) {
@@ -100,11 +108,14 @@ Breaches includesPointingBack(const SourceTree& tree) {
     return checkIncludes(tree, [](const SourceFile& file, const Include& include) -> std::string_view {
         const Layer* from = layerOf(file.path);
         const Layer* to = layerOf(include.target);
+        if (!from && file.path.starts_with("pipeline/")) return "a folder of the pipeline has a floor in this test";
         if (!from || !to || from->folder == to->folder) return "";
         if (from->folder == "app/cli/" && to->folder == "app/core/") return "app/cli is built without Qt";
         if (to->height > from->height)
-            return "arrows point from app to lessons to lessons/state to pipeline_io to pipeline, and in app from "
-                   "desktop to panels to view3d to core";
+            return "arrows point from app to lessons to lessons/state to pipeline_io to pipeline, in app from desktop "
+                   "to panels to "
+                   "view3d to core, and in pipeline from run to plan to simd to stages to illumination to buffers to "
+                   "scene to core";
         return "";
     });
 }

@@ -50,6 +50,14 @@ TEST(Architecture, IncludesAreRooted) {
 TEST(Architecture, IncludesPointOneWay) {
     expectOne(includesPointingBack({{"pipeline/run/runner.cpp", {"#include \"pipeline/formats/scene_reader.h\""}}}),
               "pipeline/run/runner.cpp:1:");
+    for (const char* back : {"plan/plan.h", "run/frame.h", "simd/cull.h"})
+        expectOne(
+            includesPointingBack({{"pipeline/stages/cull.cpp", {"#include \"pipeline/" + std::string(back) + '"'}}}),
+            "pipeline/stages/cull.cpp:1:");
+    expectOne(includesPointingBack({{"pipeline/plan/plan.cpp", {"#include \"pipeline/run/runner.h\""}}}),
+              "pipeline/plan/plan.cpp:1:");
+    expectOne(includesPointingBack({{"pipeline/new/new.cpp", {"#include <vector>"}}}), "pipeline/new/new.cpp:1:");
+    expectKept(includesPointingBack({{"pipeline/run/runner.cpp", {"#include \"pipeline/plan/plan.h\""}}}));
     expectOne(includesPointingBack({{"pipeline/export/npy.cpp", {"#include \"lessons/lesson.h\""}}}),
               "pipeline/export/npy.cpp:1:");
     expectOne(includesPointingBack({{"lessons/state/cue_list.h", {"#include \"lessons/lesson.h\""}}}),
