@@ -1,7 +1,6 @@
 #pragma once
 #include <fmt/format.h>
 
-#include <functional>
 #include <memory>
 #include <mutex>
 #include <span>
@@ -13,9 +12,6 @@
 #include "pipeline/run/frame_data.h"
 #include "pipeline/run/stage_parts.h"
 #include "pipeline/simd/rasterize.h"
-#include "pipeline/simd/relight.h"
-#include "pipeline/simd/shade_pixels.h"
-#include "pipeline/simd/transform.h"
 #include "pipeline/stages/outlines.h"
 #include "pipeline/stages/painter.h"
 #include "pipeline/stages/sample_pattern.h"
@@ -24,30 +20,14 @@
 // Each stage as a whole: its pieces on threads. runner.cpp alone reads it.
 namespace pipeline {
 
-// Room for the snapped vertices, which the kernels of pipeline/simd read beside their places; in float alone.
-inline void prepareSnapped(TransformOutput<float>& out) {
-    out.snapped.bits = out.view.subPixelBits;
-    out.snapped.of.resize(out.world.size());
-}
-inline void snapVertices(TransformOutput<float>& out, Threads& threads) {
-    prepareSnapped(out);
-    threads.forRange(out.world.size(), kVertexGrain, [&](std::size_t begin, std::size_t end) {
-        snapInVectors(out.view, out.world, begin, end, out.snapped);
-    });
-}
-
 template <class Real>
 std::shared_ptr<const TransformOutput<Real>> runTransform(const TransformInputs& inputs, Threads& threads) {
     auto out = std::make_shared<TransformOutput<Real>>(prepareTransform<Real>(inputs));
-    if constexpr (std::is_same_v<Real, float>) prepareSnapped(*out);
+    piece::makeRoomForSnapped(*out);
     for (std::size_t object = 0; object < inputs.transforms.size(); ++object) {
-        threads.forRange(inputs.topology->meshes[object]->positions.size(), kVertexGrain,
-                         [&](std::size_t begin, std::size_t end) {
-                             if constexpr (std::is_same_v<Real, float>)
-                                 transformInVectors(inputs, object, begin, end, *out);
-                             else
-                                 transform(inputs, object, begin, end, *out);
-                         });
+        threads.forRange(
+            inputs.topology->meshes[object]->positions.size(), kVertexGrain,
+            [&](std::size_t begin, std::size_t end) { piece::transform(inputs, object, begin, end, *out); });
     }
     return out;
 }
@@ -73,10 +53,7 @@ std::shared_ptr<const NormalsOutput<Real>> runNormals(const NormalsInputs& input
 template <class Real>
 std::shared_ptr<const ShadowBufferOutput<Real>> runShadowBuffer(const ShadowBufferInputs& inputs,
                                                                 const TransformOutput<Real>& in, Threads& threads) {
-    ShadowPreparation<Real> by;
-    if constexpr (std::is_same_v<Real, float>) by = {boundsInVectors, largestInVectors};
-    by.makesRoom = false;  // drawShadows does, face by face: there may be thousands, and a stop among them
-    auto out = std::make_shared<ShadowBufferOutput<Real>>(prepareShadowBuffer(inputs, in, by));
+    auto out = std::make_shared<ShadowBufferOutput<Real>>(piece::prepareShadowBuffer(inputs, in));
     for (std::vector<LightView<Real>>& samples : out->lights) drawShadows<Real>(in, inputs.cull, {}, samples, threads);
     return out;
 }
@@ -103,76 +80,31 @@ std::shared_ptr<const ZBufferOutput<Real>> runOutlines(const FrameData<Real>& da
     return out;
 }
 
-// In float in vectors, with the same bits. findTriangles: finds which triangles are seen, where nobody asks for them yet.
-inline std::shared_ptr<const ZBufferOutput<float>> runZBufferInVectors(
-    const ZBufferInputs& inputs, const TransformOutput<float>& in, const SetUpInputs& setUp,
-    std::function<Buffer2D<std::uint32_t>()> findTriangles, Threads& threads) {
-    auto out = std::make_shared<ZBufferOutput<float>>();
-    if (inputs.parts[Part::Weights]) out->barycentric = {in.view.size, Vec3<float>(0)};
-    if (inputs.parts[Part::FragmentCounts]) out->overdraw = out->depthWrites = {in.view.size, 0};
-    auto seen = std::make_shared<SeenBlocks>();
-    seen->pieces = prepareSetUp(setUp);
-    setUpPieces(setUp, 0, seen->pieces.pieces.size(), seen->pieces, threads);
-    seen->z = BlockBuffer2D<float>(in.view.size);
-    if (inputs.parts[Part::SeenPolygons]) seen->name = BlockBuffer2D<std::uint32_t>(in.view.size);
-    const TrianglePieces& pieces = seen->pieces;
-    for (const TrianglePiece& piece : pieces.pieces) out->clipped += piece.clipped, out->unclipped += piece.unclipped;
-    for (std::size_t tile = 0; tile < pieces.tileCount(); ++tile) out->tileIsDrawn.push_back(pieces.touches(tile));
-    std::vector<TileCounts> counts(pieces.tileCount());
-    threads.forRange(counts.size(), kTileGrain, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t tile = begin; tile < end; ++tile) counts[tile] = zBufferInVectors(setUp, tile, *seen, *out);
-    });
-    for (const TileCounts& tile : counts)
-        out->arrived += tile.arrived, out->won += tile.won, out->seenPixels += tile.seen;
-    seen->triangles = pieces.count();
-    seen->pieces.forgetDrawn();
-    out->seen = seen;
-    const std::vector<std::uint8_t>& drawn = out->tileIsDrawn;
-    out->zView = LateBuffer2D<float>([seen, drawn] { return rowsOf(seen->z, drawn, SeenBlocks::kNowhere); });
-    if (!inputs.parts[Part::SeenPolygons]) {
-        out->triangle = LateBuffer2D<std::uint32_t>(std::move(findTriangles));
-        return out;
+// What the stages before have left for stage 5; kept for as long as somebody may still ask which triangles are seen.
+template <class Real>
+struct DrawingSources {
+    std::shared_ptr<const TransformOutput<Real>> transform;
+    std::shared_ptr<const CullOutput> cull;
+    std::span<const Verdict> verdicts{};
+    std::span<const std::uint8_t> marks{};
+    std::vector<std::uint8_t> drawn{};  // per polygon; empty: all are
+
+    DrawingSources(const ZBufferInputs& inputs, std::shared_ptr<const TransformOutput<Real>> transformed,
+                   std::shared_ptr<const CullOutput> culled)
+        : transform(std::move(transformed)), cull(std::move(culled)) {
+        if (cull) verdicts = cull->verdicts;
+        if (cull && !inputs.parts[Part::Clipping]) marks = cull->marks;
+        drawn = drawnIn(Pass::Opaque, *transform->topology, transform->transparent, inputs.translucent, cull.get());
     }
-    out->triangle = LateBuffer2D<std::uint32_t>([seen, drawn] {
-        Buffer2D<std::uint32_t> rows = rowsOf(seen->name, drawn, kNoTriangle);
-        const Buffer2D<float> z = rowsOf(seen->z, drawn, SeenBlocks::kNowhere);
-        for (std::size_t i = 0; i < rows.pixels.size(); ++i) {
-            std::uint32_t& triangle = rows.pixels[i];
-            triangle = z.pixels[i] < SeenBlocks::kNowhere ? seen->pieces.triangleOf(triangle) : kNoTriangle;
-        }
-        return rows;
-    });
-    return out;
-}
+};
 
 template <class Real>
-std::shared_ptr<const ZBufferOutput<Real>> runZBuffer(const ZBufferInputs& inputs,
-                                                      const std::shared_ptr<const TransformOutput<Real>>& transform,
-                                                      const std::shared_ptr<const CullOutput>& cull, Threads& threads) {
-    const TransformOutput<Real>& in = *transform;
-    std::span<const Verdict> verdicts;
-    if (cull) verdicts = cull->verdicts;
-    std::span<const std::uint8_t> marks;
-    if (cull && !inputs.parts[Part::Clipping]) marks = cull->marks;
-    const std::vector<std::uint8_t> drawn =
-        drawnIn(Pass::Opaque, *in.topology, in.transparent, inputs.translucent, cull.get());
-    if constexpr (std::is_same_v<Real, float>) {
-        if (inputs.parts[Part::DrawnInVectors]) {
-            // The stage once more, for the triangles alone; what the stages before have left is kept for it.
-            const auto findTriangles = [again = inputs, transform, cull]() mutable {
-                Threads one(1, {});
-                again.parts.whole.set(Part::SeenPolygons);
-                again.parts.whole.set(Part::FragmentCounts, false).set(Part::Weights, false);
-                return *runZBuffer<float>(again, transform, cull, one)->triangle;
-            };
-            return runZBufferInVectors(inputs, in,
-                                       {*in.topology, in.view, in.world, &in.snapped, verdicts, marks, drawn,
-                                        inputs.parts[Part::SeenPolygons], inputs.parts[Part::Clipping]},
-                                       findTriangles, threads);
-        }
-    }
+std::shared_ptr<const ZBufferOutput<Real>> runZBuffer(const ZBufferInputs& inputs, const DrawingSources<Real>& sources,
+                                                      Threads& threads) {
+    const TransformOutput<Real>& in = *sources.transform;
     auto out = std::make_shared<ZBufferOutput<Real>>(prepareZBuffer<Real>({{0, 0}, in.view.size}, in.depthFormat));
-    const TriangleBins<Real> bins = binTriangles<Real>(*in.topology, in.view, in.world, verdicts, marks, drawn);
+    const TriangleBins<Real> bins =
+        binTriangles<Real>(*in.topology, in.view, in.world, sources.verdicts, sources.marks, sources.drawn);
     out->clipped = bins.clipped, out->unclipped = bins.unclipped;
     for (const auto& bin : bins.bins) out->tileIsDrawn.push_back(!bin.empty());
     if (inputs.visibility == Visibility::Painter) {
@@ -198,11 +130,75 @@ std::shared_ptr<const ZBufferOutput<Real>> runZBuffer(const ZBufferInputs& input
     return out;
 }
 
+// By the kernels, with the same bits.
+inline std::shared_ptr<const ZBufferOutput<float>> runZBufferInVectors(const ZBufferInputs& inputs,
+                                                                       const DrawingSources<float>& sources,
+                                                                       Threads& threads) {
+    const TransformOutput<float>& in = *sources.transform;
+    const SetUpInputs setUp{*in.topology,
+                            in.view,
+                            in.world,
+                            &in.snapped,
+                            sources.verdicts,
+                            sources.marks,
+                            sources.drawn,
+                            inputs.parts[Part::SeenPolygons],
+                            inputs.parts[Part::Clipping]};
+    auto out = std::make_shared<ZBufferOutput<float>>();
+    if (inputs.parts[Part::Weights]) out->barycentric = {in.view.size, Vec3<float>(0)};
+    if (inputs.parts[Part::FragmentCounts]) out->overdraw = out->depthWrites = {in.view.size, 0};
+    auto seen = std::make_shared<SeenBlocks>();
+    seen->pieces = prepareSetUp(setUp);
+    setUpPieces(setUp, 0, seen->pieces.pieces.size(), seen->pieces, threads);
+    seen->z = BlockBuffer2D<float>(in.view.size);
+    if (inputs.parts[Part::SeenPolygons]) seen->name = BlockBuffer2D<std::uint32_t>(in.view.size);
+    const TrianglePieces& pieces = seen->pieces;
+    for (const TrianglePiece& piece : pieces.pieces) out->clipped += piece.clipped, out->unclipped += piece.unclipped;
+    for (std::size_t tile = 0; tile < pieces.tileCount(); ++tile) out->tileIsDrawn.push_back(pieces.touches(tile));
+    std::vector<TileCounts> counts(pieces.tileCount());
+    threads.forRange(counts.size(), kTileGrain, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t tile = begin; tile < end; ++tile) counts[tile] = zBufferInVectors(setUp, tile, *seen, *out);
+    });
+    for (const TileCounts& tile : counts)
+        out->arrived += tile.arrived, out->won += tile.won, out->seenPixels += tile.seen;
+    seen->triangles = pieces.count();
+    seen->pieces.forgetDrawn();
+    out->seen = seen;
+    const std::vector<std::uint8_t>& drawn = out->tileIsDrawn;
+    out->zView = LateBuffer2D<float>([seen, drawn] { return rowsOf(seen->z, drawn, SeenBlocks::kNowhere); });
+    if (!inputs.parts[Part::SeenPolygons]) {
+        // The stage once more, for the triangles alone; what the stages before have left is kept for it.
+        out->triangle = LateBuffer2D<std::uint32_t>([again = inputs, sources]() mutable {
+            Threads one(1, {});
+            again.parts.whole.set(Part::SeenPolygons);
+            again.parts.whole.set(Part::FragmentCounts, false).set(Part::Weights, false);
+            return *runZBufferInVectors(again, sources, one)->triangle;
+        });
+        return out;
+    }
+    out->triangle = LateBuffer2D<std::uint32_t>([seen, drawn] {
+        Buffer2D<std::uint32_t> rows = rowsOf(seen->name, drawn, kNoTriangle);
+        const Buffer2D<float> z = rowsOf(seen->z, drawn, SeenBlocks::kNowhere);
+        for (std::size_t i = 0; i < rows.pixels.size(); ++i) {
+            std::uint32_t& triangle = rows.pixels[i];
+            triangle = z.pixels[i] < SeenBlocks::kNowhere ? seen->pieces.triangleOf(triangle) : kNoTriangle;
+        }
+        return rows;
+    });
+    return out;
+}
+inline std::shared_ptr<const ZBufferOutput<float>> runZBuffer(const ZBufferInputs& inputs,
+                                                              const DrawingSources<float>& sources, Threads& threads) {
+    return inputs.parts[Part::DrawnInVectors] ? runZBufferInVectors(inputs, sources, threads)
+                                              : runZBuffer<float>(inputs, sources, threads);
+}
+
 // Stage 5 by the scene's visibility: the z-buffer, the painter's algorithm or outlines.
 template <class Real>
 std::shared_ptr<const ZBufferOutput<Real>> runVisibility(const FrameData<Real>& data, Threads& threads) {
     if (data.keys.zBuffer.visibility == Visibility::None) return runOutlines(data, threads);
-    return runZBuffer<Real>(data.keys.zBuffer, data.transform, data.cull, threads);
+    const ZBufferInputs& inputs = data.keys.zBuffer;
+    return runZBuffer(inputs, DrawingSources<Real>(inputs, data.transform, data.cull), threads);
 }
 
 // Takes up the counts of pieces that run at the same time.
@@ -226,14 +222,8 @@ ShadingCounts shadeTile(const ShadingInputs& inputs, const ShadingSources<Real>&
                         std::size_t i, ShadingOutput<Real>& out) {
     const Tile pixels = tileOf(in.transform.view.size, i);
     if (inputs.outlines) return shadeOutlines(in, pixels, out);
-    if constexpr (std::is_same_v<Real, float>) {
-        ShadingCounts relit{.relitTiles = 1};
-        if (!out.incidence.empty() && out.incidence[i] &&
-            relightInVectors(inputs, looks, *out.incidence[i], pixels, out, relit))
-            return relit;
-        if (inputs.parts[Part::ShadedInVectors]) return shadePixelsInVectors(inputs, in, pixels, out);
-    }
-    return shadePixels(inputs, in, pixels, out);
+    ShadingCounts relit{.relitTiles = 1};
+    return piece::relight(inputs, looks, i, pixels, out, relit) ? relit : piece::shadePixels(inputs, in, pixels, out);
 }
 
 // The pixels of a picture whose polygons and vertices are shaded, and the translucent layers over them.
@@ -247,8 +237,7 @@ void shadePicture(const ShadingInputs& inputs, const ShadingSources<Real>& in, S
     threads.forRange(drawn.size(), kTileGrain, [&](std::size_t begin, std::size_t end) {
         for (std::size_t tile = begin; tile < end; ++tile) {
             if (!inputs.parts[Part::Tiles] && !drawn[tile]) {
-                if constexpr (std::is_same_v<Real, float>)
-                    if (inputs.parts[Part::ShadedInVectors]) leaveTileDark(tileOf(in.transform.view.size, tile), out);
+                piece::leaveDark(inputs, tileOf(in.transform.view.size, tile), out);
                 counts.add({.emptyTiles = 1});
                 continue;
             }
@@ -262,6 +251,13 @@ void shadePicture(const ShadingInputs& inputs, const ShadingSources<Real>& in, S
     threads.forRange(layers.order.size(), kTileGrain, [&](std::size_t begin, std::size_t end) {
         for (std::size_t tile = begin; tile < end; ++tile) counts.add(drawLayers(inputs, in, layers, tile, out));
     });
+}
+
+template <class Real>
+void snapVertices(TransformOutput<Real>& out, Threads& threads) {
+    piece::makeRoomForSnapped(out);
+    threads.forRange(out.world.size(), kVertexGrain,
+                     [&](std::size_t begin, std::size_t end) { piece::snap(begin, end, out); });
 }
 
 // The picture once more for each sample of a pixel, with the pixels' centres moved there, and their mean: an
@@ -279,7 +275,7 @@ void antialias(const FrameData<Real>& data, ShadingOutput<Real>& out, CountSum& 
     Buffer2D<Vec3<Real>>& mean = out.vectors[index(BufferId::Antialiased)][0];
     for (std::size_t i = 0; i < places.size() && !threads.stopped(); ++i) {
         moved->view.centre = data.transform->view.centre - places[i];
-        if constexpr (std::is_same_v<Real, float>) snapVertices(*moved, threads);
+        snapVertices(*moved, threads);
         if (data.cull) sample.cull = runCull(data.keys.cull, *moved, threads);
         sample.zBuffer = runVisibility(sample, threads);
         ShadingOutput<Real> shaded = prepareShading(inputs, sample.shadingSources(), setOf({BufferId::Intensity}));

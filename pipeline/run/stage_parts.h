@@ -6,11 +6,9 @@
 #include <span>
 #include <vector>
 
+#include "pipeline/run/kernel_set.h"
 #include "pipeline/run/parallel.h"
-#include "pipeline/simd/cull.h"
-#include "pipeline/simd/normals.h"
 #include "pipeline/simd/rasterize.h"
-#include "pipeline/simd/transform.h"
 #include "pipeline/stages/shadow_buffer.h"
 
 // Parts of stages, on threads and in vectors where there are any: what a whole stage is run from, and what steps into
@@ -25,22 +23,14 @@ inline constexpr std::size_t kPixelGrain = 65536;
 template <class Real>
 void cullPolygons(const CullInputs& inputs, const TransformOutput<Real>& in, std::size_t count, Threads& threads,
                   CullOutput& out) {
-    threads.forRange(count, kPolygonGrain, [&](std::size_t begin, std::size_t end) {
-        if constexpr (std::is_same_v<Real, float>)
-            cullInVectors(inputs, in, begin, end, out);
-        else
-            cull(inputs, in, begin, end, out);
-    });
+    threads.forRange(count, kPolygonGrain,
+                     [&](std::size_t begin, std::size_t end) { piece::cull(inputs, in, begin, end, out); });
 }
 template <class Real>
 void findPolygonNormals(const NormalsInputs& inputs, const TransformOutput<Real>& in, std::size_t count,
                         Threads& threads, NormalsOutput<Real>& out) {
-    threads.forRange(count, kPolygonGrain, [&](std::size_t begin, std::size_t end) {
-        if constexpr (std::is_same_v<Real, float>)
-            polygonNormalsInVectors(inputs, in, begin, end, out);
-        else
-            polygonNormals(inputs, in, begin, end, out);
-    });
+    threads.forRange(count, kPolygonGrain,
+                     [&](std::size_t begin, std::size_t end) { piece::polygonNormals(inputs, in, begin, end, out); });
 }
 
 // Of an object. Where every normal is the mesh's own nothing reads the sums, and no normal vanishes.
@@ -52,10 +42,7 @@ void findVertexNormals(const NormalsInputs& inputs, const TransformOutput<Real>&
     if (sums) sumAroundVertices(inputs, in, object, out);
     const std::size_t count = in.topology->firstVertex[object + 1] - in.topology->firstVertex[object];
     threads.forRange(count, kVertexGrain, [&](std::size_t begin, std::size_t end) {
-        if constexpr (std::is_same_v<Real, float>)
-            unitVertexNormalsInVectors(inputs, in, object, begin, end, out);
-        else
-            unitVertexNormals(inputs, in, object, begin, end, out);
+        piece::unitVertexNormals(inputs, in, object, begin, end, out);
     });
     if (sums) replaceVanishing(in, object, out);
 }

@@ -62,13 +62,13 @@ namespace {
 // With the same texels, which are not copied where they stand in blocks.
 template <class Real>
 LightView<Real> sharing(const LightView<Real>& light) {
-    if constexpr (std::is_same_v<Real, float>)
-        if (!light.blocks.empty() && light.blocks[0]) {
-            LightView<float> out{light.faces, {}, light.blocks, light.rounding};
-            for (const auto& blocks : light.blocks) out.depth.push_back(rowsLater(blocks));
-            return out;
-        }
     return light;
+}
+LightView<float> sharing(const LightView<float>& light) {
+    if (light.blocks.empty() || !light.blocks[0]) return light;
+    LightView<float> out{light.faces, {}, light.blocks, light.rounding};
+    for (const auto& blocks : light.blocks) out.depth.push_back(rowsLater(blocks));
+    return out;
 }
 
 }  // namespace
