@@ -16,18 +16,7 @@ struct CullInputs {
     bool operator==(const CullInputs&) const = default;
 };
 
-struct CullMark {
-    static constexpr std::uint8_t kBack = 1;    // its signed area is below 0
-    static constexpr std::uint8_t kInside = 2;  // neither a plane nor the picture's border runs through it
-};
-
-struct CullOutput {
-    RawVector<Verdict> verdicts;    // per polygon
-    RawVector<std::uint8_t> marks;  // per polygon: bits of CullMark
-
-    bool isBack(std::size_t polygon) const { return (marks[polygon] & CullMark::kBack) != 0; }
-    bool isInside(std::size_t polygon) const { return (marks[polygon] & CullMark::kInside) != 0; }
-};
+using CullOutput = Culled;
 
 CullOutput prepareCull(std::size_t polygons);  // nothing is written yet
 // Polygons [begin, end).

@@ -20,14 +20,10 @@ struct NormalsInputs {
 };
 
 template <class Real>
-struct NormalsOutput {
-    RawVector<Vec3<Real>> polygon;  // per polygon; (0, 0, 0) for one without area; empty when not needed of all
-    VertexArray<Real> vertex;       // per vertex; empty when not asked for
-    // Where the mean of the normals around a vertex vanishes, or is no more than rounding may have left, the first of them
-    // stands in: how often.
-    std::size_t vanishing = 0;
-    RawVector<Vec3<Real>> weighted;  // scratch: per polygon, twice the area times the normal, by its object's scale
-    // Scratch: per object, e where its edges are times 2^-e in `weighted`; 0 but for objects whose areas Real cannot hold.
+struct NormalsOutput : Oriented<Real> {
+    // Room for work, given back at the end. Per polygon, twice the area times the normal, by its object's scale; and per
+    // object, e where its edges are times 2^-e there, 0 but for objects whose areas Real cannot hold.
+    RawVector<Vec3<Real>> weighted;
     std::vector<int> areaScale{};
 };
 

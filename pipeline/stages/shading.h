@@ -66,50 +66,11 @@ struct ShadingInputs {
     bool operator==(const ShadingInputs&) const = default;
 };
 
-// What a light adds to a polygon or a vertex, before its shadow factor.
-template <class Real>
-struct LightTerms {
-    Vec3<Real> diffuse, specular;
-};
-// What is there without any shadow.
-template <class Real>
-struct BaseTerms {
-    Vec3<Real> emission, ambient;
-};
-
 struct Incidence;                                                  // pipeline/simd/incidence.h
 using Incidences = std::vector<std::shared_ptr<const Incidence>>;  // per tile
 
 template <class Real>
-struct ShadingOutput {
-    double iMax = 0;  // the intensity that 255 stands for
-    // Per polygon and per vertex; empty when not asked for. Some models clamp these intensities to
-    // [0, 1]; the terms of one that is clamped are scaled alike, so that they still sum to it.
-    struct Elements {
-        // Per polygon or vertex, where it stands in the lists below: at 0, which stays black, what is not evaluated. Empty
-        // where all are, each at its own number.
-        std::vector<std::uint32_t> places;
-        std::vector<BaseTerms<Real>> base;
-        std::vector<LightTerms<Real>> terms;  // lights side by side: [place * lights + k]
-        std::vector<Vec3<Real>> intensity;    // unshadowed (S = 1), before scaling by iMax
-
-        std::size_t count() const { return places.empty() ? intensity.size() : places.size(); }
-        std::size_t placeOf(std::size_t i) const { return places.empty() ? i : places[i]; }
-        const BaseTerms<Real>& baseOf(std::size_t i) const { return base[placeOf(i)]; }
-        const LightTerms<Real>& termsOf(std::size_t i, std::size_t lights, std::size_t k) const {
-            return terms[placeOf(i) * lights + k];
-        }
-        bool isEvaluated(std::size_t i) const { return places.empty() || places[i] != 0; }
-    };
-    Elements polygons, vertices;
-    Elements verticesBack;  // as seen from behind; empty without two-sided lighting
-
-    // Per pixel, by buffer and light (0 where the buffer is not per light); empty when not wanted.
-    std::array<std::vector<Buffer2D<Vec3<Real>>>, kBufferCount> vectors;
-    std::array<std::vector<Buffer2D<Real>>, kBufferCount> scalars;
-    Buffer2D<Color8> color;
-    Buffer2D<std::int32_t> layers;  // empty when not wanted
-
+struct ShadingOutput : Shaded<Real> {
     // What a frame that differs in materials alone is made from; null where nothing was drawn, and empty where
     // the plan has nothing kept.
     Incidences incidence;

@@ -27,23 +27,8 @@ struct ShadowBufferInputs {
     bool operator==(const ShadowBufferInputs&) const = default;
 };
 
-// A light as a camera: one orthographic view for a light at infinity, fitted to the scene's
-// bounds; six perspective views along +x, −x, +y, −y, +z, −z for a point light
-// and for each sample of an area light.
 template <class Real>
-struct LightView {
-    std::vector<View> faces;
-    std::vector<LateBuffer2D<Real>> depth;  // Z' per face: z_view of that face, +infinity where nothing is
-    // The same, where pipeline/simd drew it; else none.
-    std::vector<std::shared_ptr<const BlockBuffer2D<float>>> blocks;
-    Real rounding = 0;  // bound of the rounding error of a z', world units
-};
-
-template <class Real>
-struct ShadowBufferOutput {
-    // Per light: none where it gets no shadow buffer, one for each sample of an area light, else one.
-    std::vector<std::vector<LightView<Real>>> lights;
-};
+using ShadowBufferOutput = LightDepths<Real>;
 
 // Gives a view whose `forward` is set its axes right and up across it, the sides of the texels: left-handed with
 // `forward`, as every view space.

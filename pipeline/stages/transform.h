@@ -9,8 +9,8 @@
 #include "pipeline/scene/topology.h"
 #include "pipeline/scene/view.h"
 #include "pipeline/stages/depth.h"
+#include "pipeline/stages/hand_on.h"
 #include "pipeline/stages/snapped_vertices.h"
-#include "pipeline/stages/vertex_array.h"
 
 namespace pipeline {
 
@@ -31,22 +31,9 @@ struct TransformInputs {
 TransformInputs transformInputs(const Scene& scene, std::shared_ptr<const Topology> topology, bool placesAsGiven);
 
 template <class Real>
-struct TransformOutput {
-    std::shared_ptr<const Topology> topology;
-    View view;
-    DepthFormat depthFormat = DepthFormat::Linear;
-    std::vector<std::uint8_t> mirrored;     // per object
-    std::vector<std::uint8_t> transparent;  // per object, 1 where it is as if not there; empty when none is
-    std::vector<glm::dmat3> normalMatrix;   // per object, in the form that the inputs ask for
-    VertexArray<Real> world;                // per vertex
-    std::size_t done = 0;                   // of the vertices, from the first; all, but while stepping inside the stage
-    SnappedVertices snapped{};              // in float, for pipeline/simd; else empty
-
-    // Of a vertex. Found where it is asked for: to keep it takes longer.
-    Vec3<Real> viewSpace(std::size_t vertex) const { return toView(view, world[vertex]); }
-    bool anyMirrored() const {
-        return std::ranges::any_of(mirrored, [](std::uint8_t one) { return one != 0; });
-    }
+struct TransformOutput : Transformed<Real> {
+    std::size_t done = 0;       // of the vertices, from the first; all, but while stepping inside the stage
+    SnappedVertices snapped{};  // in float, for pipeline/simd; else empty
 };
 
 template <class Real>

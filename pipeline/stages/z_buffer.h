@@ -15,9 +15,6 @@ namespace pipeline {
 // Stage 5: which polygon is seen in which pixel, and how far away it is.
 // E. Catmull, "A subdivision algorithm for computer display of curved surfaces", 1974.
 
-inline constexpr std::uint32_t kNoTriangle = ~0u;  // nothing was drawn
-inline constexpr std::int32_t kNothing = -1;       // the same, in object_id and polygon_id
-
 // What it may leave out: clipping of polygons that culling found whole in the picture; and, drawn in vectors by
 // pipeline/simd alone, what stands beside z_view and depth. Which triangle is seen is then found when somebody first reads
 // it.
@@ -35,21 +32,16 @@ struct ZBufferInputs {
 struct SeenBlocks;  // pipeline/simd/seen_blocks.h
 
 template <class Real>
-struct ZBufferOutput {
+struct ZBufferOutput : Visible<Real> {
     glm::ivec2 origin{0};                      // the pixel that stands first; (0, 0) but for a replay
-    Buffer2D<double> depth;                    // as stored, exactly; empty in format Linear, where it is zView
-    LateBuffer2D<Real> zView;                  // world units; +infinity where nothing was drawn
-    LateBuffer2D<std::uint32_t> triangle;      // index into Topology::triangles; kNoTriangle
-    Buffer2D<Vec3<Real>> barycentric;          // perspective-correct weights over that triangle's corners; may be empty
-    Buffer2D<std::int32_t> overdraw;           // fragments that arrived; may be empty
-    Buffer2D<std::int32_t> depthWrites;        // fragments that won; may be empty
-    long long arrived = 0, won = 0;            // the same over all pixels
     std::shared_ptr<const SeenBlocks> seen{};  // what zView and triangle are made of, where pipeline/simd drew
-    long long seenPixels = 0;                  // in which there is a triangle
-    std::string note;                          // what the painter's order took; may be empty
-    std::size_t unordered = 0, pieces = 0;     // of the painter's triangles those that are not in order, and all
     std::vector<std::uint8_t> tileIsDrawn;     // per tile of kTileSize, row by row: whether a triangle touches it
-    long long clipped = 0, unclipped = 0;      // triangles that went through the clipper; that did not
+    // What the stage did.
+    long long arrived = 0, won = 0;         // fragments
+    long long seenPixels = 0;               // in which there is a triangle
+    long long clipped = 0, unclipped = 0;   // triangles that went through the clipper; that did not
+    std::size_t unordered = 0, pieces = 0;  // of the painter's triangles those that are not in order, and all
+    std::string note;                       // what the painter's order took; may be empty
 };
 template <class Real>
 ZBufferOutput<Real> prepareZBuffer(Tile extent, DepthFormat format);
