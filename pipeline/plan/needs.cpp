@@ -7,12 +7,12 @@
 
 namespace pipeline {
 
-Parts Needs::parts(PartSet declared) const {
+Parts Needs::parts(StageId stage) const {
     Parts done;
     for (std::size_t k = 0; k < lights[index(Part::Light)].size(); ++k) done.lights.emplace_back(PartSet::all());
     for (std::size_t i = 0; i < kPartCount; ++i) {
         const Part part = Part(i);
-        if (!declared[part]) continue;
+        if (partInfo(part).stage != stage || !partInfo(part).isHanded) continue;
         done.whole.set(part, whole[i].isWhole());
         for (std::size_t k = 0; k < lights[i].size(); ++k) done.lights[k].set(part, lights[i][k].isWhole());
     }

@@ -34,8 +34,8 @@ struct Needs {
 
     const Need& operator[](Part part) const { return whole[index(part)]; }
     const Need& of(Part part, std::size_t light) const { return lights[index(part)][light]; }
-    // What a stage that declares these parts carries out.
-    Parts parts(PartSet declared) const;
+    // What a stage carries out of the parts that it reads.
+    Parts parts(StageId stage) const;
 };
 // until: the stage after which the run ends.
 Needs needsOf(const Scene& scene, BufferSet wanted, StageId until = StageId::Shading);

@@ -61,6 +61,7 @@ struct PartInfo {
     Part id;
     StageId stage;
     std::string_view name{};  // in the plan, "{}" for the light's number; empty: the plan does not list it
+    bool isHanded = true;     // to the stage, in its Parts; else it is told in another way, or the runner sees to it
     Need (*need)(const Decision& d, std::size_t light);
     // Of a part per light, of all lights together; null: the part is not per light.
     Need (*forAll)(const Scene& scene, const std::vector<Need>& each) = nullptr;

@@ -181,6 +181,7 @@ constexpr auto kRowsOfShading = std::to_array<PartInfo>({
     {.id = R::Specular,
      .stage = S::Shading,
      .name = "specular of light {}",
+     .isHanded = false,
      .need = needOfSpecular,
      .forAll = anyNeeded,
      .runs = [](auto& scene, auto&, auto) -> std::string {
@@ -201,6 +202,7 @@ constexpr auto kRowsOfShading = std::to_array<PartInfo>({
     {.id = R::Reflection,
      .stage = S::Shading,
      .name = "R",
+     .isHanded = false,
      .need = [](auto& d, auto) { return needOfDirection(d, R::Reflection, &VectorsRead::R, kOnlyH); },
      .runs = "The illumination model reads it, or it is asked for.",
      .saves = "a vector a point and light",
@@ -212,6 +214,7 @@ constexpr auto kRowsOfShading = std::to_array<PartInfo>({
     {.id = R::Halfway,
      .stage = S::Shading,
      .name = "H",
+     .isHanded = false,
      .need = [](auto& d, auto) { return needOfDirection(d, R::Halfway, &VectorsRead::H, kOnlyR); },
      .runs = "The illumination model reads it, or it is asked for.",
      .saves = "a normalisation a point and light",
@@ -223,6 +226,7 @@ constexpr auto kRowsOfShading = std::to_array<PartInfo>({
     {.id = R::Powers,
      .stage = S::Shading,
      .name = "powers",
+     .isHanded = false,
      .need =
          [](auto& d, auto) {
              return d.scene.settings.forms.power == PowerForm::Log1p ? d.within(Rule::VanishingPower) : Need{};
@@ -235,7 +239,7 @@ constexpr auto kRowsOfShading = std::to_array<PartInfo>({
      .within = "Not where the result is certain to round to 0, or changes nothing that is asked for.",
      .isListed = hasLights,
      .ofOutlines = false},
-    {.id = R::NegligiblePowers, .stage = S::Shading, .need = needOfNegligible},
+    {.id = R::NegligiblePowers, .stage = S::Shading, .isHanded = false, .need = needOfNegligible},
     {.id = R::ViewVector,
      .stage = S::Shading,
      .name = "V at a pixel",
@@ -266,6 +270,7 @@ constexpr auto kRowsOfShading = std::to_array<PartInfo>({
     {.id = R::Antialiasing,
      .stage = S::Shading,
      .name = "antialiasing",
+     .isHanded = false,
      .need =
          [](auto& d, auto) {
              return only(d.scene.settings.antialiasing > 1,
@@ -306,6 +311,7 @@ constexpr auto kRowsOfShading = std::to_array<PartInfo>({
     {.id = R::Layers,
      .stage = S::Shading,
      .name = "translucent pass",
+     .isHanded = false,
      .need = needOfLayers,
      .runs = "A material has alpha below 1.",
      .saves = "a pass over the tiles",
@@ -314,18 +320,22 @@ constexpr auto kRowsOfShading = std::to_array<PartInfo>({
     {.id = R::LayerSort,
      .stage = S::Shading,
      .name = "sort of layers",
+     .isHanded = false,
      .need = needOfSort,
      .runs = "Layers are put in order by depth at every pixel.",
      .saves = "a sort a tile",
      .ofOutlines = false},
     {.id = R::Emission,
      .stage = S::Shading,
+     .isHanded = false,
      .need =
          [](auto& d, auto) {
              return only(modelOf(d.scene).found.emission, onlyIn(&ModelFacts::Found::emission, "emission"));
          },
      .useless = whyNot<R::Emission>},
-    {.id = R::Intensity, .stage = S::Shading, .need = needOfIntensity},
+    {.id = R::Intensity, .stage = S::Shading, .isHanded = false, .need = needOfIntensity},
+    {.id = R::SurfaceVectors, .stage = S::Shading, .isHanded = false, .need = [](auto&, auto) { return Need{}; }},
+    {.id = R::LightVectors, .stage = S::Shading, .isHanded = false, .need = [](auto&, auto) { return Need{}; }},
 });
 static_assert(areInOrder(kRowsOfShading, R::PolygonTerms) &&
               index(R::PolygonTerms) + kRowsOfShading.size() == kPartCount);

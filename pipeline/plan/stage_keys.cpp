@@ -13,7 +13,7 @@ StageKeys stageKeys(const Scene& scene, const Needs& needs, std::shared_ptr<cons
                     needs.ownNormals, settings.forms.polygonNormal, settings.forms.cornerAngle, settings.forms.unit,
                     needs[Part::VertexNormals] && !needs[Part::Normalisation]},
                    {{}, settings.shadowSize, settings.shadowCull},
-                   {settings.visibility, settings.split, translucentSides(scene), needs.parts(kZBufferParts)},
+                   {settings.visibility, settings.split, translucentSides(scene), needs.parts(StageId::ZBuffer)},
                    {settings.shading,
                     settings.shading == Shading::Flat ? Interpolation::Perspective : settings.interpolation,
                     settings.visibility == Visibility::None,
@@ -23,7 +23,7 @@ StageKeys stageKeys(const Scene& scene, const Needs& needs, std::shared_ptr<cons
                     {},
                     scene.ambient,
                     {settings.shadowBias, settings.shadowBiasValue, settings.shadowFilter},
-                    needs.parts(kShadingParts)}};
+                    needs.parts(StageId::Shading)}};
     keys.shading.illumination.detail = {
         bool(needs[Part::Reflection]), bool(needs[Part::Halfway]), !needs.rules[index(Rule::Specular)],
         needs[Part::Powers].isWhole(), settings.forms.power,       settings.forms.unit};

@@ -133,9 +133,11 @@ enum class Part : std::uint8_t {
     Layers,
     LayerSort,
     Emission,
-    Intensity,  // beside the frame buffer
+    Intensity,       // beside the frame buffer
+    SurfaceVectors,  // N and V of every pixel, for who looks
+    LightVectors,    // and L, R, H and their products
 };
-inline constexpr std::size_t kPartCount = 38;
+inline constexpr std::size_t kPartCount = 40;
 constexpr std::size_t index(Part part) { return static_cast<std::size_t>(part); }
 
 // A bit for each part.
@@ -156,6 +158,7 @@ public:
         m_bits |= more.m_bits;
         return *this;
     }
+    constexpr bool hasAnyOf(PartSet other) const { return (m_bits & other.m_bits) != 0; }
     constexpr bool operator==(const PartSet&) const = default;
 
 private:

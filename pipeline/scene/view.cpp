@@ -6,8 +6,8 @@
 
 #include "pipeline/core/angles.h"
 #include "pipeline/core/numerics.h"
-#include "pipeline/scene/opacity.h"
 #include "pipeline/scene/object_matrix.h"
+#include "pipeline/scene/opacity.h"
 
 namespace pipeline {
 namespace {

@@ -92,7 +92,7 @@ template <class Real>
 std::optional<double> signedArea(const TransformOutput<Real>& in, const CullOutput& cull, std::size_t polygon) {
     const Verdict verdict = cull.verdicts[polygon];
     if (!goesOn(verdict) && verdict != Verdict::BackFacing && verdict != Verdict::Degenerate) return {};
-    return screenArea(in, polygon, cull.isInside(polygon)).signedArea;
+    return screenArea(in, polygon, (cull.marks[polygon] & CullMark::kInside) != 0).signedArea;
 }
 
 template <class Real>

@@ -45,7 +45,6 @@ struct Culled {
     RawVector<std::uint8_t> marks;  // per polygon: bits of CullMark
 
     bool isBack(std::size_t polygon) const { return (marks[polygon] & CullMark::kBack) != 0; }
-    bool isInside(std::size_t polygon) const { return (marks[polygon] & CullMark::kInside) != 0; }
 };
 
 // 3. Normals: which way polygons and vertices face, world space, unit.

@@ -1,6 +1,4 @@
 // The per-pixel half of stage 6.
-#include <algorithm>
-
 #include "pipeline/stages/shading_terms.h"
 
 namespace pipeline {
@@ -85,13 +83,14 @@ struct Wanted {
 };
 template <class Real>
 Wanted wantedOf(const ShadingOutput<Real>& out) {
-    using enum BufferId;
-    const auto there = [&](BufferId id) { return !out.vectors[index(id)].empty() || !out.scalars[index(id)].empty(); };
-    const auto any = [&](std::initializer_list<BufferId> ids) { return std::ranges::any_of(ids, there); };
-    return {any({LightVector, ReflectionVector, HalfwayVector, NDotL, RDotV, NDotH}), any({Normal, ViewVector}),
-            there(Shadow),
-            any({Position, Normal, ViewVector, Emission, Ambient, Shadow, Diffuse, Specular, LightVector,
-                 ReflectionVector, HalfwayVector, NDotL, RDotV, NDotH})};
+    PartSet reads;
+    bool any = false;  // not of what is made of the intensity afterwards
+    for (const BufferInfo& info : bufferTable()) {
+        if (out.vectors[index(info.id)].empty() && out.scalars[index(info.id)].empty()) continue;
+        reads |= info.reads;
+        any = any || !info.reads.hasAnyOf(partsOf(Part::Intensity, Part::Layers));
+    }
+    return {reads[Part::LightVectors], reads[Part::SurfaceVectors], reads[Part::ShadowLookup], any};
 }
 
 // Where the pixel's surface is, and the N and V that its colour was computed with; those only where

@@ -16,13 +16,6 @@ namespace pipeline {
 // Stage 6: the illumination of what is seen, and the frame buffer. Deferred: the z-buffer has
 // decided, so each pixel is shaded once, and every quantity on the way can be kept.
 
-// What it may leave out. HiddenPolygons, HiddenVertices: what nobody can see is evaluated too; ShadowLookup: S also where
-// the terms that it multiplies are 0; Tiles: also those in which nothing was drawn.
-inline constexpr PartSet kShadingParts =
-    partsOf(Part::PolygonTerms, Part::VertexTerms, Part::HiddenPolygons, Part::HiddenVertices, Part::Ambient,
-            Part::Light, Part::Attenuation, Part::ViewVector, Part::Position, Part::ShadowLookup, Part::ShadedInVectors,
-            Part::FastVectors, Part::Tiles);
-
 // What was done and what was not, in counts that no clock disturbs.
 struct ShadingCounts {
     long long evaluations = 0;                   // of a light at a point
@@ -58,6 +51,8 @@ struct ShadingInputs {
     std::vector<Light> lights;            // in world space
     AmbientLight ambient;
     ShadowSettings shadow;
+    // HiddenPolygons, HiddenVertices: also of what nobody can see; ShadowLookup: S also where the terms that it multiplies
+    // are 0; Tiles: also those in which nothing was drawn.
     Parts parts{};
     LayerInputs layers{};
     int samples = 1;  // along a side of a pixel; above 1 the frame buffer shows their mean

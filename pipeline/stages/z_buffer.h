@@ -15,16 +15,12 @@ namespace pipeline {
 // Stage 5: which polygon is seen in which pixel, and how far away it is.
 // E. Catmull, "A subdivision algorithm for computer display of curved surfaces", 1974.
 
-// What it may leave out: clipping of polygons that culling found whole in the picture; and, drawn in vectors by
-// pipeline/simd alone, what stands beside z_view and depth. Which triangle is seen is then found when somebody first reads
-// it.
-inline constexpr PartSet kZBufferParts =
-    partsOf(Part::Clipping, Part::SeenPolygons, Part::FragmentCounts, Part::Weights, Part::DrawnInVectors);
-
 struct ZBufferInputs {
     Visibility visibility = Visibility::ZBuffer;
     bool split = true;                            // Painter
     std::vector<TranslucentSides> translucent{};  // per object: what stage 6 draws later; empty when nothing
+    // Clipping, else of polygons alone that culling did not find whole in the picture; and, left out by pipeline/simd alone,
+    // what stands beside z_view and depth. Which triangle is seen is then found when somebody first reads it.
     Parts parts{};
     bool operator==(const ZBufferInputs&) const = default;
 };
