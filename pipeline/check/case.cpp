@@ -136,7 +136,7 @@ CaseResult runCase(const Case& which, int threads) {
     return result;
 }
 
-std::vector<CaseResult> runChecks(const Filter& filter, int threads, std::stop_token stop,
+std::vector<CaseResult> runChecks(const Filter& filter, int threads, Stop stop,
                                   const std::function<void(const CaseResult&)>& each) {
     std::vector<CaseResult> results;
     for (const Case& which : caseTable())

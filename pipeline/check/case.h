@@ -4,11 +4,11 @@
 #include <limits>
 #include <optional>
 #include <span>
-#include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "pipeline/core/stop.h"
 #include "pipeline/run/runner.h"
 #include "pipeline/scene/scene.h"
 
@@ -110,7 +110,7 @@ std::optional<Scene> withNaiveForm(const Case& which, Scene scene);
 CaseResult runCase(const Case& which, int threads = 1);
 // In the order of the table, several at a time. threads 0: as many as the machine has. Cases not begun when a stop
 // is asked for are not in the result. `each` is told of every result as it comes, by the threads that run the cases.
-std::vector<CaseResult> runChecks(const Filter& filter, int threads, std::stop_token stop = {},
+std::vector<CaseResult> runChecks(const Filter& filter, int threads, Stop stop = {},
                                   const std::function<void(const CaseResult&)>& each = {});
 
 // The rows of each file of cases.

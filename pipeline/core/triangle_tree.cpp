@@ -55,7 +55,7 @@ Box<Real> leafBox(const TriangleTree<Real>& tree, const typename TriangleTree<Re
 
 template <class Real>
 TriangleTree<Real> makeTree(std::uint32_t count, const std::function<Corners<Real>(std::uint32_t)>& corners,
-                            std::uint32_t leaf, const std::stop_token& stop) {
+                            std::uint32_t leaf, const Stop& stop) {
     TriangleTree<Real> tree;
     std::vector<Place<Real>> places = placesOf(count, corners);
     if (places.empty()) return tree;
@@ -140,7 +140,7 @@ bool TriangleRay<Real>::meetsBox(const Vec3<Real>& low, const Vec3<Real>& high, 
 
 #define SHADESCOPE_INSTANTIATE(Real)                                                                        \
     template TriangleTree<Real> makeTree(std::uint32_t, const std::function<Corners<Real>(std::uint32_t)>&, \
-                                         std::uint32_t, const std::stop_token&);                            \
+                                         std::uint32_t, const Stop&);                                       \
     template class TriangleRay<Real>;
 SHADESCOPE_INSTANTIATE(double)
 SHADESCOPE_INSTANTIATE(long double)

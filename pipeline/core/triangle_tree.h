@@ -3,10 +3,10 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
-#include <stop_token>
 #include <vector>
 
 #include "pipeline/core/real.h"
+#include "pipeline/core/stop.h"
 
 // Which triangle a ray meets first, of many. The stages know no rays: the ray caster that they are measured by and the 3D
 // views use this. Real is double, or long double.
@@ -57,7 +57,7 @@ struct TriangleTree {
 // many cost a ray time, few cost memory. Empty when it is stopped.
 template <class Real>
 TriangleTree<Real> makeTree(std::uint32_t count, const std::function<Corners<Real>(std::uint32_t)>& corners,
-                            std::uint32_t leaf = 4, const std::stop_token& stop = {});
+                            std::uint32_t leaf = 4, const Stop& stop = {});
 
 // Calls visit(place, end) for what stands in boxes that are met with begin <= t <= end, by its place in `order`; visit may
 // bring `end` nearer. Stops when visit gives true, which is then the result.

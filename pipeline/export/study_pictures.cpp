@@ -40,7 +40,7 @@ ComparedPictures comparedPictures(const PointPictures& point) {
 }
 
 std::vector<StudyPictures> frontPictures(const StudyRequest& request, const StudyReport& report, std::size_t most,
-                                         std::stop_token stop) {
+                                         Stop stop) {
     const std::vector<std::size_t> front = analyse(report, report.choice).front;
     std::vector<StudyPictures> out;
     ErrorFinder finder(request);

@@ -1,8 +1,8 @@
 #pragma once
 #include <optional>
-#include <stop_token>
 #include <vector>
 
+#include "pipeline/core/stop.h"
 #include "pipeline/export/study_html.h"
 #include "pipeline/study/run_study.h"
 
@@ -18,6 +18,6 @@ ComparedPictures comparedPictures(const PointPictures& shown);
 
 // For a report: those of the points on the front, of at most `most` of them, the first and the last included.
 std::vector<StudyPictures> frontPictures(const StudyRequest& request, const StudyReport& report, std::size_t most,
-                                         std::stop_token stop);
+                                         Stop stop);
 
 }  // namespace pipeline

@@ -3,11 +3,11 @@
 #include <functional>
 #include <optional>
 #include <span>
-#include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "pipeline/core/stop.h"
 #include "pipeline/run/frame.h"
 
 namespace pipeline {
@@ -52,7 +52,7 @@ struct BufferDifference {
 
 // What watches a comparison. share: of what is compared, 0 to 1. Stopped, it gives what it has so far.
 struct CompareControl {
-    std::stop_token stop{};
+    Stop stop{};
     std::function<void(double share)> progress{};
 };
 

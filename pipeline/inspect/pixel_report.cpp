@@ -185,7 +185,7 @@ void evaluateAll(const FrameData<Real>& data, std::uint32_t triangleId, Vec3<Rea
 
 // Which polygon stands before a light that does not reach the pixel.
 template <class Real>
-void explainShadows(const Scene& scene, const FrameData<Real>& data, const std::stop_token& stop, PixelReport& report) {
+void explainShadows(const Scene& scene, const FrameData<Real>& data, const Stop& stop, PixelReport& report) {
     if (!modelFacts(data.keys.shading.illumination.model).shadows) return;
     for (std::size_t k = 0; k < report.shadow.size(); ++k) {
         if (report.shadow[k] != 0 || data.keys.shading.lights[k].kind == LightKind::Area) continue;
@@ -222,7 +222,7 @@ void sumUp(PixelReport& report, std::size_t lights) {
 }
 
 template <class Real>
-void reportFragments(const FrameData<Real>& data, const std::stop_token& stop, PixelReport& report) {
+void reportFragments(const FrameData<Real>& data, const Stop& stop, PixelReport& report) {
     const auto record = replayPixel(data, report.pixel, stop);
     // Inside the stage some are still to come.
     const Buffer2D<std::int32_t>& overdraw = data.zBuffer->overdraw;
@@ -308,7 +308,7 @@ void reportLayers(const FrameData<Real>& data, std::uint32_t triangle, std::size
 }
 
 template <class Real>
-void fill(const FrameData<Real>& data, const std::stop_token& stop, bool fragments, PixelReport& report) {
+void fill(const FrameData<Real>& data, const Stop& stop, bool fragments, PixelReport& report) {
     if (!data.zBuffer) return;
     if (fragments) reportFragments(data, stop, report);
     if (stop.stop_requested()) return;
@@ -355,7 +355,7 @@ void fill(const FrameData<Real>& data, const std::stop_token& stop, bool fragmen
 
 }  // namespace
 
-PixelReport inspectPixel(const Frame& frame, glm::ivec2 pixel, const std::stop_token& stop) {
+PixelReport inspectPixel(const Frame& frame, glm::ivec2 pixel, const Stop& stop) {
     PixelReport report{};
     report.pixel = pixel;
     readStages(frame, [&](const auto& data) {

@@ -1,13 +1,13 @@
 #pragma once
 #include <array>
 #include <optional>
-#include <stop_token>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "pipeline/core/real.h"
 #include "pipeline/core/result.h"
+#include "pipeline/core/stop.h"
 #include "pipeline/inspect/formula.h"
 #include "pipeline/run/frame.h"
 
@@ -126,7 +126,7 @@ struct ComparisonText {
 ComparisonText comparisonText(const FragmentReport& fragment, const NumberText& chosen = {});
 
 // pixel must lie in the picture. Incomplete when it is stopped.
-PixelReport inspectPixel(const Frame& frame, glm::ivec2 pixel, const std::stop_token& stop = {});
+PixelReport inspectPixel(const Frame& frame, glm::ivec2 pixel, const Stop& stop = {});
 
 // What shading does at a pixel in which a surface is seen: the report without fragments, and without who is in the way of
 // a light.

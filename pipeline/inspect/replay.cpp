@@ -32,7 +32,7 @@ bool mayCover(const TransformOutput<Real>& in, std::span<const std::uint32_t, 3>
 
 // The pieces of the scene's triangles for which keep(polygon) holds and that cover a pixel of the tile.
 template <class Real, class Keep>
-TriangleBins<Real> piecesAt(const FrameData<Real>& data, Tile tile, const std::stop_token& stop, Keep keep) {
+TriangleBins<Real> piecesAt(const FrameData<Real>& data, Tile tile, const Stop& stop, Keep keep) {
     const TransformOutput<Real>& in = *data.transform;
     TriangleBins<Real> pieces;
     for (std::size_t t = 0; t < in.topology->triangles.size() && !stop.stop_requested(); ++t) {
@@ -56,7 +56,7 @@ std::vector<std::uint8_t> opaquePolygons(const FrameData<Real>& data) {
 
 // The order is a matter of all triangles, not only of those that cover the pixel.
 template <class Real>
-std::vector<FragmentRecord> replayPainter(const FrameData<Real>& data, Tile tile, const std::stop_token& stop) {
+std::vector<FragmentRecord> replayPainter(const FrameData<Real>& data, Tile tile, const Stop& stop) {
     const TransformOutput<Real>& in = *data.transform;
     const TriangleBins<Real> bins =
         binTriangles<Real>(*in.topology, in.view, in.world, data.verdicts(), {}, opaquePolygons(data));
@@ -83,7 +83,7 @@ std::vector<FragmentRecord> replayOutlines(const FrameData<Real>& data, Tile til
 }  // namespace
 
 template <class Real>
-std::vector<FragmentRecord> replayTile(const FrameData<Real>& data, Tile tile, const std::stop_token& stop) {
+std::vector<FragmentRecord> replayTile(const FrameData<Real>& data, Tile tile, const Stop& stop) {
     const RawVector<Verdict>& verdicts = data.verdicts();
     if (data.keys.zBuffer.visibility == Visibility::Painter) return replayPainter(data, tile, stop);
     if (data.keys.zBuffer.visibility == Visibility::None)
@@ -102,7 +102,7 @@ std::vector<FragmentRecord> replayTile(const FrameData<Real>& data, Tile tile, c
 }
 
 template <class Real>
-std::vector<FragmentRecord> replayPixel(const FrameData<Real>& data, glm::ivec2 pixel, const std::stop_token& stop) {
+std::vector<FragmentRecord> replayPixel(const FrameData<Real>& data, glm::ivec2 pixel, const Stop& stop) {
     return replayTile(data, {pixel, pixel + 1}, stop);
 }
 
@@ -118,7 +118,7 @@ std::vector<Layer<Real>> replayLayers(const FrameData<Real>& data, glm::ivec2 pi
 }
 
 template <class Real>
-std::vector<std::uint32_t> culledAt(const FrameData<Real>& data, glm::ivec2 pixel, const std::stop_token& stop) {
+std::vector<std::uint32_t> culledAt(const FrameData<Real>& data, glm::ivec2 pixel, const Stop& stop) {
     const RawVector<Verdict>& verdicts = data.verdicts();
     if (verdicts.empty()) return {};
     const Tile tile{pixel, pixel + 1};
@@ -136,11 +136,11 @@ std::vector<std::uint32_t> culledAt(const FrameData<Real>& data, glm::ivec2 pixe
     return polygons;
 }
 
-#define SHADESCOPE_INSTANTIATE(Real)                                                                              \
-    template std::vector<FragmentRecord> replayTile(const FrameData<Real>&, Tile, const std::stop_token&);        \
-    template std::vector<FragmentRecord> replayPixel(const FrameData<Real>&, glm::ivec2, const std::stop_token&); \
-    template std::vector<Layer<Real>> replayLayers(const FrameData<Real>&, glm::ivec2);                           \
-    template std::vector<std::uint32_t> culledAt(const FrameData<Real>&, glm::ivec2, const std::stop_token&);
+#define SHADESCOPE_INSTANTIATE(Real)                                                                   \
+    template std::vector<FragmentRecord> replayTile(const FrameData<Real>&, Tile, const Stop&);        \
+    template std::vector<FragmentRecord> replayPixel(const FrameData<Real>&, glm::ivec2, const Stop&); \
+    template std::vector<Layer<Real>> replayLayers(const FrameData<Real>&, glm::ivec2);                \
+    template std::vector<std::uint32_t> culledAt(const FrameData<Real>&, glm::ivec2, const Stop&);
 SHADESCOPE_FOR_EVERY_REAL(SHADESCOPE_INSTANTIATE)
 #undef SHADESCOPE_INSTANTIATE
 

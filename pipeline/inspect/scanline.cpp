@@ -17,7 +17,7 @@ namespace {
 constexpr std::array kShadings{Shading::Flat, Shading::Gouraud, Shading::Phong};
 
 template <class Real>
-void addRuns(const FrameData<Real>& data, const std::stop_token& stop, ScanlineSection& section) {
+void addRuns(const FrameData<Real>& data, const Stop& stop, ScanlineSection& section) {
     if (!data.zBuffer) return;
     const Tile row{{0, section.row}, {section.width, section.row + 1}};
     const std::vector<FragmentRecord> record = replayTile(data, row, stop);
@@ -131,7 +131,7 @@ bool ScanlineSection::empty() const {
     return true;
 }
 
-ScanlineSection scanlineSection(const Frame& frame, int row, const std::stop_token& stop) {
+ScanlineSection scanlineSection(const Frame& frame, int row, const Stop& stop) {
     ScanlineSection section;
     section.row = row;
     section.width = frame.scene().settings.width;
@@ -139,7 +139,7 @@ ScanlineSection scanlineSection(const Frame& frame, int row, const std::stop_tok
     return section;
 }
 
-std::optional<ScanlineSection> shadedSection(const FramePtr& frame, int row, int threads, std::stop_token stop) {
+std::optional<ScanlineSection> shadedSection(const FramePtr& frame, int row, int threads, Stop stop) {
     ScanlineSection section = scanlineSection(*frame, row, stop);
     if (stop.stop_requested()) return std::nullopt;
     if (frame->until() != StageId::Shading) return section;  // inside an earlier stage nothing is shaded yet

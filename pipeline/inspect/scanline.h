@@ -1,12 +1,12 @@
 #pragma once
 #include <array>
 #include <optional>
-#include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "pipeline/core/real.h"
+#include "pipeline/core/stop.h"
 #include "pipeline/run/frame.h"
 
 namespace pipeline {
@@ -48,10 +48,10 @@ struct ScanlineSection {
 inline BufferSet sectionBuffers() { return setOf({BufferId::Intensity, BufferId::Layers}); }
 
 // row: within the picture. The frame's z-buffer stage has run. What is stopped has fewer runs.
-ScanlineSection scanlineSection(const Frame& frame, int row, const std::stop_token& stop = {});
+ScanlineSection scanlineSection(const Frame& frame, int row, const Stop& stop = {});
 // With the intensities of all three shading methods: two more frames, which reuse what they can of this one. Nothing
 // when stopped.
-std::optional<ScanlineSection> shadedSection(const FramePtr& frame, int row, int threads, std::stop_token stop = {});
+std::optional<ScanlineSection> shadedSection(const FramePtr& frame, int row, int threads, Stop stop = {});
 
 // The row half way between the first and the last in which an opaque polygon is seen; the middle one where none is. The
 // frame's z-buffer stage has run.

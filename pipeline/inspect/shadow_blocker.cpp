@@ -33,7 +33,7 @@ bool facesLight(const FrameData<Real>& data, std::size_t light, Vec3d position, 
 
 template <class Real>
 std::optional<std::uint32_t> blockerOf(const FrameData<Real>& data, std::size_t light, Vec3d position,
-                                       std::uint32_t polygon, const std::stop_token& stop) {
+                                       std::uint32_t polygon, const Stop& stop) {
     const TransformOutput<Real>& in = *data.transform;
     const Light& from = data.keys.shading.lights[light];
     const bool atInfinity = from.kind == LightKind::AtInfinity;
@@ -60,7 +60,7 @@ std::optional<std::uint32_t> blockerOf(const FrameData<Real>& data, std::size_t 
 
 template <class Real>
 std::string whyShadowed(const Scene& scene, const FrameData<Real>& data, std::size_t light, Vec3d position,
-                        std::uint32_t triangle, bool back, const std::stop_token& stop) {
+                        std::uint32_t triangle, bool back, const Stop& stop) {
     const std::uint32_t polygon = data.transform->topology->polygonOf(triangle);
     if (!facesLight(data, light, position, triangle, back))
         return fmt::format("Polygon {} faces away from light {}: only the ambient term counts.", polygon, light);
@@ -91,9 +91,9 @@ std::vector<int> blockersOf(const Frame& frame, const PixelReport& report) {
 
 #define SHADESCOPE_INSTANTIATE(Real)                                                                                \
     template std::optional<std::uint32_t> blockerOf(const FrameData<Real>&, std::size_t, Vec3d, std::uint32_t,      \
-                                                    const std::stop_token&);                                        \
+                                                    const Stop&);                                                   \
     template std::string whyShadowed(const Scene&, const FrameData<Real>&, std::size_t, Vec3d, std::uint32_t, bool, \
-                                     const std::stop_token&);
+                                     const Stop&);
 SHADESCOPE_FOR_EVERY_REAL(SHADESCOPE_INSTANTIATE)
 #undef SHADESCOPE_INSTANTIATE
 

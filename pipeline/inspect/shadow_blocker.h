@@ -1,10 +1,10 @@
 #pragma once
 #include <cstdint>
 #include <optional>
-#include <stop_token>
 #include <string>
 #include <vector>
 
+#include "pipeline/core/stop.h"
 #include "pipeline/inspect/pixel_report.h"
 #include "pipeline/run/frame_data.h"
 
@@ -17,7 +17,7 @@ namespace pipeline {
 // T. Möller and B. Trumbore, "Fast, minimum storage ray-triangle intersection", Journal of Graphics Tools 2, 1997.
 template <class Real>
 std::optional<std::uint32_t> blockerOf(const FrameData<Real>& data, std::size_t light, Vec3d position,
-                                       std::uint32_t polygon, const std::stop_token& stop = {});
+                                       std::uint32_t polygon, const Stop& stop = {});
 
 // The same for each light that does not reach the pixel of a report; -1 where nothing stands before it.
 std::vector<int> blockersOf(const Frame& frame, const PixelReport& report);
@@ -26,6 +26,6 @@ std::vector<int> blockersOf(const Frame& frame, const PixelReport& report);
 // Topology::triangles; back: it is lit from behind.
 template <class Real>
 std::string whyShadowed(const Scene& scene, const FrameData<Real>& data, std::size_t light, Vec3d position,
-                        std::uint32_t triangle, bool back, const std::stop_token& stop = {});
+                        std::uint32_t triangle, bool back, const Stop& stop = {});
 
 }  // namespace pipeline

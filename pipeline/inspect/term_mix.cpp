@@ -48,8 +48,7 @@ struct Terms {
 };
 
 template <class Real>
-Result<MixedPicture> mixOf(const Frame& frame, const FrameData<Real>& data, const TermMix& mix,
-                           const std::stop_token& stop) {
+Result<MixedPicture> mixOf(const Frame& frame, const FrameData<Real>& data, const TermMix& mix, const Stop& stop) {
     const auto lacks = [&](const BufferName& name) {
         return Error{{}, fmt::format("no {} in this frame: {}", name.text(), frame.whyAbsent(name))};
     };
@@ -186,7 +185,7 @@ std::string whyNoMix(const Scene& scene) {
     return {};
 }
 
-Result<MixedPicture> mixTerms(const Frame& frame, const TermMix& terms, std::stop_token stop) {
+Result<MixedPicture> mixTerms(const Frame& frame, const TermMix& terms, Stop stop) {
     assert(terms.size() == plainMix(frame.scene().lights.size()).size());
     return readStages(frame, [&](const auto& data) { return mixOf(frame, data, terms, stop); });
 }

@@ -1,10 +1,10 @@
 #pragma once
-#include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "pipeline/core/result.h"
+#include "pipeline/core/stop.h"
 #include "pipeline/run/frame.h"
 
 namespace pipeline {
@@ -50,6 +50,6 @@ struct MixedPicture {
     std::size_t clamped = 0;  // pixels of which a channel is above I_max
 };
 // An error names the buffer that the frame lacks. whyNoMix(scene) is empty. Stopped: the error "stopped".
-Result<MixedPicture> mixTerms(const Frame& frame, const TermMix& mix, std::stop_token stop = {});
+Result<MixedPicture> mixTerms(const Frame& frame, const TermMix& mix, Stop stop = {});
 
 }  // namespace pipeline

@@ -4,11 +4,11 @@
 #include <memory>
 #include <mutex>
 #include <optional>
-#include <stop_token>
 #include <string>
 #include <vector>
 
 #include "pipeline/buffers/any_buffer.h"
+#include "pipeline/core/stop.h"
 #include "pipeline/plan/needs.h"
 #include "pipeline/plan/plan.h"
 #include "pipeline/scene/remark.h"
@@ -37,7 +37,7 @@ struct FrameRequest {
     BufferSet wanted;                  // buffers that must be there afterwards
     StageId until = StageId::Shading;  // later stages do not run
     int threads = 0;                   // 0: as many as the machine has
-    std::stop_token stop;              // asks to give up; checked per tile
+    Stop stop;                         // asks to give up; checked per tile
 };
 
 struct FrameStages;  // the stages' outputs; pipeline/run/frame_data.h

@@ -61,7 +61,7 @@ struct Threads::Team {
     ArenaPool::Arena arena;
 };
 
-Threads::Threads(int count, std::stop_token stop) : m_stop(std::move(stop)) {
+Threads::Threads(int count, Stop stop) : m_stop(std::move(stop)) {
     constexpr int kAll = oneapi::tbb::task_arena::automatic;
     if (count != 1) m_team = std::make_unique<Team>(count > 0 ? count : kAll);
 }

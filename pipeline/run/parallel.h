@@ -3,7 +3,8 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
-#include <stop_token>
+
+#include "pipeline/core/stop.h"
 
 namespace pipeline {
 
@@ -11,7 +12,7 @@ namespace pipeline {
 class Threads {
 public:
     // count 0: as many as the machine has.
-    Threads(int count, std::stop_token stop);
+    Threads(int count, Stop stop);
     ~Threads();
     Threads(const Threads&) = delete;
     Threads& operator=(const Threads&) = delete;
@@ -30,7 +31,7 @@ public:
         m_team ? share(pieces, std::cref(run)) : run(0, pieces);
     }
     bool stopped() const { return m_stop.stop_requested(); }
-    const std::stop_token& stop() const { return m_stop; }  // for a piece that is long in itself
+    const Stop& stop() const { return m_stop; }  // for a piece that is long in itself
 
 private:
     // run(begin, end) over [0, pieces), in parts of any length.
@@ -38,7 +39,7 @@ private:
 
     struct Team;
     std::unique_ptr<Team> m_team;  // none for one thread, which is the caller's
-    std::stop_token m_stop;
+    Stop m_stop;
 };
 
 }  // namespace pipeline

@@ -1,4 +1,5 @@
 #pragma once
+#include "pipeline/core/stop.h"
 #include "pipeline/run/frame.h"
 
 namespace pipeline {
@@ -22,6 +23,6 @@ struct StageError {
     double value = 0;
     std::string text;  // "1.1e-5 px"
 };
-std::array<std::optional<StageError>, kStageCount> errorAgainstDouble(const FramePtr& frame, std::stop_token stop = {});
+std::array<std::optional<StageError>, kStageCount> errorAgainstDouble(const FramePtr& frame, Stop stop = {});
 
 }  // namespace pipeline

@@ -75,7 +75,7 @@ std::string relativeText(double value, std::size_t differentPixels) {
 
 }  // namespace
 
-std::array<std::optional<StageError>, kStageCount> errorAgainstDouble(const FramePtr& frame, std::stop_token stop) {
+std::array<std::optional<StageError>, kStageCount> errorAgainstDouble(const FramePtr& frame, Stop stop) {
     std::array<std::optional<StageError>, kStageCount> errors;
     auto scene = std::make_shared<Scene>(frame->scene());
     scene->settings.precision = Precision::Double;

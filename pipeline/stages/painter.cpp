@@ -13,7 +13,7 @@ bool PaintingOrder::has(const PaintPiece& piece, glm::ivec2 pixel) const {
 
 template <class Real>
 PaintingOrder paintingOrder(const Topology& topology, const View& view, std::span<const Vec3<Real>> world,
-                            const TriangleBins<Real>& bins, bool split, const std::stop_token& stop) {
+                            const TriangleBins<Real>& bins, bool split, const Stop& stop) {
     std::vector<PaintTriangle> triangles;
     triangles.reserve(bins.triangles.size());
     for (const RasterTriangle<Real>& t : bins.triangles) {
@@ -61,7 +61,7 @@ void paint(const View& view, const TriangleBins<Real>& bins, const PaintingOrder
 
 #define SHADESCOPE_INSTANTIATE(Real)                                                                                  \
     template PaintingOrder paintingOrder(const Topology&, const View&, std::span<const Vec3<Real>>,                   \
-                                         const TriangleBins<Real>&, bool, const std::stop_token&);                    \
+                                         const TriangleBins<Real>&, bool, const Stop&);                               \
     template std::vector<std::vector<std::uint32_t>> binPieces(const TriangleBins<Real>&, const PaintingOrder&);      \
     template void paint(const View&, const TriangleBins<Real>&, const PaintingOrder&, std::span<const std::uint32_t>, \
                         Tile, ZBufferOutput<Real>&, std::vector<FragmentRecord>*);

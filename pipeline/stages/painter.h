@@ -3,9 +3,9 @@
 #include <cmath>
 #include <cstdint>
 #include <span>
-#include <stop_token>
 #include <vector>
 
+#include "pipeline/core/stop.h"
 #include "pipeline/stages/z_buffer.h"
 
 namespace pipeline {
@@ -70,13 +70,13 @@ inline constexpr std::size_t kMaxPiecesPerTriangle = 4, kMaxExtraPieces = 10'000
 // hides one that comes later, that one comes first; where they hide each other, or a cycle closes, one is split by
 // the other's plane. Triangles that lie in one plane keep their order. Once maxComparisons are made, or it is stopped,
 // what is left is painted without being compared.
-PaintingOrder paintingOrder(std::span<const PaintTriangle> triangles, bool split, const std::stop_token& stop = {},
+PaintingOrder paintingOrder(std::span<const PaintTriangle> triangles, bool split, const Stop& stop = {},
                             std::size_t maxComparisons = kMaxComparisons);
 
 // The order of bins.triangles. world: per vertex.
 template <class Real>
 PaintingOrder paintingOrder(const Topology& topology, const View& view, std::span<const Vec3<Real>> world,
-                            const TriangleBins<Real>& bins, bool split, const std::stop_token& stop = {});
+                            const TriangleBins<Real>& bins, bool split, const Stop& stop = {});
 
 // Per tile the indices of the pieces that touch it, in the order of painting.
 template <class Real>

@@ -15,8 +15,7 @@ constexpr std::size_t kPollEvery = 1024;  // comparisons: far below a millisecon
 
 class Newell {
 public:
-    Newell(std::span<const PaintTriangle> triangles, const std::stop_token& stop, std::size_t maxComparisons,
-           PaintingOrder& out)
+    Newell(std::span<const PaintTriangle> triangles, const Stop& stop, std::size_t maxComparisons, PaintingOrder& out)
         : m_triangles(triangles), m_stop(stop), m_maxComparisons(maxComparisons), m_out(out) {
         for (std::uint32_t i = 0; i < triangles.size(); ++i) {
             const auto& c = triangles[i].snapped.corners;
@@ -167,7 +166,7 @@ private:
     }
 
     std::span<const PaintTriangle> m_triangles;
-    const std::stop_token& m_stop;
+    const Stop& m_stop;
     std::size_t m_maxComparisons;
     PaintingOrder& m_out;
     std::vector<Piece> m_pieces;
@@ -179,7 +178,7 @@ private:
 
 }  // namespace
 
-PaintingOrder paintingOrder(std::span<const PaintTriangle> triangles, bool split, const std::stop_token& stop,
+PaintingOrder paintingOrder(std::span<const PaintTriangle> triangles, bool split, const Stop& stop,
                             std::size_t maxComparisons) {
     PaintingOrder out;
     for (const PaintTriangle& t : triangles) out.planes.push_back(planeOf(t));

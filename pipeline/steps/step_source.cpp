@@ -82,7 +82,7 @@ public:
             bindGeometry(*m_frame, m_data, stage, step, out);
     }
 
-    FramePtr at(Moment moment, int count, std::stop_token stop) const override {
+    FramePtr at(Moment moment, int count, Stop stop) const override {
         Threads threads(count, stop);
         auto stages = std::make_shared<FrameStages>();
         FrameData<Real>& out = stages->data.template emplace<FrameData<Real>>(m_data);

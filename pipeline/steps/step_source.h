@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "pipeline/core/stop.h"
 #include "pipeline/run/frame.h"
 #include "pipeline/steps/drawing.h"
 #include "pipeline/steps/moment.h"
@@ -39,7 +40,7 @@ struct StepSource {
     // What the names of the stage's algorithm stand for in smallest step number `within` of an element of the phase.
     virtual void bind(StageId stage, const StepPhase& phase, std::size_t element, std::int64_t within,
                       Bindings& out) const = 0;
-    virtual FramePtr at(Moment moment, int threads, std::stop_token stop) const = 0;
+    virtual FramePtr at(Moment moment, int threads, Stop stop) const = 0;
 };
 std::shared_ptr<const StepSource> makeStepSource(FramePtr whole);
 

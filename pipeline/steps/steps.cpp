@@ -297,7 +297,7 @@ std::optional<std::uint32_t> Steps::polygonOf(Moment moment) const {
     return polygonOf(at(moment.stage, moment.step()));
 }
 
-FramePtr Steps::frameAt(Moment moment, int threads, std::stop_token stop) const {
+FramePtr Steps::frameAt(Moment moment, int threads, Stop stop) const {
     return m_source->at(fitting(moment), threads, std::move(stop));
 }
 

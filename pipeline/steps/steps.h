@@ -1,9 +1,9 @@
 #pragma once
 #include <memory>
 #include <mutex>
-#include <stop_token>
 #include <vector>
 
+#include "pipeline/core/stop.h"
 #include "pipeline/run/frame.h"
 #include "pipeline/steps/algorithm.h"
 #include "pipeline/steps/moment.h"
@@ -83,7 +83,7 @@ public:
 
     // Every buffer's state. Later stages have not run. At last() its buffers equal the frame's.
     // Null when stopped.
-    FramePtr frameAt(Moment moment, int threads = 0, std::stop_token stop = {}) const;
+    FramePtr frameAt(Moment moment, int threads = 0, Stop stop = {}) const;
 
 private:
     struct Spot {  // an element

@@ -136,7 +136,7 @@ std::string whyNoRays(const Scene& scene, RaySurfaces surfaces) {
     return {};
 }
 
-std::optional<Reference> rayCast(const Scene& scene, RaySurfaces surfaces, int threads, std::stop_token stop) {
+std::optional<Reference> rayCast(const Scene& scene, RaySurfaces surfaces, int threads, Stop stop) {
     const glm::ivec2 size{scene.settings.width, scene.settings.height};
     const std::size_t lights = scene.lights.size(), width = std::size_t(size.x);
     Reference reference;
@@ -204,8 +204,7 @@ Vec3d meanOver(const Caster<double>& caster, glm::ivec2 pixel, int count, int st
 
 }  // namespace
 
-bool castWholePixels(const Scene& scene, RaySurfaces surfaces, int threads, std::stop_token stop,
-                     Reference& reference) {
+bool castWholePixels(const Scene& scene, RaySurfaces surfaces, int threads, Stop stop, Reference& reference) {
     Picture& picture = reference.picture;
     const Caster<double> caster(scene, surfaces, kCells);
     picture.antialiased = {picture.size, Vec3d(0)};

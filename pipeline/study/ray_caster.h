@@ -1,8 +1,8 @@
 #pragma once
 #include <optional>
-#include <stop_token>
 #include <string>
 
+#include "pipeline/core/stop.h"
 #include "pipeline/study/picture.h"
 #include "pipeline/study/ray_scene.h"
 
@@ -19,11 +19,11 @@ std::string whyNoRays(const Scene& scene, RaySurfaces surfaces);
 // The scene must have passed checkScene, and whyNoRays is empty. threads 0: as many as the machine has. Nothing when it
 // was stopped. The error bars: the same measures against the same rays in long double, with twice the squares of an
 // area light, on a share of the pixels, where both see the same object.
-std::optional<Reference> rayCast(const Scene& scene, RaySurfaces surfaces, int threads, std::stop_token stop = {});
+std::optional<Reference> rayCast(const Scene& scene, RaySurfaces surfaces, int threads, Stop stop = {});
 
 // Adds what antialiasing is compared with: the mean over each pixel. Where something changes from a pixel to its
 // neighbours, another object, another normal, a shadow, it is taken over 987 rays, elsewhere over 16. Its error
 // bars are what 610 rays make, on a share of the pixels. False when it was stopped.
-bool castWholePixels(const Scene& scene, RaySurfaces surfaces, int threads, std::stop_token stop, Reference& reference);
+bool castWholePixels(const Scene& scene, RaySurfaces surfaces, int threads, Stop stop, Reference& reference);
 
 }  // namespace pipeline

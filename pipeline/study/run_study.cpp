@@ -27,7 +27,7 @@ std::map<std::string, std::string> settingsBeside(const Scene& scene, const std:
 }
 
 // Of one frame, from nothing.
-FramePtr frameOf(const Scene& scene, BufferSet wanted, int threads, std::stop_token stop) {
+FramePtr frameOf(const Scene& scene, BufferSet wanted, int threads, Stop stop) {
     return runFrame(std::make_shared<const Scene>(scene), {wanted, StageId::Shading, threads, std::move(stop)},
                     nullptr);
 }
@@ -140,8 +140,7 @@ BufferSet ErrorFinder::wanted() const {
     return antialiases() ? errorsNeed() | setOf({BufferId::Antialiased}) : errorsNeed();
 }
 
-std::shared_ptr<const Reference> ErrorFinder::modelReference(const Scene& scene, StudyReport* report,
-                                                             std::stop_token stop) {
+std::shared_ptr<const Reference> ErrorFinder::modelReference(const Scene& scene, StudyReport* report, Stop stop) {
     Scene shaded = scene;
     RaySurfaces surfaces = RaySurfaces::Exact;
     std::string why = whyNoRays(scene, surfaces);
@@ -177,7 +176,7 @@ std::shared_ptr<const Reference> ErrorFinder::modelReference(const Scene& scene,
 constexpr const char* kNotMeasurable =
     "of extended not measurable where a buffer, rounded to double, differs by that rounding alone";
 
-bool ErrorFinder::find(StudyPoint& point, StudyReport& report, std::stop_token stop) {
+bool ErrorFinder::find(StudyPoint& point, StudyReport& report, Stop stop) {
     const auto scene = sceneAt(*m_request.scene, report.axes, point.values);
     if (!scene) point.failure = format(scene.errors().front());
     if (!point.failure.empty()) return true;
@@ -209,7 +208,7 @@ bool ErrorFinder::find(StudyPoint& point, StudyReport& report, std::stop_token s
     return true;
 }
 
-std::optional<PointPictures> ErrorFinder::show(const StudyPoint& point, std::stop_token stop) {
+std::optional<PointPictures> ErrorFinder::show(const StudyPoint& point, Stop stop) {
     const auto scene = sceneAt(*m_request.scene, m_request.sweep.axes, point.values);
     if (!scene) return std::nullopt;
     const FramePtr frame = frameOf(*scene, wanted(), 0, stop);
@@ -220,7 +219,7 @@ std::optional<PointPictures> ErrorFinder::show(const StudyPoint& point, std::sto
 }
 
 bool measureTimes(const StudyRequest& request, std::span<StudyPoint> points,
-                  const std::function<void(int done, int all)>& progress, std::stop_token stop) {
+                  const std::function<void(int done, int all)>& progress, Stop stop) {
     struct Running {
         StudyPoint* point;
         std::shared_ptr<const Scene> scene;

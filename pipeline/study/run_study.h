@@ -3,9 +3,9 @@
 #include <memory>
 #include <optional>
 #include <span>
-#include <stop_token>
 #include <vector>
 
+#include "pipeline/core/stop.h"
 #include "pipeline/study/picture.h"
 #include "pipeline/study/study.h"
 #include "pipeline/study/sweep.h"
@@ -41,12 +41,12 @@ public:
     explicit ErrorFinder(const StudyRequest& request) : m_request(request) {}
 
     // Fills in a point. `report` learns which references there are, and why not. False when it was stopped.
-    bool find(StudyPoint& point, StudyReport& report, std::stop_token stop);
+    bool find(StudyPoint& point, StudyReport& report, Stop stop);
     // The same pictures again, for those who look; nothing where the point fails or it was stopped.
-    std::optional<PointPictures> show(const StudyPoint& point, std::stop_token stop);
+    std::optional<PointPictures> show(const StudyPoint& point, Stop stop);
 
 private:
-    std::shared_ptr<const Reference> modelReference(const Scene& scene, StudyReport* report, std::stop_token stop);
+    std::shared_ptr<const Reference> modelReference(const Scene& scene, StudyReport* report, Stop stop);
 
     // Whether pixels are looked at as a whole, not by their centres alone.
     bool antialiases() const;
@@ -62,7 +62,7 @@ private:
 // Adds one process' run times to the points that have not failed. progress(rounds done, rounds in all) is called after
 // each round over the points. False when it was stopped: nothing was added then.
 bool measureTimes(const StudyRequest& request, std::span<StudyPoint> points,
-                  const std::function<void(int done, int all)>& progress, std::stop_token stop);
+                  const std::function<void(int done, int all)>& progress, Stop stop);
 
 // Takes over the times of a report of the same study, point by point: another process' measurements.
 void addTimes(const StudyReport& from, StudyReport& to);

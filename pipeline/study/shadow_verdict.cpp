@@ -35,7 +35,7 @@ std::string whyNoShadowVerdicts(const Scene& scene, std::size_t light) {
     return why.empty() ? why : fmt::format("There are no exact rays here: {}.", why);
 }
 
-std::optional<ExactShadows> exactShadows(const Scene& scene, std::size_t light, int threads, std::stop_token stop,
+std::optional<ExactShadows> exactShadows(const Scene& scene, std::size_t light, int threads, Stop stop,
                                          const RayProgress& progress) {
     using namespace rays;
     const RayScene<double> world = makeRayScene<double>(scene, RaySurfaces::Polygons);

@@ -3,11 +3,11 @@
 #include <functional>
 #include <optional>
 #include <span>
-#include <stop_token>
 #include <string>
 
 #include "pipeline/buffers/buffer2d.h"
 #include "pipeline/core/real.h"
+#include "pipeline/core/stop.h"
 #include "pipeline/run/frame.h"
 
 namespace pipeline {
@@ -40,7 +40,7 @@ struct ExactShadows {
 // share: of what is done, 0 to 1; called on any thread.
 using RayProgress = std::function<void(double share)>;
 // whyNoShadowVerdicts is empty. threads 0: as many as the machine has. Nothing when it was stopped.
-std::optional<ExactShadows> exactShadows(const Scene& scene, std::size_t light, int threads, std::stop_token stop = {},
+std::optional<ExactShadows> exactShadows(const Scene& scene, std::size_t light, int threads, Stop stop = {},
                                          const RayProgress& progress = {});
 // Whether the rays of one scene are those of the other: they differ in settings of the shadow buffers at most.
 bool haveSameRays(const Scene& a, const Scene& b);
