@@ -1,6 +1,7 @@
 // Files of strangers in the real window: what they hold is shown as it is, and nothing that it names is touched.
 #include <sys/stat.h>
 
+#include <QAbstractButton>
 #include <QAbstractItemView>
 #include <QAction>
 #include <QApplication>
@@ -26,13 +27,21 @@
 #include "app/panels/error_list.h"
 #include "app/panels/lesson_panel.h"
 #include "app/panels/prose_view.h"
+#include "app/panels/study_panel.h"
+#include "pipeline/export/export_frame.h"
+#include "pipeline/export/study_json.h"
+#include "pipeline/run/runner.h"
 #include "tests/app/window_fixture.h"
+#include "tests/support/scenes.h"
+#include "tests/support/studies.h"
 
 namespace app {
 namespace {
 
 // A picture that would be read for ever if anything read it as HTML, and an element whose letters would be gone.
 constexpr const char* kHostile = "<img src='/dev/zero'><b>x</b>";
+// What would begin a line of its own, and colour a terminal.
+constexpr const char* kLines = "one\ntwo\x1b[31m";
 
 void writeForeign(const QString& file, const QByteArray& text) {
     QFile out(file);
@@ -68,6 +77,25 @@ protected:
                 expectPlainRows(*view->model(), {}, widget);
         }
         EXPECT_GT(labels, 50) << "the window has labels";
+        expectOneLine();
+    }
+
+    // Names with line ends, by which part of a text could pass for a line of ours.
+    static void expectOneLine() {
+        for (QWidget* widget : QApplication::allWidgets()) {
+            expectOneLine(widget->windowTitle(), widget);
+            expectOneLine(widget->toolTip(), widget);
+            for (const QAction* action : widget->actions()) expectOneLine(action->text(), widget);
+            if (const auto* label = qobject_cast<QLabel*>(widget)) expectOneLine(label->text(), widget);
+            if (const auto* button = qobject_cast<QAbstractButton*>(widget)) expectOneLine(button->text(), widget);
+            if (const auto* view = qobject_cast<QAbstractItemView*>(widget); view && view->model())
+                for (int row = 0; row < std::min(view->model()->rowCount(), 200); ++row)
+                    for (int column = 0; column < view->model()->columnCount(); ++column)
+                        expectOneLine(view->model()->index(row, column).data().toString(), widget);
+        }
+    }
+    static void expectOneLine(const QString& text, const QWidget* of) {
+        EXPECT_FALSE(text.contains("one\ntwo") || text.contains(QChar(0x1b))) << nameOf(of) << text.toStdString();
     }
 
     // What Qt shows of a tip is a label too.
@@ -143,6 +171,82 @@ TEST_F(ForeignText, OfASceneIsShownAsItIsEverywhere) {
     for (ActionId id : {ActionId::CopyState}) window.actions()[id]->trigger();
     expectPlain("a scene, a pixel of its object picked");
     EXPECT_TRUE(isShown(QString(kHostile).toHtmlEscaped())) << "the object's name in why";
+}
+
+TEST_F(ForeignText, OfAModelIsShownAsItIsEverywhere) {
+    writeForeign(folder.filePath("m.mtl"), QByteArray("newmtl ") + kHostile + "\nKd 1 0 0\nmap_Kd " + kHostile + "\n");
+    writeForeign(folder.filePath("m.obj"), QByteArray("mtllib m.mtl\nmtllib ") + kHostile + "\no " + kHostile +
+                                               "\nusemtl " + kHostile +
+                                               "\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nusemtl <b>x</b>\nf 3 2 1\n");
+    ASSERT_TRUE(window.openFile(folder.filePath("m.obj")));
+    ASSERT_TRUE(waitForFrame());
+    document().pick(glm::ivec2(document().scene().settings.width / 2, document().scene().settings.height / 2));
+    ASSERT_TRUE(waitForFrame());
+    ASSERT_FALSE(document().scene().objects.empty());
+    EXPECT_NE(document().scene().objects[0].name.find("<img"), std::string::npos);
+    expectPlain("a model");
+    writeForeign(folder.filePath("bad.obj"), QByteArray("o ") + kHostile + "\nv 0 0 " + kHostile + "\nf 1 2 3\n");
+    window.openFile(folder.filePath("bad.obj"));
+    waitForReading();
+    expectPlain("a model that cannot be read");
+}
+
+TEST_F(ForeignText, OfAStudyIsShownAsItIs) {
+    for (const char* text : {kHostile, kLines}) {
+        pipeline::StudyReport report = test::sphereStudy();
+        report.scene = text;
+        report.references[0] = report.references[1] = report.whyNone[0] = report.errorWhy = text;
+        writeForeign(folder.filePath("study.json"), QByteArray::fromStdString(studyFileText(report)));
+        StudyPanel panel(document());
+        panel.show();
+        EXPECT_TRUE(panel.openStudy(folder.filePath("study.json")));
+        expectPlain("a study");
+        writeForeign(folder.filePath("study.json"), QByteArray("{\"format\": \"") + kHostile + "\"}");
+        EXPECT_FALSE(panel.openStudy(folder.filePath("study.json")));
+        expectPlain("no study");
+    }
+}
+
+TEST_F(ForeignText, OfAPictureIsShownAsItIs) {
+    for (const char* text : {kHostile, kLines}) {
+        pipeline::Scene scene = test::pyramid();
+        scene.name = scene.objects[0].name = text;
+        pipeline::ExportRequest request;
+        request.folder = folder.filePath("out").toStdString();
+        request.formats = {"png"};
+        request.buffers = {{pipeline::BufferId::Color}};
+        request.state = "stage = \"shading\"\ncondition = \"<b>x</b>\"\n";
+        ASSERT_TRUE(exportFrame(*test::frameOf(scene), request, {}));
+        ASSERT_TRUE(window.openFile(folder.filePath("out/color.png")));
+        ASSERT_TRUE(waitForFrame());
+        EXPECT_EQ(document().scene().name, text);
+        document().pick(glm::ivec2(scene.settings.width / 2, scene.settings.height / 2));
+        ASSERT_TRUE(waitForFrame());
+        expectPlain("a picture that carries its scene");
+    }
+}
+
+TEST_F(ForeignText, WithLineEndsStaysOnOneLine) {
+    const QString name = QString("one\ntwo\x1b[31m.toml");
+    const QByteArray lines = scene().replace(kHostile, "one\\ntwo\\u001b[31m");
+    writeForeign(folder.filePath(name), lines);
+    ASSERT_TRUE(window.openFile(folder.filePath(name)));
+    ASSERT_TRUE(waitForFrame());
+    EXPECT_EQ(document().scene().objects[0].name, kLines);
+    document().pick(glm::ivec2(document().scene().settings.width / 2, document().scene().settings.height / 2));
+    ASSERT_TRUE(waitForFrame());
+    expectPlain("a scene of lines");
+    EXPECT_TRUE(window.windowTitle().startsWith("one\\x0atwo\\x1b[31m")) << window.windowTitle().toStdString();
+    ASSERT_TRUE(document().save(folder.filePath("saved " + name)));
+    expectPlain("saved");
+    writeForeign(folder.filePath("bad " + name), "x");
+    window.openFile(folder.filePath("bad " + name));
+    waitForReading();
+    expectPlain("an error about a file of lines");
+    writeForeign(folder.filePath(name + ".cues"), "[[cue]]\nname = \"one\\ntwo\"\nscene = \"pyramid\"\n");
+    window.openCues(folder.filePath(name + ".cues"));
+    waitForReading();
+    expectPlain("cues in a file of lines");
 }
 
 // Qt takes what looks like markup for markup wherever nobody says otherwise.
@@ -240,8 +344,8 @@ TEST_F(ForeignLesson, ShowsItsOwnPictureNoWiderThanItsText) {
     ASSERT_TRUE(wide.save(folder.filePath("lesson/own.png")));
     open("![own](own.png) ![again](./own.png)\n");
     EXPECT_EQ(shown().find("not shown"), std::string::npos) << shown();
-    QTest::qWait(50);
-    EXPECT_LE(page().document()->idealWidth(), page().viewport()->width() + 1.0);
+    EXPECT_TRUE(
+        QTest::qWaitFor([&] { return page().document()->idealWidth() <= page().viewport()->width() + 1.0; }, 5000));
     const QImage seen = page().grab().toImage();
     int widest = 0;  // of a row
     for (int y = 0; y < seen.height(); ++y) {

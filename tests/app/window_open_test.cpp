@@ -11,6 +11,7 @@
 #include "app/panels/start_page.h"
 #include "tests/app/window_fixture.h"
 #include "tests/support/little_memory.h"
+#include "tests/support/model_files.h"
 
 namespace app {
 namespace {
@@ -103,6 +104,28 @@ TEST_F(WindowOpen, AFrameWithoutMemoryIsAnsweredAndTheWindowGoesOn) {
     document().change(*findSetting(document().scene(), "material.0.n"), 4);
     EXPECT_TRUE(QTest::qWaitFor(
         [&] { return !document().busy() && document().frame()->scene().objects[0].material.exponent == 4; }, 30000));
+}
+
+// Three million vertices are 72 MB, more than there are.
+TEST_F(WindowOpen, AFileWithoutMemoryIsAnsweredAndTheWindowGoesOn) {
+    if (!test::LittleMemory::kWorks) GTEST_SKIP() << "a sanitizer reserves more addresses than there are";
+    openPyramid();
+    auto* errors = find<ErrorList>("errorList");
+    const QString file = folder.filePath("large.ply");
+    QFile out(file);
+    ASSERT_TRUE(out.open(QIODevice::WriteOnly));
+    out.write(QByteArray::fromStdString(test::plyBytes(1'000'000)));
+    out.close();
+    {
+        const test::LittleMemory little(40'000'000);
+        window.openFile(file);
+        EXPECT_TRUE(QTest::qWaitFor([&] { return errors->text().contains("not enough memory"); }, 30000))
+            << errors->text().toStdString();
+    }
+    EXPECT_EQ(document().scene().name, "pyramid.scene");
+    ASSERT_TRUE(window.openFile(resourceScene("two_pyramids.scene")));
+    EXPECT_TRUE(waitForFrame());
+    EXPECT_EQ(document().scene().name, "two_pyramids.scene");
 }
 
 TEST_F(WindowOpen, AFileMayBeDroppedOnAnyPartOfTheWindow) {
