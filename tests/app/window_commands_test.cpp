@@ -118,8 +118,9 @@ TEST_F(WindowCommands, NoPageOfALessonShowsOneBufferTwice) {
     for (int page = 0; page < int(lessons->lesson()->pages.size()); ++page) {
         lessons->goTo(page);
         ASSERT_TRUE(waitForFrame());
-        if (window.views().hasSecond())
+        if (window.views().hasSecond()) {
             EXPECT_NE(window.views().first().buffer().text(), window.views().second().buffer().text()) << page + 1;
+        }
     }
 }
 

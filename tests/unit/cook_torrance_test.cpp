@@ -11,7 +11,7 @@
 namespace pipeline {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 Vec3d direction(double cosine, double phi) {
     const double sine = std::sqrt(1 - cosine * cosine);
@@ -37,10 +37,10 @@ double furnace(const Material& material, double cosine, int steps = 400) {
     double sum = 0;
     for (int i = 0; i < steps; ++i)
         for (int j = 0; j < steps; ++j) {
-            const Vec3d L = direction((i + 0.5) / steps, 2 * kPi * (j + 0.5) / steps);
+            const Vec3d L = direction((i + 0.5) / steps, 2 * pi * (j + 0.5) / steps);
             sum += reflected(material, L, direction(cosine, 0));
         }
-    return sum * (2 * kPi / steps) / steps / kPi;
+    return sum * (2 * pi / steps) / steps / pi;
 }
 
 // Helmholtz: the reflectance is what L adds over N·L, and L and V may change places.

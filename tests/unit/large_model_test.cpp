@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const FileLoader kNoFiles = [](std::string_view) -> Result<NamedFile> { return Error{{}, "no files", {}}; };
+const FileLoader kNoOtherFiles = [](std::string_view) -> Result<NamedFile> { return Error{{}, "no files", {}}; };
 
 void expectTheSameModel(const std::vector<Object>& one, const std::vector<Object>& other) {
     ASSERT_EQ(one.size(), other.size());
@@ -40,7 +40,7 @@ protected:
         test::writeText(folder / name, text);
         const Result<Scene> scene = readScene(folder / name);
         ASSERT_TRUE(scene) << format(scene.errors());
-        const Result<LoadedModel> model = readModel({text, name}, fs::path(name).extension().string(), kNoFiles);
+        const Result<LoadedModel> model = readModel({text, name}, fs::path(name).extension().string(), kNoOtherFiles);
         ASSERT_TRUE(model);
         EXPECT_GT(model->objects[0].mesh->polygonCount(), 1u);
         expectTheSameModel(scene->objects, model->objects);
@@ -132,8 +132,8 @@ TEST_F(LargeModel, IsTheSameHoweverItIsCut) {
     for (const auto& [extension, text] : texts)
         for (const std::size_t start : {600, 601, 602, 603})  // what tells an STL file's form is in the beginning
             for (const std::size_t piece : {1, 2, 5, 64}) {
-                const Result<LoadedModel> whole = readModel({text, "m"}, extension, kNoFiles);
-                const Result<LoadedModel> cut = readModel(inPieces(text, start, piece), extension, kNoFiles);
+                const Result<LoadedModel> whole = readModel({text, "m"}, extension, kNoOtherFiles);
+                const Result<LoadedModel> cut = readModel(inPieces(text, start, piece), extension, kNoOtherFiles);
                 ASSERT_EQ(bool(whole), bool(cut)) << extension << start << piece;
                 if (whole)
                     expectTheSameModel(whole->objects, cut->objects);
@@ -145,7 +145,7 @@ TEST_F(LargeModel, IsTheSameHoweverItIsCut) {
 // A file that is written anew while it is read.
 TEST_F(LargeModel, ThatEndsEarlierThanTheFileSystemSaidIsRefused) {
     const auto readShort = [](const std::string& bytes, const std::string& extension) {
-        return readModel(inPieces(bytes, 1000, 1 << 16, 500), extension, kNoFiles);
+        return readModel(inPieces(bytes, 1000, 1 << 16, 500), extension, kNoOtherFiles);
     };
     const Result<LoadedModel> model = readShort(test::stlBytes(60'000), ".stl");
     ASSERT_FALSE(model);

@@ -15,18 +15,18 @@
 namespace pipeline {
 namespace {
 
-constexpr int kTriangles = 3000;
+constexpr int kReadTriangles = 3000;
 
-std::string objText() { return test::objText(kTriangles); }
-std::string plyAscii() { return test::plyText(kTriangles); }
-std::string plyBinary() { return test::plyBytes(kTriangles); }
-std::string stlAscii() { return test::stlText(kTriangles); }
-std::string stlBinary() { return test::stlBytes(kTriangles); }
+std::string objText() { return test::objText(kReadTriangles); }
+std::string plyAscii() { return test::plyText(kReadTriangles); }
+std::string plyBinary() { return test::plyBytes(kReadTriangles); }
+std::string stlAscii() { return test::stlText(kReadTriangles); }
+std::string stlBinary() { return test::stlBytes(kReadTriangles); }
 
-std::string description() {
-    std::string text = fmt::format("{} {}\n", 3 * kTriangles, kTriangles);
-    for (int i = 0; i < 3 * kTriangles; ++i) text += test::cornerText(i / 3, i % 3) + "\n";
-    for (int i = 0; i < kTriangles; ++i) text += fmt::format("3 {} {} {}\n", 3 * i, 3 * i + 1, 3 * i + 2);
+std::string readDescription() {
+    std::string text = fmt::format("{} {}\n", 3 * kReadTriangles, kReadTriangles);
+    for (int i = 0; i < 3 * kReadTriangles; ++i) text += test::cornerText(i / 3, i % 3) + "\n";
+    for (int i = 0; i < kReadTriangles; ++i) text += fmt::format("3 {} {} {}\n", 3 * i, 3 * i + 1, 3 * i + 2);
     return text + "1 1 1 0.5 10\n";
 }
 
@@ -81,7 +81,8 @@ std::string sceneOfModel() { return "[[object]]\nmodel = \"model.obj\"\n"; }
 INSTANTIATE_TEST_SUITE_P(Formats, ReadProgressOf,
                          testing::Values(ReadFile{"a.obj", objText, "a.obj"}, ReadFile{"a.ply", plyAscii, "a.ply"},
                                          ReadFile{"b.ply", plyBinary, "b.ply"}, ReadFile{"a.stl", stlAscii, "a.stl"},
-                                         ReadFile{"b.stl", stlBinary, "b.stl"}, ReadFile{"a.des", description, "a.des"},
+                                         ReadFile{"b.stl", stlBinary, "b.stl"},
+                                         ReadFile{"a.des", readDescription, "a.des"},
                                          ReadFile{"a.toml", sceneOfModel, "model.obj"}),
                          [](const auto& which) {
                              std::string name = which.param.name;

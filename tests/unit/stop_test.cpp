@@ -50,7 +50,11 @@ std::string pictureOfTexts() {
     const auto number = [](std::size_t n) { return std::string{char(n >> 24), char(n >> 16), char(n >> 8), char(n)}; };
     std::string png = "\x89PNG\r\n\x1a\n";
     png += number(13) + "IHDR" + number(1) + number(1) + std::string("\x08\0\0\0\0", 5) + "\x3a\x7e\x9b\x55";
-    while (png.size() < kLong) png += number(4000) + "tEXt" + std::string(4000, 'a') + number(0);
+    while (png.size() < kLong) {
+        png += number(4000) + "tEXt";
+        png.append(4000, 'a');
+        png += number(0);
+    }
     return png;
 }
 
