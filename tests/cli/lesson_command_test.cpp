@@ -10,7 +10,6 @@ namespace {
 using Json = nlohmann::json;
 using test::has;
 using test::run;
-using test::scene;
 
 TEST(Lesson, ListsAndShows) {
     const Json list = Json::parse(run({"lesson", "list", "--json"}).out);
@@ -65,21 +64,24 @@ TEST(Lesson, IsCheckedForItsAuthor) {
 
 TEST(Lesson, ResultsAreListedAndForgotten) {
     const test::TemporaryFolder folder;
-    ASSERT_EQ(setenv("XDG_DATA_HOME", (folder / "").c_str(), 1), 0);
-    EXPECT_EQ(run({"lesson", "results"}).out, "No question has been answered yet.\n");
+    const auto results = [&](const std::vector<std::string>& options) {
+        std::vector<std::string> arguments{"lesson", "results"};
+        arguments.insert(arguments.end(), options.begin(), options.end());
+        return test::runIn({"XDG_DATA_HOME=" + folder.path().string()}, arguments);
+    };
+    EXPECT_EQ(results({}).out, "No question has been answered yet.\n");
     std::filesystem::create_directories(folder / "shadescope");
     test::writeText(folder / "shadescope" / "results.json",
                     R"({"version": 1, "lessons": {"pyramid": {"Where one vertex goes": {"outcome": "right", "hints": 0,
                         "tries": [{"given": "169", "right": false, "mistake": "y-up", "hints": 0, "seconds": 9},
                                   {"given": "310", "right": true, "mistake": "", "hints": 0, "seconds": 20}]}}}})");
-    const auto listed = run({"lesson", "results"});
+    const auto listed = results({});
     EXPECT_EQ(listed.status, 0) << listed.err;
     EXPECT_TRUE(has(listed.out, "1.5 of 13 points")) << listed.out;  // 2 less a quarter; five pages of 2, three of 1
     EXPECT_TRUE(has(listed.out, "rows counted from the bottom")) << listed.out;
-    EXPECT_EQ(Json::parse(run({"lesson", "results", "--json"}).out)["lessons"].size(), 1u);
-    EXPECT_EQ(run({"lesson", "results", "--forget"}).status, 0);
+    EXPECT_EQ(Json::parse(results({"--json"}).out)["lessons"].size(), 1u);
+    EXPECT_EQ(results({"--forget"}).status, 0);
     EXPECT_FALSE(std::filesystem::exists(folder / "shadescope" / "results.json"));
-    unsetenv("XDG_DATA_HOME");
 }
 
 TEST(Lesson, AFolderInPlaceOfItsPagesIsNamed) {

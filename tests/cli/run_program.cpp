@@ -64,6 +64,11 @@ Finished start(const std::vector<std::string>& arguments, std::string out, std::
 
 Finished run(const std::vector<std::string>& arguments) { return runInto("", arguments); }
 
+Finished runIn(const std::vector<std::string>& environment, const std::vector<std::string>& arguments) {
+    return start(
+        arguments, "", "", [](pid_t) {}, environment);
+}
+
 Finished runInto(const std::string& file, const std::vector<std::string>& arguments) {
     return start(arguments, file, "", [](pid_t) {});
 }

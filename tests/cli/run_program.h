@@ -16,6 +16,9 @@ struct Finished {
 // Starts the program with these arguments, as a shell would, without a display, and waits.
 Finished run(const std::vector<std::string>& arguments);
 
+// The same, with variables of the environment: "XDG_DATA_HOME=data". Without them it has none but the language.
+Finished runIn(const std::vector<std::string>& environment, const std::vector<std::string>& arguments);
+
 // The same, with standard output going to a file.
 Finished runInto(const std::string& file, const std::vector<std::string>& arguments);
 

@@ -47,6 +47,8 @@ TEST(RandomScenes, LookTheSameByRays) {
         const test::RayComparison found = test::compareWithRays(*frame, 0.05);
         compared += found.seen > 0;
         ASSERT_EQ(found.different, "") << "scene " << seed;
+        // A centre lies within √2 / 512 pixel of an edge in one of some 200 pixels along it.
+        ASSERT_LE(found.otherFacets, found.seen / 100 + 2) << "scene " << seed;
         // Texels beside an edge of a shadow.
         ASSERT_LE(found.otherShadows, found.seen / 50 + 4) << "scene " << seed;
     }

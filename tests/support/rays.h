@@ -10,6 +10,7 @@ using namespace pipeline;
 // A frame in double against its scene's polygons by rays.
 struct RayComparison {
     int seen = 0;           // pixels that show an object, and whose neighbours show the same one
+    int otherFacets = 0;    // of those, pixels on an edge between two facets that show the other one
     int otherShadows = 0;   // of those, pixels in which a light that counts has another S
     std::string different;  // the first other pixel that differs by more than snapping explains, and how; may be empty
 };

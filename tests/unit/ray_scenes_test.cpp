@@ -36,6 +36,7 @@ TEST_P(RayScenes, LookTheSameByRays) {
     if (translucent) return;
     const test::RayComparison found = test::compareWithRays(*test::frameOf(scene, picturesNeed()));
     EXPECT_EQ(found.different, "");
+    EXPECT_LE(found.otherFacets, found.seen / 100 + 2);
     EXPECT_GT(found.seen, 60);
     const bool soft = std::ranges::any_of(scene.lights, [](const Light& l) { return l.kind == LightKind::Area; });
     EXPECT_LE(found.otherShadows, soft ? found.seen / 5 : found.seen / 100);
