@@ -58,6 +58,9 @@ void handleFailure() {
 }
 
 void handleSignal(int) { ::_exit(sayOutOfMemory()); }
+void handleExit() {
+    if (!mayThrow) ::_exit(sayOutOfMemory());
+}
 
 // What a library raises that does not look at what malloc gives it, or looks and gives up.
 constexpr int kSignalsOfStart[]{SIGABRT, SIGSEGV};
@@ -67,6 +70,7 @@ constexpr int kSignalsOfStart[]{SIGABRT, SIGSEGV};
 void endWhenOutOfMemory() {
     std::set_new_handler(handleFailure);
     std::set_terminate(handleUncaught);
+    std::atexit(handleExit);
 #ifndef __SANITIZE_ADDRESS__  // which has handlers of its own
     for (const int signal : kSignalsOfStart) std::signal(signal, handleSignal);
 #endif

@@ -5,7 +5,8 @@ namespace app {
 
 // Until throwWhenOutOfMemory: an allocation that fails writes one fixed sentence to standard error and ends the program
 // with status 4. For the time before main, in which nothing has been done yet and nobody could catch an exception. So
-// does a library that aborts or crashes while it starts: libraries of the window do so when malloc fails.
+// does a library that aborts, crashes or ends the program while it starts: libraries of the window do so when malloc
+// fails.
 void endWhenOutOfMemory();
 
 // For the beginning of main: what is too large throws std::bad_alloc, which main and the jobs of the window answer with a message.

@@ -15,6 +15,7 @@
 
 #include "app/core/text.h"
 #include "app/panels/error_list.h"
+#include "app/panels/fitting_stack.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/handout_button.h"
 #include "app/panels/lesson_end.h"
@@ -32,7 +33,7 @@ LessonPanel::LessonPanel(Document& document, QWidget* parent)
       m_document(document),
       m_shelf(new LessonShelf(this)),
       m_run(document),
-      m_stack(new QStackedWidget(this)),
+      m_stack(new FittingStack(this)),
       m_errors(new ErrorList(this)) {
     setObjectName("lesson");
     m_errors->setObjectName("lessonErrors");  // the window has a list of its own
@@ -115,6 +116,9 @@ QWidget* LessonPanel::makeLesson() {
     QuestionCard& card = m_page->card();
     connect(&card, &QuestionCard::settled, this, &LessonPanel::settle);
     connect(&card, &QuestionCard::said, &m_document, &Document::said);
+    // What is said to an answer stands below it, and has its place once it is laid out.
+    const auto showNote = [this, &card] { m_scroll->ensureWidgetVisible(&card.note()); };
+    connect(&card, &QuestionCard::said, this, showNote, Qt::QueuedConnection);
     connect(&card, &QuestionCard::failed, m_errors, &ErrorList::report);
     connect(&card, &QuestionCard::adviceChanged, this, [this, &card] {
         if (!card.advice().isEmpty()) emit m_document.said(card.advice());

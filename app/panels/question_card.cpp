@@ -139,6 +139,8 @@ QString QuestionCard::advice() const {
     return m_body ? m_body->advice() : QString();
 }
 
+QWidget& QuestionCard::note() const { return *m_note; }
+
 QString QuestionCard::banner() const { return isOpen() ? m_body->banner() : QString(); }
 
 // It may be what has just told of an answer.

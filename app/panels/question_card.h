@@ -32,6 +32,7 @@ public:
     bool isOpen() const;     // answers are taken
     QString advice() const;  // what one can do now
     QString banner() const;
+    QWidget& note() const;  // what was said to the last answer
 
 signals:
     void settled();

@@ -219,7 +219,7 @@ TEST_F(ForeignText, OfAPictureIsShownAsItIs) {
         ASSERT_TRUE(exportFrame(*test::frameOf(scene), request, {}));
         ASSERT_TRUE(window.openFile(folder.filePath("out/color.png")));
         ASSERT_TRUE(waitForFrame());
-        EXPECT_EQ(document().scene().name, text);
+        ASSERT_TRUE(QTest::qWaitFor([&] { return document().scene().name == text; }, 30000));
         document().pick(glm::ivec2(scene.settings.width / 2, scene.settings.height / 2));
         ASSERT_TRUE(waitForFrame());
         expectPlain("a picture that carries its scene");
