@@ -1,5 +1,6 @@
 #pragma once
 #include <QCheckBox>
+#include <QKeyEvent>
 #include <QRadioButton>
 
 namespace app {
@@ -20,6 +21,7 @@ public:
 
 protected:
     void paintEvent(QPaintEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
     bool hitButton(const QPoint& at) const override { return this->rect().contains(at); }
 
 private:
