@@ -25,7 +25,10 @@ StageNames::StageNames(int width) {
     if (font == wanted) return;
     for (QString& text : texts) text = text.section(' ', 0, 0);  // "Shadow"
     font = fittingFont(wanted, texts, width);
-    for (QString& text : texts) text = QFontMetrics(font).elidedText(text, Qt::ElideRight, width);
+    // What fits to the pixel stays whole: elidedText also counts parts of a pixel.
+    const QFontMetrics metrics(font);
+    for (QString& text : texts)
+        if (metrics.horizontalAdvance(text) > width) text = metrics.elidedText(text, Qt::ElideRight, width);
 }
 
 StepBar::StepBar(Stepper& stepper, QWidget* parent) : QWidget(parent), m_stepper(stepper) {
