@@ -182,7 +182,7 @@ void CuePanel::showCurrent() {
     m_present->setEnabled(any);
     m_putBack->setVisible(m_model->canPutBack());
     m_title->setText(shownName(m_model->file()));
-    m_title->setToolTip(m_model->file());
+    m_title->setToolTip(onOneLine(m_model->file().toStdString()));
     const lessons::Cue* cue = m_model->currentCue();
     m_editor->setVisible(cue != nullptr);
     if (!cue) return;

@@ -4,7 +4,6 @@
 #include <QListView>
 #include <QMessageBox>
 #include <QPushButton>
-#include <QScrollArea>
 #include <QScrollBar>
 #include <QSettings>
 #include <QStackedWidget>
@@ -22,6 +21,7 @@
 #include "app/panels/lesson_head.h"
 #include "app/panels/lesson_page.h"
 #include "app/panels/lesson_results_dialog.h"
+#include "app/panels/lesson_scroll.h"
 #include "app/panels/question_card.h"
 
 namespace app {
@@ -81,7 +81,7 @@ QWidget* LessonPanel::makeList() {
 QWidget* LessonPanel::makeLesson() {
     auto* all = new QWidget(this);
     m_head = new LessonHead(m_run, all);
-    m_scroll = new QScrollArea(all);
+    m_scroll = new LessonScroll(all);
     m_scroll->setWidgetResizable(true);
     m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_scroll->setFrameShape(QFrame::NoFrame);

@@ -226,7 +226,7 @@ TEST_F(ForeignText, OfAPictureIsShownAsItIs) {
 
 TEST_F(ForeignText, WithLineEndsStaysOnOneLine) {
     const QString name = QString("one\ntwo\x1b[31m.toml");
-    writeForeign(folder.filePath(name), scene());
+    writeForeign(folder.filePath(name), scene().mid(scene().indexOf("look")));  // its title is the file's name
     ASSERT_TRUE(window.openFile(folder.filePath(name)));
     ASSERT_TRUE(waitForFrame());
     document().pick(glm::ivec2(document().scene().settings.width / 2, document().scene().settings.height / 2));

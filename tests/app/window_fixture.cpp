@@ -22,7 +22,6 @@ QString resourceScene(const char* name) {
 
 WindowTest::WindowTest() {
     QSettings().clear();
-    qputenv("XDG_DATA_HOME", folder.path().toUtf8());  // results of lessons
     Theme::current().set(ThemeId::Light);
     window.opener().setPatience(std::chrono::minutes(1));
     window.setGeometry(0, 0, 1600, 900);
