@@ -1,7 +1,6 @@
 #include "app/panels/answer_body.h"
 
 #include <QHBoxLayout>
-#include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QVBoxLayout>
@@ -13,25 +12,11 @@ namespace app {
 
 namespace {
 
-// Alt with a letter is a key of the lesson; a line edit would take the letter.
-class AnswerField : public QLineEdit {
-public:
-    using QLineEdit::QLineEdit;
-
-protected:
-    void keyPressEvent(QKeyEvent* event) override {
-        if (event->modifiers() == Qt::AltModifier)
-            event->ignore();
-        else
-            QLineEdit::keyPressEvent(event);
-    }
-};
-
 // A field with the unit behind it.
 class NumberBody : public AnswerBody {
 public:
     NumberBody(const lessons::NumberQuestion& question, QWidget* parent)
-        : AnswerBody(parent), m_field(new AnswerField(this)) {
+        : AnswerBody(parent), m_field(new QLineEdit(this)) {
         const QString unit = toQString(question.unit);
         auto* behind = new QLabel(unit, this);
         auto* forms = new QLabel(tr("Accepted too: 1,5   3/2   sqrt(2)/2   −1.5e3"), this);

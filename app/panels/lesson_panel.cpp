@@ -4,6 +4,7 @@
 #include <QListView>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QScrollBar>
 #include <QSettings>
 #include <QStackedWidget>
@@ -13,6 +14,7 @@
 #include <utility>
 
 #include "app/core/text.h"
+#include "app/panels/alt_keys.h"
 #include "app/panels/error_list.h"
 #include "app/panels/fitting_stack.h"
 #include "app/panels/follow_theme.h"
@@ -21,7 +23,6 @@
 #include "app/panels/lesson_head.h"
 #include "app/panels/lesson_page.h"
 #include "app/panels/lesson_results_dialog.h"
-#include "app/panels/lesson_scroll.h"
 #include "app/panels/question_card.h"
 
 namespace app {
@@ -42,6 +43,7 @@ LessonPanel::LessonPanel(Document& document, QWidget* parent)
     column->setSpacing(0);
     column->addWidget(m_errors);
     column->addWidget(m_stack, 1);
+    new AltKeys(this, [this](QKeyEvent* key) { return takesKey(*key) && (keyPressEvent(key), true); });
     m_stack->addWidget(makeList());
     m_stack->addWidget(makeLesson());
     for (auto* button : findChildren<QPushButton*>()) button->setAutoDefault(true);  // Enter presses them
@@ -81,7 +83,7 @@ QWidget* LessonPanel::makeList() {
 QWidget* LessonPanel::makeLesson() {
     auto* all = new QWidget(this);
     m_head = new LessonHead(m_run, all);
-    m_scroll = new LessonScroll(all);
+    m_scroll = new QScrollArea(all);
     m_scroll->setWidgetResizable(true);
     m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_scroll->setFrameShape(QFrame::NoFrame);

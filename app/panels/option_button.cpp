@@ -84,15 +84,6 @@ QSize OptionButton<Button>::minimumSizeHint() const {
     return {Theme::current().px(140), Theme::current().px(30)};
 }
 
-// Alt with an arrow is a key of the lesson; a button would go to the next option.
-template <class Button>
-void OptionButton<Button>::keyPressEvent(QKeyEvent* event) {
-    if (event->modifiers() == Qt::AltModifier)
-        event->ignore();
-    else
-        Button::keyPressEvent(event);
-}
-
 template <class Button>
 void OptionButton<Button>::paintEvent(QPaintEvent*) {
     const Theme& theme = Theme::current();

@@ -1,6 +1,5 @@
 #pragma once
 #include <QCheckBox>
-#include <QKeyEvent>
 #include <QRadioButton>
 
 namespace app {
@@ -21,7 +20,6 @@ public:
 
 protected:
     void paintEvent(QPaintEvent* event) override;
-    void keyPressEvent(QKeyEvent* event) override;
     bool hitButton(const QPoint& at) const override { return this->rect().contains(at); }
 
 private:
