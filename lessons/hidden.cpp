@@ -37,13 +37,11 @@ Hidden hiddenOn(const Page& page, bool settled) {
                   [&](const pipeline::BufferName& name) { return std::ranges::find(shown, name) != shown.end(); });
     hidden.buffers.insert(hidden.buffers.end(), page.hiddenBuffers.begin(), page.hiddenBuffers.end());
     std::ranges::sort(hidden.buffers, before);
-    const auto same = std::ranges::unique(hidden.buffers);
-    hidden.buffers.erase(same.begin(), same.end());
+    hidden.buffers.erase(std::unique(hidden.buffers.begin(), hidden.buffers.end()), hidden.buffers.end());
     hidden.parts = page.hiddenParts;
     if (std::ranges::find(page.panels, Part::Inspector) == page.panels.end()) hidden.parts.push_back(Part::Inspector);
     std::ranges::sort(hidden.parts);
-    const auto twice = std::ranges::unique(hidden.parts);
-    hidden.parts.erase(twice.begin(), twice.end());
+    hidden.parts.erase(std::unique(hidden.parts.begin(), hidden.parts.end()), hidden.parts.end());
     return hidden;
 }
 

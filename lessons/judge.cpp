@@ -22,6 +22,8 @@ template <class... Ts>
 struct Overloaded : Ts... {
     using Ts::operator()...;
 };
+template <class... Ts>
+Overloaded(Ts...) -> Overloaded<Ts...>;
 
 Result<double> numberOf(const Expression& expression, const Context& context) {
     const auto value = evaluate(expression, context);

@@ -7,6 +7,7 @@
 #include <istream>
 #include <tuple>
 
+#include "pipeline/core/printable.h"
 #include "pipeline/core/text.h"
 #include "pipeline/formats/stoppable_text.h"
 #include "pipeline/formats/text_scanner.h"
@@ -66,7 +67,7 @@ Result<toml::table> parseToml(const SourceText& source) {
     if (!parsed) {
         const toml::source_position at = parsed.error().source().begin;
         return Error{{source.name, static_cast<int>(at.line), static_cast<int>(at.column)},
-                     fmt::format("this is not TOML: {}", parsed.error().description()),
+                     fmt::format("this is not TOML: {}", escaped(parsed.error().description())),
                      {}};
     }
     return std::move(parsed).table();

@@ -7,7 +7,7 @@ namespace fuzz {
 // A box before the eye, 16 × 12 pixels: what a text may speak of, drawn in next to no time.
 inline pipeline::Scene smallScene() {
     constexpr std::string_view kText =
-        "[settings]\nwidth = 16\nheight = 12\n"
+        "width = 16\nheight = 12\n"
         "[camera]\nkind = \"look-at\"\neye = [3, -5, 2]\n"
         "[[light]]\nposition = [4, -4, 4]\nintensity = 100\n"
         "[[object]]\nshape = \"box\"\n";
