@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <optional>
 
 #include "app/cli/commands.h"
 #include "app/cli/interrupt.h"
@@ -91,17 +92,25 @@ void printPages(const lessons::Lesson& lesson, const Json& pages) {
     }
 }
 
-int showLesson(const std::string& name, bool asJson) {
-    const Interrupt interrupt;
-    const auto lesson = lessons::findLesson(name, interrupt.token());
+// The lesson that an argument names; nothing, told of and with the status, where there is none or reading was stopped.
+std::optional<lessons::Lesson> foundLesson(const std::string& name, const Interrupt& interrupt, int& status) {
+    auto lesson = lessons::findLesson(name, interrupt.token());
     if (interrupt.asked()) {
         tell("Cancelled.\n");
-        return kInterrupted;
+        status = kInterrupted;
+        return {};
     }
-    if (!lesson) {
-        printErrors(lesson.errors());
-        return kBadInput;
-    }
+    if (lesson) return std::move(lesson).value();
+    printErrors(lesson.errors());
+    status = kBadInput;
+    return {};
+}
+
+int showLesson(const std::string& name, bool asJson) {
+    const Interrupt interrupt;
+    int status = kDone;
+    const auto lesson = foundLesson(name, interrupt, status);
+    if (!lesson) return status;
     Json pages = Json::array();
     pipeline::Errors errors;
     const bool all = runPages(*lesson, interrupt.token(),
@@ -133,15 +142,9 @@ int exportLesson(const std::string& name, const std::string& folder) {
         return kWrongUsage;
     }
     const Interrupt interrupt;
-    const auto lesson = lessons::findLesson(name, interrupt.token());
-    if (interrupt.asked()) {
-        tell("Cancelled.\n");
-        return kInterrupted;
-    }
-    if (!lesson) {
-        printErrors(lesson.errors());
-        return kBadInput;
-    }
+    int status = kDone;
+    const auto lesson = foundLesson(name, interrupt, status);
+    if (!lesson) return status;
     auto handout = [&] {
         ProgressPrinter progress("handout");
         return makeHandout(*lesson, interrupt.token(),
@@ -167,15 +170,9 @@ int exportLesson(const std::string& name, const std::string& folder) {
 
 int checkOne(const std::string& name) {
     const Interrupt interrupt;
-    const auto lesson = lessons::findLesson(name, interrupt.token());
-    if (interrupt.asked()) {
-        tell("Cancelled.\n");
-        return kInterrupted;
-    }
-    if (!lesson) {
-        printErrors(lesson.errors());
-        return kBadInput;
-    }
+    int status = kDone;
+    const auto lesson = foundLesson(name, interrupt, status);
+    if (!lesson) return status;
     const pipeline::Errors errors = [&] {
         ProgressPrinter progress("check");
         return checkLesson(*lesson, interrupt.token(),

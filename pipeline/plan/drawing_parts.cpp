@@ -22,7 +22,7 @@ Need needOfCulling(const Decision& d, std::size_t) {
     return d.unless(Rule::Culling, "Off in this scene: cull = none. " + all);
 }
 
-// Why a run that ends before shading has no use for normals: nobody shades with them, and who looks at the stage
+// Why a run that ends before shading does not need normals: nothing is shaded with them, and who looks at the stage
 // itself ends the run there or asks for them.
 std::string unread(const Decision& d) {
     if (d.until == StageId::Shading || d.until == StageId::Normals) return {};
