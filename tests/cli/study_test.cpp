@@ -12,6 +12,8 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <string>
+#include <thread>
 
 #include "tests/cli/run_program.h"
 #include "tests/support/files.h"
@@ -282,6 +284,11 @@ int childOf(int process) {
     return 0;
 }
 
+std::string commandLineOf(int process) {
+    std::ifstream in(fs::path("/proc") / std::to_string(process) / "cmdline");
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
 // However a study ends, no process goes on measuring for nobody. This one takes the orphans, so that it is told how they
 // ended: by force, where the study could not ask them to stop.
 TEST(StudyCommand, takesItsMeasuringProcessAlong) {
@@ -294,6 +301,11 @@ TEST(StudyCommand, takesItsMeasuringProcessAlong) {
         *(std::ranges::find(arguments, "--repeat") + 1) = "100000";  // hours
         const auto done = test::runWhile(arguments, [&](int process) {
             for (int look = 0; child == 0 && look < 100'000; ++look) child = childOf(process);
+            // Until it runs a command of its own it is not measuring: it looks whether its parent is there, and ends
+            // by itself where not.
+            const std::string parents = commandLineOf(process);
+            for (int look = 0; child != 0 && commandLineOf(child) == parents && look < 100'000; ++look)
+                std::this_thread::yield();
             ::kill(process, signal);
         });
         if (signal != SIGKILL) std::signal(signal, before);
