@@ -127,6 +127,11 @@ public:
         eglTerminate(m_display);
     }
     std::string renderer() const override { return reinterpret_cast<const char*>(glGetString(GL_RENDERER)); }
+    int subPixelBits() const override {
+        GLint bits = 0;
+        glGetIntegerv(GL_SUBPIXEL_BITS, &bits);
+        return bits;
+    }
 
     GlPicture draw(const std::vector<GlCall>& calls, glm::ivec2 size) override {
         GLuint target = 0, buffers[2] = {};

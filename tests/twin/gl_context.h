@@ -25,6 +25,7 @@ public:
     virtual ~GlContext() = default;
 
     virtual std::string renderer() const = 0;
+    virtual int subPixelBits() const = 0;  // as it says itself
     // Carries the calls out twice: lit, and with a colour per polygon.
     virtual GlPicture draw(const std::vector<pipeline::GlCall>& calls, glm::ivec2 size) = 0;
 };
