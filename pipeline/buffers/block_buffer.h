@@ -24,6 +24,17 @@ struct alignas(kBlockPixels * sizeof(T)) Block {
     T of[kBlockPixels];
 };
 
+// The numbers of blocks that stand side by side: place `at` of them is in block at / kBlockPixels. An index into the
+// first block's own array must not go past its end.
+template <class T>
+T* numbersOf(Block<T>* blocks) {
+    return blocks->of;
+}
+template <class T>
+const T* numbersOf(const Block<T>* blocks) {
+    return blocks->of;
+}
+
 // Aligns by itself what it takes from the C library. That takes more room than it needs for an aligned piece and gives
 // back the rest at both ends; the piece, free again, is then too small for the next of its size, and buffers that come
 // and go with every frame would lie beside the holes they left.
@@ -62,7 +73,7 @@ struct BlockBuffer2D {
     std::size_t tileCount() const { return std::size_t(tiles.x) * std::size_t(tiles.y); }
     Block<T>* tile(std::size_t i) { return &blocks[i * kBlocks]; }
     const Block<T>* tile(std::size_t i) const { return &blocks[i * kBlocks]; }
-    void fill(std::size_t i, T value) { std::fill_n(tile(i)->of, kTilePixels, value); }
+    void fill(std::size_t i, T value) { std::fill_n(numbersOf(tile(i)), kTilePixels, value); }
 };
 
 // Row after row of the picture's pixels in a tile, from its blocks. Rows of 4 pixels are copied as they stand.

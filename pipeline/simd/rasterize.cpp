@@ -31,7 +31,7 @@ template <class T>
 HWY_INLINE void fillTileOf(BlockBuffer2D<T>& buffer, std::size_t index, T value) {
     const hn::CappedTag<T, 16> d;
     const auto all = hn::Set(d, value);
-    T* const to = buffer.tile(index)->of;
+    T* const to = numbersOf(buffer.tile(index));
     for (std::size_t i = 0; i < kTilePixels; i += hn::Lanes(d)) hn::Store(all, d, to + i);
 }
 
@@ -113,12 +113,13 @@ private:
             forEachFragment(fragments, run, [&](std::size_t at, float z) { drawPixel(at, z, 0); });
     }
     HWY_INLINE void drawPixel(std::size_t at, float z, std::uint32_t name) {
-        float& stored = m_out.z[0].of[at];
+        float& stored = numbersOf(m_out.z)[at];
         const bool won = z < stored;
         stored = won ? z : stored;
-        if constexpr (kNames) m_out.name[0].of[at] = won ? name : m_out.name[0].of[at];
+        if constexpr (kNames) numbersOf(m_out.name)[at] = won ? name : numbersOf(m_out.name)[at];
         ++m_counts.arrived, m_counts.won += won;
-        if (!kPlain && m_out.counted) ++m_out.counted->arrived[0].of[at], m_out.counted->won[0].of[at] += won;
+        if (!kPlain && m_out.counted)
+            ++numbersOf(m_out.counted->arrived.data())[at], numbersOf(m_out.counted->won.data())[at] += won;
     }
     // Those of runs of small ones. By itself, for its sums to stay in registers.
     HWY_NOINLINE void drawSmall(const TrianglePiece& piece, std::span<const TriangleRun> runs, FetchedAhead& ahead) {
@@ -148,7 +149,7 @@ private:
     }
     // What a triangle has in one vector.
     HWY_INLINE void drawVector(std::size_t at, Mask inside, Floats w, hn::Vec<U> name, Sums& sums) {
-        float* const to = &m_out.z[0].of[at];
+        float* const to = numbersOf(m_out.z) + at;
         if (!kPlain) inside = hn::And(inside, within(m_tile, at));
         const Floats z = zOf<kPerspective>(w);
         const Floats stored = hn::Load(F(), to);
@@ -157,15 +158,15 @@ private:
         // Stored as a whole: what follows may load the same block, and a store through a mask is not passed on to it.
         hn::Store(hn::IfThenElse(won, z, stored), F(), to);
         if constexpr (kNames) {
-            std::uint32_t* const seen = &m_out.name[0].of[at];
+            std::uint32_t* const seen = numbersOf(m_out.name) + at;
             hn::Store(hn::IfThenElse(hn::RebindMask(U(), won), name, hn::Load(U(), seen)), U(), seen);
         }
         if (kPlain || !m_out.counted) return;
         const auto count = [&](std::int32_t* counts, Mask mask) HWY_ATTR {
             hn::Store(hn::Sub(hn::Load(I(), counts), hn::VecFromMask(I(), hn::RebindMask(I(), mask))), I(), counts);
         };
-        count(&m_out.counted->arrived[0].of[at], inside);
-        count(&m_out.counted->won[0].of[at], won);
+        count(numbersOf(m_out.counted->arrived.data()) + at, inside);
+        count(numbersOf(m_out.counted->won.data()) + at, won);
     }
 
     int m_bits;
@@ -194,7 +195,7 @@ public:
             for (int x = 0; x < kAcross; ++x) {
                 Floats most = all(-kFar);
                 for (int row = 0; row < kSide / kBlock; ++row) {
-                    const float* from = blocks[0].of + blockAt(x * kSide / kBlock, y * kSide / kBlock + row);
+                    const float* from = numbersOf(blocks) + blockAt(x * kSide / kBlock, y * kSide / kBlock + row);
                     for (std::size_t i = 0; i < std::size_t(kSide) * kBlock; i += hn::Lanes(F()))
                         most = hn::Max(most, hn::Load(F(), from + i));
                 }
@@ -226,13 +227,13 @@ private:
 // The weights of what is seen in a tile, as rows.
 void writeWeights(const SetUpInputs& inputs, const SeenBlocks& seen, std::size_t index, Buffer2D<Vec3<float>>& out) {
     const Tile tile = tileOf(seen.pieces.size, index);
-    const SeenIn in{inputs.view, inputs.topology, *inputs.vertices, seen.pieces, tile, seen.z.tile(index)->of};
+    const SeenIn in{inputs.view, inputs.topology, *inputs.vertices, seen.pieces, tile, numbersOf(seen.z.tile(index))};
     SeenTriangle triangle;
     std::unique_ptr<SeenTriangle::Other> other;
     std::uint32_t name = kNoTriangle;
     for (std::size_t at = 0; at < kTilePixels; at += hn::Lanes(F())) {
         HWY_ALIGN float of[3][16]{};
-        const std::uint32_t* const names = &seen.name.tile(index)->of[at];
+        const std::uint32_t* const names = numbersOf(seen.name.tile(index)) + at;
         for (Mask left = seenIn(in.z + at); !hn::AllFalse(F(), left);) {
             const std::uint32_t next = names[hn::FindKnownFirstTrue(F(), left)];
             if (next != name) name = next, triangle.become(in, name, other);
@@ -274,7 +275,7 @@ TileCounts drawTile(const SetUpInputs& in, std::size_t index, SeenBlocks& seen, 
     };
     TileCounts counts = in.view.perspective ? drawSeen(std::true_type()) : drawSeen(std::false_type());
     Ints shown = hn::Zero(I());
-    for (std::size_t at = 0; at < kTilePixels; at += hn::Lanes(F())) countWhere(seenIn(drawn.z[0].of + at), shown);
+    for (std::size_t at = 0; at < kTilePixels; at += hn::Lanes(F())) countWhere(seenIn(numbersOf(drawn.z) + at), shown);
     counts.seen = total(shown);
     if (counted) {
         copyRows(counted->arrived.data(), tile, out.overdraw);
@@ -331,7 +332,7 @@ private:
         forEachVector(t, m_tile, [&](std::size_t at, Ints outside, Floats w) HWY_ATTR { drawVector(at, outside, w); });
     }
     HWY_INLINE void drawTexel(std::size_t at, float z) {
-        float& stored = m_blocks[0].of[at];
+        float& stored = numbersOf(m_blocks)[at];
         stored = std::min(stored, z);
     }
     HWY_NOINLINE void drawOther(const RasterTriangle<float>& t) {
@@ -342,7 +343,7 @@ private:
             });
     }
     HWY_INLINE void drawVector(std::size_t at, auto outside, Floats w) {
-        float* const to = &m_blocks[0].of[at];
+        float* const to = numbersOf(m_blocks) + at;
         const Floats z = nowhereOutside(outside, zOf<kPerspective>(w));
         hn::Store(hn::Min(z, hn::Load(F(), to)), F(), to);
     }

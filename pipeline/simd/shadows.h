@@ -68,7 +68,7 @@ HWY_INLINE void preparePlaces(const LightFace& face, Ints places, std::size_t i,
     hn::Store(places, I(), out.place + i);
     // Of a small one some do: the others' texels mostly stand beside theirs.
     const std::size_t step = face.depth->blocks.size() > kManyBlocks ? 1 : 5;
-    for (std::size_t l = 0; l < hn::Lanes(F()); l += step) hwy::Prefetch(&face.depth->blocks[0].of[std::size_t(at[l])]);
+    for (std::size_t l = 0; l < hn::Lanes(F()); l += step) hwy::Prefetch(numbersOf(face.depth->blocks.data()) + at[l]);
 }
 HWY_INLINE Ints nearestPlace(const LightFace& face, Floats x, Floats y) {
     return texelPlace(*face.depth, wholeBits(nearestTexel(face, x)), wholeBits(nearestTexel(face, y)));
@@ -127,7 +127,7 @@ HWY_INLINE void prepareLookUps(const LightFace& face, const ShadowSettings& sett
 }
 
 HWY_INLINE Floats storedAt(const LightFace& face, Ints place) {
-    return hn::GatherIndex(F(), face.depth->blocks[0].of, place);
+    return hn::GatherIndex(F(), numbersOf(face.depth->blocks.data()), place);
 }
 // heldSlope of texels x, y that hold `stored`.
 HWY_NOINLINE Floats heldSlopes(const LightFace& face, Floats stored, Floats x, Floats y, Floats right, Floats down) {

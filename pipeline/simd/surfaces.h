@@ -90,7 +90,7 @@ public:
         if (const SeenBlocks* seen = in.zBuffer.seen.get()) {
             m_index = tileAt(in.transform.view.size, tile);
             m_isDrawn = in.zBuffer.tileIsDrawn[m_index] != 0;
-            m_drawnNames = seen->name.tile(m_index)->of;
+            m_drawnNames = numbersOf(seen->name.tile(m_index));
             const TransformOutput<float>& from = in.transform;
             m_seenIn.emplace(
                 SeenIn{from.view, *from.topology, from.snapped, seen->pieces, tile, seen->z.tile(m_index)->of});
