@@ -43,8 +43,11 @@ LessonEnd::LessonEnd(LessonRun& run, const LessonShelf& shelf, QWidget* parent)
     : QWidget(parent), m_run(run), m_shelf(shelf) {
     setObjectName("lessonEnd");
     auto* all = new QVBoxLayout(this);
-    all->setContentsMargins(0, 0, 0, 0);
     m_column = all;
+    followTheme(this, [all] {
+        const Theme& theme = Theme::current();
+        all->setContentsMargins(theme.px(14), theme.px(8), theme.px(14), theme.px(10));  // those of a page
+    });
 }
 
 void LessonEnd::showRun() {

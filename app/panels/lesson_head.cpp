@@ -110,8 +110,8 @@ void LessonHead::showRun() {
     m_place->setText(m_run.isAtEnd() ? tr("%1 pages").arg(pages)
                                      : tr("Page %1 of %2").arg(m_run.page() + 1).arg(pages));
     const double of = m_run.pointsOf();
-    m_points->setText(of > 0 ? tr("%1 of %2 points so far").arg(pointsText(m_run.pointsSoFar()), pointsText(of))
-                             : QString());
+    const QString points = m_run.isAtEnd() ? tr("%1 of %2 points") : tr("%1 of %2 points so far");
+    m_points->setText(of > 0 ? points.arg(pointsText(m_run.pointsSoFar()), pointsText(of)) : QString());
     m_segments->showPages();
 }
 
