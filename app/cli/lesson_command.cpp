@@ -80,8 +80,8 @@ Json pageJson(const lessons::Page& page, const lessons::PageFrames& frames, pipe
     return json;
 }
 
-// As Markdown: headings, texts, questions.
-void printPages(const lessons::Lesson& lesson, const Json& pages) {
+// As Markdown: headings, texts, questions; with the way of working and the second halves where answers are asked for.
+void printPages(const lessons::Lesson& lesson, const Json& pages, bool answers) {
     say("# {}\n\n{}\n", lesson.title, lesson.summary);
     for (const Json& page : pages) {
         say("\n## {}\n\n{}\n", page["heading"].get<std::string>(), page["text"].get<std::string>());
@@ -89,6 +89,9 @@ void printPages(const lessons::Lesson& lesson, const Json& pages) {
         if (!question.is_null()) say("\n{}\n", question["text"].get<std::string>());
         if (question.contains("options"))
             for (const Json& option : question["options"]) say("\n- {}\n", option.get<std::string>());
+        if (!answers) continue;
+        if (!question.is_null()) say("\n**Answer**\n\n{}\n", question["works"].get<std::string>());
+        if (!page["then"].is_null()) say("\n{}\n", page["then"]["text"].get<std::string>());
     }
 }
 
@@ -106,7 +109,7 @@ std::optional<lessons::Lesson> foundLesson(const std::string& name, const Interr
     return {};
 }
 
-int showLesson(const std::string& name, bool asJson) {
+int showLesson(const std::string& name, bool asJson, bool answers) {
     const Interrupt interrupt;
     int status = kDone;
     const auto lesson = foundLesson(name, interrupt, status);
@@ -126,7 +129,7 @@ int showLesson(const std::string& name, bool asJson) {
         return kBadInput;
     }
     if (!asJson)
-        printPages(*lesson, pages);
+        printPages(*lesson, pages, answers);
     else
         printJson({{"name", lesson->name},
                    {"title", lesson->title},
@@ -237,7 +240,7 @@ void declareLesson(CLI::App& program, const CliHost&, int& status) {
     command->require_subcommand(1);
     struct Options {
         std::string name, folder;
-        bool json = false, forget = false;
+        bool json = false, answers = false, forget = false;
     };
     const auto options = std::make_shared<Options>();
     const auto addName = [&](CLI::App& to) {
@@ -251,7 +254,8 @@ void declareLesson(CLI::App& program, const CliHost&, int& status) {
     CLI::App* show = command->add_subcommand("show", "Print a lesson's pages as Markdown");
     addName(*show);
     show->add_flag("--json", options->json, "Print JSON, with the answers");
-    show->callback([options, &status] { status = showLesson(options->name, options->json); });
+    show->add_flag("--answers", options->answers, "Print the answers and the second halves of the pages as well");
+    show->callback([options, &status] { status = showLesson(options->name, options->json, options->answers); });
 
     CLI::App* check =
         command->add_subcommand("check", "Try every question of a lesson and print what is wrong with it");

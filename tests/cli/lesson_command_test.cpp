@@ -27,6 +27,9 @@ TEST(Lesson, ListsAndShows) {
     EXPECT_TRUE(has(shown.out, pages[1]["text"].get<std::string>()));
     EXPECT_TRUE(has(shown.out, "- *Front*, because it is nearer.")) << "the options of a choice";
     EXPECT_FALSE(has(shown.out, pages[1]["then"]["text"].get<std::string>())) << "what comes after the answer";
+    const auto whole = run({"lesson", "show", "pyramid", "--answers"});
+    EXPECT_TRUE(has(whole.out, pages[1]["then"]["text"].get<std::string>()));
+    EXPECT_TRUE(has(whole.out, pages[1]["question"]["works"].get<std::string>()));
     const auto unknown = run({"lesson", "show", "pyramide"});
     EXPECT_EQ(unknown.status, 3);
     EXPECT_TRUE(has(unknown.err, "the nearest is \"pyramid\"")) << unknown.err;
