@@ -118,7 +118,7 @@ constexpr auto kSceneTable = std::to_array<Setting>({
         {"local_viewer", "Local viewer", "", "Whether V points to the eye; if not, it points along the viewing axis."},
         {0, 1, 0, 1}, kSwitch, onlyViewer),
     row<OfShading, &S::twoSided>(
-        {"two_sided", "Two-sided lighting", "", "Whether back faces are lit with their normal turned round."},
+        {"two_sided", "Two-sided lighting", "", "Whether the OpenGL model lights back faces with their normal turned round."},
         {0, 1, 0, 1}, kSwitch, onlyTwoSided),
     choice<OfShading, &S::normalWeight>(
         {"normal_weight", "Vertex normals", "", "How the polygons around a vertex are weighted in its normal."},
