@@ -112,7 +112,7 @@ std::vector<PlannedFile> plannedFiles(const Frame& frame, const ExportRequest& r
             if (!exporter)
                 file.whyNot = "There is no such format.";
             else if (!buffer)
-                file.whyNot = isDerived(name.id) ? "It was not derived." : frame.whyAbsent(name);
+                file.whyNot = frame.whyAbsent(name);
             else
                 file.whyNot = exporter->refuses(*buffer->info);
             if (exporter && buffer && file.whyNot.empty()) {

@@ -174,6 +174,7 @@ const Plan& Frame::plan() const {
 }
 
 std::optional<AnyBuffer> Frame::buffer(const BufferName& name) const {
+    if (isDerived(name.id)) return {};
     const bool perLight = bufferInfo(name.id).perLight;
     if (perLight ? name.light < 0 || std::size_t(name.light) >= m_scene->lights.size() : name.light >= 0) return {};
     const std::scoped_lock lock(m_readMutex);
@@ -185,6 +186,7 @@ std::optional<AnyBuffer> Frame::buffer(const BufferName& name) const {
 
 std::string Frame::whyAbsent(const BufferName& name) const {
     if (buffer(name)) return {};
+    if (isDerived(name.id)) return "It was not derived.";
     const BufferInfo& info = bufferInfo(name.id);
     if (info.perLight && (name.light < 0 || std::size_t(name.light) >= m_scene->lights.size()))
         return "The scene has no light " + std::to_string(name.light) + ".";

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "pipeline/buffers/any_buffer.h"
+#include "tests/support/scenes.h"
 
 namespace pipeline {
 namespace {
@@ -52,6 +53,14 @@ TEST(BufferTable, DerivedBuffersAreNamesApart) {
     EXPECT_EQ(findDerived("shadow_verdict.2"), (BufferName{BufferId::ShadowVerdict, 2}));
     EXPECT_EQ(findAnyBuffer("depth"), BufferName{BufferId::Depth});
     EXPECT_FALSE(findDerived("depth") || findDerived("shadow_verdict") || findDerived("mix.0"));
+}
+
+TEST(BufferTable, NoFrameHoldsADerivedBuffer) {
+    const FramePtr frame = test::frameOf(test::pyramid(), test::everyBuffer());
+    for (const BufferName& name : allDerived(1)) {
+        EXPECT_FALSE(frame->buffer(name)) << name.text();
+        EXPECT_EQ(frame->whyAbsent(name), "It was not derived.") << name.text();
+    }
 }
 
 TEST(BufferTable, SuggestsTheNearestName) {
