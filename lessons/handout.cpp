@@ -46,7 +46,8 @@ section { margin-top: 2rem; padding-top: 1.25rem; border-top: 1px solid #D0D5DC;
 .hint { display: flex; gap: 1rem; margin: .5rem 0; } .hint b { min-width: 1.5rem; text-align: right; } .hint p { margin: 0; }
 footer { margin-top: 3rem; }
 @media print { main { max-width: none; padding: 0; } body { font-size: 11pt; }
-  h2 { break-after: avoid; } figure, table, .equation, .hint, .options li { break-inside: avoid; } }
+  h2 { break-after: avoid; } .question { break-before: avoid; } figure, table, .equation, .hint, .options li { break-inside: avoid; }
+  footer { margin-top: 1rem; break-before: avoid; } }
 )";
 
 // A whole page around `body`.
@@ -194,7 +195,8 @@ private:
         answer = answer.starts_with("<p>") ? "<p class=answer>" + answer.substr(3) : answer;
         m_answers += answer + element("p class=remark", pointsText(question.points)) + '\n';
         std::string works;
-        for (const Line& line : linesOf(filled(question.works, context, m_errors), {}))
+        const std::string steps = filled(question.works, context, m_errors);
+        for (const Line& line : linesOf(steps, {}))
             if (!isBlank(line)) works += "<li>" + proseHtml(line.text, m_answerPictures, none) + "</li>\n";
         if (!works.empty()) m_answers += "<ol class=works>\n" + works + "</ol>\n";
         const std::string wrong = wrongAnswers(question, context);

@@ -23,7 +23,9 @@ struct Entry {
 
 Line trimmed(Line line);
 bool isBlank(const Line& line);
+// They look into the text, which must last as long as they do.
 std::vector<Line> linesOf(std::string_view text, const std::string& file);
+std::vector<Line> linesOf(std::string&& text, const std::string& file) = delete;
 // A line of the form "word: value" or "word id: value", or nothing. Keys have letters a to z, ids also digits and -.
 std::optional<Entry> entryIn(const Line& line);
 // The parts between separators, trimmed; at least one.

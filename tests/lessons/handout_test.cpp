@@ -87,6 +87,7 @@ TEST_F(HandoutOfThePyramid, AsksWithoutTheAnswersAndKeepsThemApart) {
     EXPECT_TRUE(has(m_handout.answers, "<p class=answer>310</p>"));
     EXPECT_TRUE(has(m_handout.answers, "<p class=answer>35.3762 ± 0.06 °</p>"));
     EXPECT_TRUE(has(m_handout.answers, "<p class=answer>A: <em>Left</em>; E: <em>Base</em></p>"));
+    EXPECT_TRUE(has(m_handout.answers, "<li><p>Four polygons have 3 vertices: 4·1 triangles.</p>\n</li>"));
     EXPECT_TRUE(has(m_handout.answers, "<li><p>Its whole part is 310.</p>\n</li>")) << "the way of working";
     EXPECT_TRUE(has(m_handout.answers, "<td>169</td><td>rows counted from the bottom</td>")) << "the wrong answers";
     EXPECT_TRUE(has(m_handout.answers, "<p class=remark>2 points</p>"));
