@@ -20,7 +20,7 @@ std::optional<glm::ivec2> texelOf(const pipeline::FrameData<Real>& data, std::si
     const auto position = pipeline::interpolated(in.world, in.topology->triangles[triangle].vertices,
                                                  pipeline::barycentricAt(in, *data.zBuffer, pixel));
     const std::size_t middle = samples.size() / 2;
-    pipeline::ShadowSettings settings;
+    pipeline::ShadowSettings settings = data.keys.shading.shadow;
     settings.bias = pipeline::ShadowBias::Constant;  // the only one that asks for no normal
     const auto test = pipeline::shadowTest(samples[middle], settings, position, {});
     const glm::ivec2 size = samples[middle].depth[test.face]->size;

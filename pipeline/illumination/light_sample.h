@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "pipeline/core/numerics.h"
+#include "pipeline/defects/hooks.h"
 #include "pipeline/scene/scene.h"
 
 namespace pipeline {
@@ -27,6 +28,7 @@ struct LightDetail {
     // `vanishing` is off, a power that changes no bit of their sum vanishes too. Infinite where that ratio is not known,
     // or the term itself is asked for.
     double logContrast = std::numeric_limits<double>::infinity();
+    Planted planted{};
     bool operator==(const LightDetail&) const = default;
 };
 

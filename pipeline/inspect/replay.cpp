@@ -65,7 +65,7 @@ std::vector<FragmentRecord> replayPainter(const FrameData<Real>& data, Tile tile
     if (stop.stop_requested()) return {};
     std::vector<std::uint32_t> pieces(order.pieces.size());
     std::iota(pieces.begin(), pieces.end(), 0u);
-    ZBufferOutput<Real> scratch = prepareZBuffer<Real>(tile, in.depthFormat);
+    ZBufferOutput<Real> scratch = prepareZBuffer<Real>(tile, in.depthFormat, data.keys.zBuffer.planted);
     std::vector<FragmentRecord> record;
     paint<Real>(in.view, bins, order, pieces, tile, scratch, &record);
     return record;
@@ -95,7 +95,7 @@ std::vector<FragmentRecord> replayTile(const FrameData<Real>& data, Tile tile, c
     std::vector<std::uint32_t> order(pieces.triangles.size());
     std::iota(order.begin(), order.end(), 0u);
     const DepthFormat format = data.transform->depthFormat;
-    ZBufferOutput<Real> scratch = prepareZBuffer<Real>(tile, format);
+    ZBufferOutput<Real> scratch = prepareZBuffer<Real>(tile, format, data.keys.zBuffer.planted);
     std::vector<FragmentRecord> record;
     zBuffer<Real>(data.transform->view, format, pieces, order, tile, scratch, &record);
     return record;

@@ -54,7 +54,7 @@ ShadowDepths compare(const LightView<Real>& light, const ShadowSettings& setting
     const glm::ivec2 at = test.texel, size = light.depth[test.face]->size;
     const bool inside = at.x >= 0 && at.y >= 0 && at.x < size.x && at.y < size.y;
     TexelTest<Real> found{std::numeric_limits<Real>::infinity(), test.bias, false};
-    if (inside) found = testTexel(light, settings, test, at, texelOffset(light, test, position));
+    if (inside) found = testTexel(light, settings, test, at, test.offset);
     return {double(test.z), double(found.stored), double(found.bias), at, found.shadowed};
 }
 

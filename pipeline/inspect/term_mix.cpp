@@ -77,7 +77,7 @@ Result<MixedPicture> mixOf(const Frame& frame, const FrameData<Real>& data, cons
         for (int x = 0; x < size.x; ++x) {
             const std::size_t i = shading.color.offset({x, y});
             const Vec3d intensity(terms.sumAt(i));
-            const Color8 value = frameBufferValue(intensity, shading.iMax);
+            const Color8 value = frameBufferValue(intensity, shading.iMax, data.keys.shading.planted);
             for (int c = 0; c < 3; ++c) (*bytes)[3 * i + std::size_t(c)] = value[c];
             mixed.clamped += std::max({intensity.x, intensity.y, intensity.z}) > shading.iMax;
         }

@@ -30,7 +30,10 @@ std::string firstDifferent(const std::vector<T>& a, const std::vector<T>& b, std
     return {};
 }
 
+constexpr const char* kOtherDefect = "The planted defect changed.";
+
 std::string difference(const TransformInputs& a, const TransformInputs& b) {
+    if (a.planted != b.planted) return kOtherDefect;
     if (a.topology != b.topology) return "The objects changed.";
     if (auto text = firstDifferent(a.transforms, b.transforms, "The transform of object", "The objects"); !text.empty())
         return text;
@@ -48,9 +51,13 @@ bool isSameWorld(const TransformInputs& a, const TransformInputs& b) {
     return a.topology == b.topology && a.transforms == b.transforms && a.transparent == b.transparent;
 }
 
-std::string difference(const CullInputs& a, const CullInputs& b) { return a == b ? "" : "The setting cull changed."; }
+std::string difference(const CullInputs& a, const CullInputs& b) {
+    if (a.planted != b.planted) return kOtherDefect;
+    return a == b ? "" : "The setting cull changed.";
+}
 
 std::string difference(const NormalsInputs& a, const NormalsInputs& b) {
+    if (a.planted != b.planted) return kOtherDefect;
     // Where nobody reads them any more they may stay.
     if (b.polygonNormals && !a.polygonNormals) return "Polygon normals are needed now.";
     if (a.vertexNormals != b.vertexNormals)
@@ -68,6 +75,7 @@ std::string difference(const ShadowBufferInputs& a, const ShadowBufferInputs& b)
 }
 
 std::string difference(const ZBufferInputs& a, const ZBufferInputs& b) {
+    if (a.planted != b.planted) return kOtherDefect;
     if (a.visibility != b.visibility) return "The setting visibility changed.";
     if (a.translucent != b.translucent) return "Other objects are translucent.";
     if (a.split != b.split) return "The setting split changed.";
@@ -77,6 +85,7 @@ std::string difference(const ZBufferInputs& a, const ZBufferInputs& b) {
 }
 
 std::string difference(const ShadingInputs& a, const ShadingInputs& b) {
+    if (a.planted != b.planted) return kOtherDefect;
     if (a.shading != b.shading) return "The setting shading changed.";
     if (a.interpolation != b.interpolation) return "The setting interpolation changed.";
     const LightDetail &forms = a.illumination.detail, &others = b.illumination.detail;

@@ -25,6 +25,8 @@ public:
     explicit Remarks(const Scene& scene) : m_scene(scene), m_list(scene.remarks) {}
 
     std::vector<Remark> collect() {
+        if (m_scene.settings.defect != Defect::None)
+            add("defect", std::string(kDefectIsPlanted) + " The picture is wrong on purpose.");
         ofCamera();
         ofChosenNearPlane();
         ofLights();

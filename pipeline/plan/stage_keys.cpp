@@ -47,6 +47,8 @@ StageKeys stageKeys(const Scene& scene, const Needs& needs, std::shared_ptr<cons
         else
             keys.shadowBuffer.casters.push_back({});
     }
+    if (settings.defect != Defect::None) [[unlikely]]
+        spoilGiven(scene, keys);
     return keys;
 }
 

@@ -102,7 +102,8 @@ template <class Real>
 std::shared_ptr<const ZBufferOutput<Real>> runZBuffer(const ZBufferInputs& inputs, const DrawingSources<Real>& sources,
                                                       Threads& threads) {
     const TransformOutput<Real>& in = *sources.transform;
-    auto out = std::make_shared<ZBufferOutput<Real>>(prepareZBuffer<Real>({{0, 0}, in.view.size}, in.depthFormat));
+    auto out = std::make_shared<ZBufferOutput<Real>>(
+        prepareZBuffer<Real>({{0, 0}, in.view.size}, in.depthFormat, inputs.planted));
     const TriangleBins<Real> bins =
         binTriangles<Real>(*in.topology, in.view, in.world, sources.verdicts, sources.marks, sources.drawn);
     out->clipped = bins.clipped, out->unclipped = bins.unclipped;
@@ -295,7 +296,7 @@ void antialias(const FrameData<Real>& data, ShadingOutput<Real>& out, CountSum& 
             mean.pixels[p] += (intensity[p] - first[p]) / Real(places.size());
     }
     for (std::size_t p = 0; p < mean.pixels.size(); ++p)
-        out.color.pixels[p] = frameBufferValue(Vec3d(mean.pixels[p]), out.iMax);
+        out.color.pixels[p] = frameBufferValue(Vec3d(mean.pixels[p]), out.iMax, inputs.planted);
 }
 
 // incidence: what the frame before has kept; null in tiles that are to keep it, empty where none are.

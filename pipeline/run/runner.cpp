@@ -22,10 +22,13 @@ double millisecondsSince(Clock::time_point start) {
 
 std::shared_ptr<const Topology> topologyOf(const Scene& scene, const FramePtr& before) {
     auto meshes = meshesOf(scene);
-    if (before) {
-        auto old = readStages(*before, [](const auto& data) { return data.keys.transform.topology; });
-        if (old->meshes == meshes) return old;
+    std::shared_ptr<const Topology> old;
+    if (before) old = readStages(*before, [](const auto& data) { return data.keys.transform.topology; });
+    if (scene.settings.defect != Defect::None) [[unlikely]] {
+        using Meshes = std::span<const std::shared_ptr<const Mesh>>;
+        spoilMeshes(scene, old ? Meshes(old->meshes) : Meshes(), meshes);
     }
+    if (old && old->meshes == meshes) return old;
     return std::make_shared<const Topology>(makeTopology(std::move(meshes)));
 }
 

@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "pipeline/core/forms.h"
+#include "pipeline/defects/defect.h"
 #include "pipeline/scene/rules.h"
 
 namespace pipeline {
@@ -97,10 +98,14 @@ struct Settings {
     int subPixelBits = 8;        // polygons' corners are snapped to 2^-bits pixels
     bool leaveOut = true;        // false switches every rule off: everything runs, the picture is the same
     RuleSet rules = RuleSet().set();
+    Defect defect = Defect::None;  // planted on purpose: the picture is wrong
+    int defectWay = 0;             // which of the ways of making it, from 0
     bool operator==(const Settings&) const = default;
 };
 
-// The rules that are in force.
-inline RuleSet rulesOf(const Settings& settings) { return settings.leaveOut ? settings.rules : RuleSet(); }
+// The rules that are in force. With a defect none: that they change no bit is proved of the right pipeline alone.
+inline RuleSet rulesOf(const Settings& settings) {
+    return settings.leaveOut && settings.defect == Defect::None ? settings.rules : RuleSet();
+}
 
 }  // namespace pipeline

@@ -131,7 +131,11 @@ std::string_view onlyAngleWeights(const Scene& scene) {
     return scene.settings.normalWeight == NormalWeight::Angle ? "" : "Vertex normals are not weighted by angle.";
 }
 
+std::string_view onlyWithDefect(const Scene& scene) {
+    return scene.settings.defect != Defect::None ? "" : "No defect is planted.";
+}
 std::string_view onlyLeavingOut(const Scene& scene) {
+    if (scene.settings.defect != Defect::None) return kDefectIsPlanted;
     return scene.settings.leaveOut ? "" : "Nothing is left out: leave_out = off.";
 }
 

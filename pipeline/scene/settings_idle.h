@@ -35,6 +35,7 @@ std::string_view onlyAntialiased(const Scene& scene);
 std::string_view onlyFloat(const Scene& scene);
 std::string_view onlyGivenNormals(const Scene& scene);
 std::string_view onlyAngleWeights(const Scene& scene);
+std::string_view onlyWithDefect(const Scene& scene);
 std::string_view onlyLeavingOut(const Scene& scene);
 
 }  // namespace pipeline::settings_idle

@@ -34,6 +34,9 @@ struct OfNumerics : OfPicture {
 struct OfForms : OfNumerics {
     static auto& part(auto& scene, std::size_t) { return scene.settings.forms; }
 };
+struct OfDefect : OfPicture {
+    static constexpr auto group = SettingGroup::Defect;
+};
 struct OfLeavingOut : OfPicture {
     static constexpr auto group = SettingGroup::LeavingOut;
 };

@@ -117,9 +117,9 @@ constexpr auto kSceneTable = std::to_array<Setting>({
     row<OfShading, &S::localViewer>(
         {"local_viewer", "Local viewer", "", "Whether V points to the eye; if not, it points along the viewing axis."},
         {0, 1, 0, 1}, kSwitch, onlyViewer),
-    row<OfShading, &S::twoSided>(
-        {"two_sided", "Two-sided lighting", "", "Whether the OpenGL model lights back faces with their normal turned round."},
-        {0, 1, 0, 1}, kSwitch, onlyTwoSided),
+    row<OfShading, &S::twoSided>({"two_sided", "Two-sided lighting", "",
+                                  "Whether the OpenGL model lights back faces with their normal turned round."},
+                                 {0, 1, 0, 1}, kSwitch, onlyTwoSided),
     choice<OfShading, &S::normalWeight>(
         {"normal_weight", "Vertex normals", "", "How the polygons around a vertex are weighted in its normal."},
         kNormalWeight, onlyVertexNormals),
@@ -336,6 +336,13 @@ constexpr auto kSceneTable = std::to_array<Setting>({
     component<OfMaterial, &Material::emission, 2>(
         {"material.#.keb", "Emission blue", "", "What the material gives off by itself."}, kFraction, onlyEmission),
 
+    choice<OfDefect, &S::defect>({"defect", "Planted defect", "",
+                                  "A classic error of renderers that is made on purpose; none is the right picture."},
+                                 kDefectIds),
+    row<OfDefect, &S::defectWay>(
+        {"defect_way", "Way of making it", "", "Which of the common ways of making the planted defect, from 0."},
+        {0, 9, 0, 3}, {}, onlyWithDefect),
+
     row<OfLeavingOut, &S::leaveOut>({"leave_out", "Leave out what is not needed", "",
                                      "Whether the plan leaves out what cannot change the picture."},
                                     {0, 1, 0, 1}, kSwitch),
@@ -363,9 +370,9 @@ constexpr auto kTable = withRules(std::make_index_sequence<kRuleCount>());
 }  // namespace
 
 std::string_view name(SettingGroup group) {
-    constexpr std::array<std::string_view, 11> kNames{"Picture", "Camera",   "Shading",    "Depth",
-                                                      "Shadow",  "Numerics", "Ambient",    "Light",
-                                                      "Object",  "Material", "Leaving out"};
+    constexpr std::array<std::string_view, 12> kNames{"Picture", "Camera",   "Shading",        "Depth",
+                                                      "Shadow",  "Numerics", "Ambient",        "Light",
+                                                      "Object",  "Material", "Planted defect", "Leaving out"};
     return kNames[static_cast<std::size_t>(group)];
 }
 

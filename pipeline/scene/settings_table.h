@@ -23,6 +23,7 @@ enum class SettingGroup : std::uint8_t {
     Light,
     Object,
     Material,
+    Defect,
     LeavingOut
 };
 std::string_view name(SettingGroup group);

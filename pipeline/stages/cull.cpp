@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <bit>
+#include <cmath>
 
 #include "pipeline/stages/rasterize.h"
 
@@ -95,11 +96,19 @@ std::optional<double> signedArea(const TransformOutput<Real>& in, const CullOutp
     return screenArea(in, polygon, (cull.marks[polygon] & CullMark::kInside) != 0).signedArea;
 }
 
+namespace {
+
+// A planted defect may call an area above 0 back-facing.
+std::string areaReason(double area) {
+    return fmt::format("back-facing, signed area {}{:.1f} px²", area < 0 ? "−" : "", std::abs(area));
+}
+
+}  // namespace
+
 template <class Real>
 std::string reason(const TransformOutput<Real>& in, const CullOutput& cull, std::size_t polygon) {
     const Verdict verdict = cull.verdicts[polygon];
-    if (verdict == Verdict::BackFacing)
-        return fmt::format("back-facing, signed area −{:.1f} px²", -*signedArea(in, cull, polygon));
+    if (verdict == Verdict::BackFacing) return areaReason(*signedArea(in, cull, polygon));
     if (verdict == Verdict::Degenerate) return "degenerate, area 0 after snapping";
     return std::string(name(verdict));
 }

@@ -13,6 +13,7 @@ namespace pipeline {
 
 struct CullInputs {
     CullMode mode;
+    Planted planted{};
     bool operator==(const CullInputs&) const = default;
 };
 

@@ -16,6 +16,7 @@ struct NormalsInputs {
     CornerAngleForm angle = CornerAngleForm::Atan2;
     UnitForm unit = UnitForm::Scaled;
     bool asGiven = false;  // vertex normals are those of the mesh of the only object, which are Real
+    Planted planted{};
     bool operator==(const NormalsInputs&) const = default;
 };
 

@@ -1,4 +1,5 @@
 // The per-pixel half of stage 6.
+#include "pipeline/stages/pixel_writer.h"
 #include "pipeline/stages/shading_terms.h"
 
 namespace pipeline {
@@ -64,35 +65,6 @@ BaseTerms<Real> baseAtPixel(const ShadingInputs& inputs, const ShadingOutput<Rea
     return {};
 }
 
-// Writes into buffers that are there, and nowhere else.
-template <class Real>
-struct Writer {
-    ShadingOutput<Real>* out;  // null: nothing but the intensity is asked for
-    std::size_t at;
-    void put(BufferId id, Vec3<Real> value, std::size_t k = 0) const {
-        if (out && !out->vectors[index(id)].empty()) out->vectors[index(id)][k].pixels[at] = value;
-    }
-    void put(BufferId id, Real value, std::size_t k = 0) const {
-        if (out && !out->scalars[index(id)].empty()) out->scalars[index(id)][k].pixels[at] = value;
-    }
-};
-
-// What somebody who looks wants to have beside the intensity.
-struct Wanted {
-    bool vectors = false, surfaces = false, everyShadow = false, any = false;
-};
-template <class Real>
-Wanted wantedOf(const ShadingOutput<Real>& out) {
-    PartSet reads;
-    bool any = false;  // not of what is made of the intensity afterwards
-    for (const BufferInfo& info : bufferTable()) {
-        if (out.vectors[index(info.id)].empty() && out.scalars[index(info.id)].empty()) continue;
-        reads |= info.reads;
-        any = any || !info.reads.hasAnyOf(partsOf(Part::Intensity, Part::Layers));
-    }
-    return {reads[Part::LightVectors], reads[Part::SurfaceVectors], reads[Part::ShadowLookup], any};
-}
-
 // Where the pixel's surface is, and the N and V that its colour was computed with; those only where
 // the shading or somebody who looks needs them.
 template <class Real>
@@ -133,7 +105,7 @@ Vec3<Real> shade(const ShadingInputs& inputs, const ShadingSources<Real>& in, co
         count(s, counts);
     }
     write.put(BufferId::Emission, base.emission);
-    write.put(BufferId::Ambient, base.ambient);
+    const Vec3<Real> ambient = base.ambient;
     // One fixed order, so that the terms' buffers sum to the intensity to the last bit.
     Vec3<Real> intensity = sumOf(base);
     for (std::size_t k = 0; k < inputs.lights.size(); ++k) {
@@ -146,6 +118,8 @@ Vec3<Real> shade(const ShadingInputs& inputs, const ShadingSources<Real>& in, co
         const Vec3<Real> diffuse = shadow * s.diffuse, specular = shadow * s.specular;
         intensity += diffuse;
         intensity += specular;
+        if (inputs.planted) [[unlikely]]
+            spoilAmbient(inputs.planted, k, shadow, ambient, base.ambient, intensity);
         write.put(BufferId::Shadow, shadow, k);
         write.put(BufferId::Diffuse, diffuse, k);
         write.put(BufferId::Specular, specular, k);
@@ -156,6 +130,7 @@ Vec3<Real> shade(const ShadingInputs& inputs, const ShadingSources<Real>& in, co
         write.put(BufferId::RDotV, s.rDotV, k);
         write.put(BufferId::NDotH, s.nDotH, k);
     }
+    write.put(BufferId::Ambient, base.ambient);
     return intensity;
 }
 
@@ -175,7 +150,7 @@ ShadingCounts shadePixels(const ShadingInputs& inputs, const ShadingSources<Real
             const Vec3<Real> intensity = shade(inputs, in, out, id, in.zBuffer.barycentric.pixels[at], {x, y}, wanted,
                                                scratch, Writer<Real>{wanted.any ? &out : nullptr, at}, counts);
             out.vectors[index(BufferId::Intensity)][0].pixels[at] = intensity;
-            out.color.pixels[at] = frameBufferValue(Vec3d(intensity), out.iMax);
+            out.color.pixels[at] = frameBufferValue(Vec3d(intensity), out.iMax, inputs.planted);
         }
     }
     return counts;

@@ -5,7 +5,6 @@
 #include <limits>
 #include <utility>
 
-#include "pipeline/scene/area_light.h"
 #include "pipeline/stages/shading_terms.h"
 
 namespace pipeline {
@@ -36,14 +35,21 @@ Surface<Real> polygonSurface(const ShadingInputs& inputs, const ShadingSources<R
         at += sum / Real(corners.size());
     }
     const Vec3<Real> normal = flatNormal(inputs, in, polygon);
-    return {at, showsBack(inputs, in, polygon) ? -normal : normal, viewVector(inputs, in.transform.view, at)};
+    Surface<Real> surface{at, showsBack(inputs, in, polygon) ? -normal : normal,
+                          viewVector(inputs, in.transform.view, at)};
+    if (inputs.planted) [[unlikely]]
+        spoilSurface(inputs, surface);
+    return surface;
 }
 
 template <class Real>
 Surface<Real> vertexSurface(const ShadingInputs& inputs, const ShadingSources<Real>& in, std::size_t vertex,
                             bool back) {
     const Vec3<Real> position = in.transform.world[vertex], normal = in.normals.vertex[vertex];
-    return {position, back ? -normal : normal, viewVector(inputs, in.transform.view, position)};
+    Surface<Real> surface{position, back ? -normal : normal, viewVector(inputs, in.transform.view, position)};
+    if (inputs.planted) [[unlikely]]
+        spoilSurface(inputs, surface);
+    return surface;
 }
 
 template <class Real>
@@ -63,7 +69,10 @@ Surface<Real> pixelSurface(const ShadingInputs& inputs, const ShadingSources<Rea
         V = modelFacts(inputs.illumination.model).viewer == Viewer::Setting
                 ? viewVector(inputs, in.transform.view, position)
                 : towardsEye<Real>(in.transform.view, pixel, inputs.illumination.detail.unit);
-    return {position, showsBack(inputs, in, polygon) ? -normal : normal, V};
+    Surface<Real> surface{position, showsBack(inputs, in, polygon) ? -normal : normal, V};
+    if (inputs.planted) [[unlikely]]
+        spoilPixel(inputs, in, weights, surface);
+    return surface;
 }
 
 ShadingInputs withAllVectors(ShadingInputs inputs) {
@@ -139,28 +148,6 @@ void prepareElements(const ShadingInputs& inputs, const ShadingSources<Real>& in
 }
 
 template <class Real>
-Real shadowAt(const ShadingInputs& inputs, const ShadingSources<Real>& in, std::size_t k, std::uint32_t triangle,
-              Vec3<Real> position) {
-    const Light& light = inputs.lights[k];
-    // Without shadows only the normal says what a light reaches.
-    if (!modelFacts(inputs.illumination.model).shadows || !light.castsShadow) return 1;
-    const Vec3<Real> front = in.planeNormal(triangle);
-    const Vec3<Real> normal = showsBack(inputs, in, in.transform.topology->polygonOf(triangle)) ? -front : front;
-    const bool looksUp = in.shadow && !in.shadow->lights[k].empty();
-    const SampleGrid grid = sampleGrid(light);
-    const AreaSides sides = sidesOf(light);
-    // Counts, and one division: samples that all say the same leave what one of them says, to the last bit.
-    const int texels = filteredTexels(inputs.shadow);
-    int lit = 0;
-    for (int i = 0; i < grid.count(); ++i) {
-        const Vec3<Real> L = towardsLight(light.kind, samplePlace(light, grid, sides, i), position);
-        if (!(glm::dot(normal, L) > 0)) continue;
-        lit += looksUp ? litTexels(in.shadow->lights[k][std::size_t(i)], inputs.shadow, position, normal) : texels;
-    }
-    return Real(lit) / Real(grid.count() * texels);
-}
-
-template <class Real>
 ShadingCounts shadeOutlines(const ShadingSources<Real>& in, Tile tile, ShadingOutput<Real>& out) {
     for (int y = tile.min.y; y < tile.max.y; ++y) {
         for (int x = tile.min.x; x < tile.max.x; ++x) {
@@ -173,13 +160,15 @@ ShadingCounts shadeOutlines(const ShadingSources<Real>& in, Tile tile, ShadingOu
     return {};
 }
 
-Color8 frameBufferValue(Vec3d intensity, double iMax) {
+Color8 frameBufferValue(Vec3d intensity, double iMax, const Planted& planted) {
     Color8 value(0);
     for (int c = 0; c < 3; ++c) {
         const double share = iMax > 0 ? intensity[c] / iMax : 0;
         // Written so that a share that is not a number gives 0.
         value[c] = static_cast<std::uint8_t>(!(share > 0) ? 0 : share >= 1 ? 255 : share * 255 + 0.5);
     }
+    if (planted) [[unlikely]]
+        spoilFrameBuffer(planted, intensity, iMax, value);
     return value;
 }
 
@@ -191,8 +180,7 @@ Color8 frameBufferValue(Vec3d intensity, double iMax) {
     template ShadingCounts shadeOutlines(const ShadingSources<Real>&, Tile, ShadingOutput<Real>&);                    \
     template ShadingOutput<Real> prepareShading(const ShadingInputs&, const ShadingSources<Real>&, BufferSet);        \
     template void prepareElements(const ShadingInputs&, const ShadingSources<Real>&, ElementPlaces,                   \
-                                  ShadingOutput<Real>&);                                                              \
-    template Real shadowAt(const ShadingInputs&, const ShadingSources<Real>&, std::size_t, std::uint32_t, Vec3<Real>);
+                                  ShadingOutput<Real>&);
 SHADESCOPE_FOR_EVERY_REAL(SHADESCOPE_INSTANTIATE)
 #undef SHADESCOPE_INSTANTIATE
 

@@ -58,6 +58,7 @@ struct ShadingInputs {
     int samples = 1;  // along a side of a pixel; above 1 the frame buffer shows their mean
     SamplePattern samplePattern = SamplePattern::Grid;
     bool firstVertexNormal = false;  // lightsFirstVertex
+    Planted planted{};
     bool operator==(const ShadingInputs&) const = default;
 };
 
@@ -185,6 +186,6 @@ Real shadowAt(const ShadingInputs& inputs, const ShadingSources<Real>& in, std::
               Vec3<Real> position);
 
 // round(255 · clamp(I / I_max, 0, 1)); 0 where I_max is 0 or I is not a number.
-Color8 frameBufferValue(Vec3d intensity, double iMax);
+Color8 frameBufferValue(Vec3d intensity, double iMax, const Planted& planted = {});
 
 }  // namespace pipeline

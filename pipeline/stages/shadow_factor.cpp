@@ -40,6 +40,8 @@ template <class Real>
 ShadowTest<Real> shadowTest(const LightView<Real>& light, const ShadowSettings& settings, Vec3<Real> position,
                             Vec3<Real> normal) {
     ShadowTest<Real> test;
+    if (settings.planted) [[unlikely]]
+        spoilShadowPoint(settings, position);
     test.face = faceOf(light, position);
     const View& face = light.faces[test.face];
     const Vec3<Real> p = toView(face, position);
@@ -48,6 +50,9 @@ ShadowTest<Real> shadowTest(const LightView<Real>& light, const ShadowSettings& 
     // A point on the seam of two faces of a point light lies in the last texel, not beyond it.
     if (face.perspective) test.texel = glm::clamp(test.texel, glm::ivec2(0), face.size - 1);
     test.z = p.z;
+    test.offset = (place - Vec2<Real>(test.texel)) - Real(0.5);
+    if (settings.planted) [[unlikely]]
+        spoilTexel(settings, face.size, test.texel);
     if (settings.bias == ShadowBias::Constant) {
         test.bias = Real(settings.biasValue);
         return test;
@@ -59,12 +64,6 @@ ShadowTest<Real> shadowTest(const LightView<Real>& light, const ShadowSettings& 
     const bool scales = settings.bias == ShadowBias::Slope;
     test.bias = (scales ? Real(settings.biasValue) * slope : slope) + light.rounding;
     return test;
-}
-
-template <class Real>
-Vec2<Real> texelOffset(const LightView<Real>& light, const ShadowTest<Real>& test, Vec3<Real> position) {
-    const View& face = light.faces[test.face];
-    return (placeOf(face, toView(face, position)) - Vec2<Real>(test.texel)) - Real(0.5);
 }
 
 template <class Real>
@@ -105,13 +104,12 @@ int litTexels(const LightView<Real>& light, const ShadowSettings& settings, Vec3
     // light at infinity there is nothing.
     const glm::ivec2 last = depth.size - 1;
     const bool adjoin = light.faces.size() > 1;
-    const Vec2<Real> fromCentre = texelOffset(light, test, position);
     int lit = 0;
     for (int y = test.texel.y - r; y <= test.texel.y + r; ++y) {
         for (int x = test.texel.x - r; x <= test.texel.x + r; ++x) {
             const glm::ivec2 at = adjoin ? glm::clamp(glm::ivec2(x, y), glm::ivec2(0), last) : glm::ivec2(x, y);
             const bool inside = at.x >= 0 && at.y >= 0 && at.x <= last.x && at.y <= last.y;
-            const Vec2<Real> offset{fromCentre.x - Real(x - test.texel.x), fromCentre.y - Real(y - test.texel.y)};
+            const Vec2<Real> offset{test.offset.x - Real(x - test.texel.x), test.offset.y - Real(y - test.texel.y)};
             if (!inside || !testTexel(light, settings, test, at, offset).shadowed) ++lit;
         }
     }
@@ -120,7 +118,6 @@ int litTexels(const LightView<Real>& light, const ShadowSettings& settings, Vec3
 
 #define SHADESCOPE_INSTANTIATE(Real)                                                                             \
     template ShadowTest<Real> shadowTest(const LightView<Real>&, const ShadowSettings&, Vec3<Real>, Vec3<Real>); \
-    template Vec2<Real> texelOffset(const LightView<Real>&, const ShadowTest<Real>&, Vec3<Real>);                \
     template Real heldSlope(const Buffer2D<Real>&, bool, glm::ivec2, Vec2<Real>);                                \
     template TexelTest<Real> testTexel(const LightView<Real>&, const ShadowSettings&, const ShadowTest<Real>&,   \
                                        glm::ivec2, Vec2<Real>);                                                  \

@@ -1,4 +1,6 @@
 #pragma once
+#include <optional>
+
 #include "pipeline/scene/settings.h"
 #include "pipeline/stages/shadow_buffer.h"
 
@@ -8,6 +10,8 @@ struct ShadowSettings {
     ShadowBias bias;
     double biasValue;
     int filter;  // radius of percentage-closer filtering, texels
+    Planted planted{};
+    std::optional<View> eye{};  // of a planted shadow-space alone
     bool operator==(const ShadowSettings&) const = default;
 };
 
@@ -17,6 +21,7 @@ struct ShadowTest {
     std::size_t face = 0;
     glm::ivec2 texel{0};  // may lie outside the buffer: then nothing is in the way
     Real z = 0, bias = 0;
+    Vec2<Real> offset{0};  // of the point from the texel's centre, right and down, texels
 };
 
 // z', its texel and the bias for a point on a surface with unit normal `normal`, world space.

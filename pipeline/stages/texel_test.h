@@ -6,10 +6,6 @@ namespace pipeline {
 // The comparison of shadowTest at one texel, its own or one that a filter looks at; with the automatic bias by the larger
 // of two bounds. One is that of shadowTest, by the point's own plane. The other is by what the texel holds.
 
-// How far a point is from the centre of its test's texel, right and down, texels.
-template <class Real>
-Vec2<Real> texelOffset(const LightView<Real>& light, const ShadowTest<Real>& test, Vec3<Real> position);
-
 // Where a crease runs through a texel, its centre may lie on another plane than the point, one that rises above the point's
 // own towards the light. So the surface that the texel holds is continued to the point as the plane through the texel and
 // those beside it, on the sides away from the point; as far as it recedes from the light on the way, b is at least that:

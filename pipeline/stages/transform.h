@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "pipeline/buffers/screen_position.h"
+#include "pipeline/defects/hooks.h"
 #include "pipeline/scene/object_matrix.h"
 #include "pipeline/scene/topology.h"
 #include "pipeline/scene/view.h"
@@ -25,6 +26,7 @@ struct TransformInputs {
     std::vector<std::uint8_t> transparent{};  // per object, 1 where it is as if not there; empty when none is
     NormalMatrixForm normalMatrix = NormalMatrixForm::Cofactors;
     bool placesAsGiven = false;  // places of the mesh, which are Real and of the only object, are those in world space
+    Planted planted{};
     bool operator==(const TransformInputs&) const = default;
 };
 // placesAsGiven: see there.

@@ -90,6 +90,8 @@ std::optional<std::vector<Layer<Real>>> layersIn(const ShadingInputs& inputs, co
     }
     if (layers.sorts)
         std::ranges::stable_sort(found, [](const Layer<Real>& a, const Layer<Real>& b) { return a.depth > b.depth; });
+    if (inputs.planted) [[unlikely]]
+        spoilLayers(inputs.planted, found);
     return found;
 }
 
@@ -126,7 +128,7 @@ Composed<Real> compose(const ShadingInputs& inputs, const ShadingSources<Real>& 
 }
 
 template <class Real>
-void layOver(const Composed<Real>& c, ShadingOutput<Real>& out) {
+void layOver(const ShadingInputs& inputs, const Composed<Real>& c, ShadingOutput<Real>& out) {
     auto& intensities = out.vectors[index(BufferId::Intensity)][0];
     auto& added = out.vectors[index(BufferId::Translucent)];
     auto& left = out.scalars[index(BufferId::Transmittance)];
@@ -137,7 +139,7 @@ void layOver(const Composed<Real>& c, ShadingOutput<Real>& out) {
             const std::size_t at = intensities.offset(c.origin + glm::ivec2(x, y));
             Vec3<Real>& intensity = intensities.pixels[at];
             intensity = c.left.pixels[from] * intensity + c.added.pixels[from];
-            out.color.pixels[at] = frameBufferValue(Vec3d(intensity), out.iMax);
+            out.color.pixels[at] = frameBufferValue(Vec3d(intensity), out.iMax, inputs.planted);
             if (!added.empty()) added[0].pixels[at] = c.added.pixels[from];
             if (!left.empty()) left[0].pixels[at] = c.left.pixels[from];
             if (!out.layers.empty()) out.layers.pixels[at] = c.count.pixels[from];
@@ -154,7 +156,7 @@ void drawTile(const ShadingInputs& inputs, const ShadingSources<Real>& in, const
         layersIn(inputs, in, layers, order, tile, single ? std::numeric_limits<std::size_t>::max() : limit);
     if (found) {
         counts.layers += static_cast<long long>(found->size());
-        if (!found->empty()) layOver(compose(inputs, in, tile, *found, out, counts), out);
+        if (!found->empty()) layOver(inputs, compose(inputs, in, tile, *found, out, counts), out);
         return;
     }
     Tile first = tile, second = tile;

@@ -5,16 +5,19 @@
 namespace pipeline {
 
 template <class Real>
-ZBufferOutput<Real> prepareZBuffer(Tile extent, DepthFormat format) {
+ZBufferOutput<Real> prepareZBuffer(Tile extent, DepthFormat format, const Planted& planted) {
     const glm::ivec2 size = extent.max - extent.min;
     ZBufferOutput<Real> out;
     out.origin = extent.min;
+    out.planted = planted;
     out.zView = Buffer2D<Real>(size, std::numeric_limits<Real>::infinity());
     if (format != DepthFormat::Linear) out.depth = {size, DepthCode::cleared(format)};
     out.triangle = Buffer2D<std::uint32_t>(size, kNoTriangle);
     out.barycentric = {size, Vec3<Real>(0)};
     out.overdraw = {size, 0};
     out.depthWrites = {size, 0};
+    if (planted) [[unlikely]]
+        spoilCleared(out);
     return out;
 }
 
@@ -41,7 +44,7 @@ void zBuffer(const View& view, DepthFormat format, const TriangleBins<Real>& bin
         const RasterTriangle<Real>& triangle = bins.triangles[i];
         forEachCovered(triangle.snapped, tile, [&](glm::ivec2 pixel, const std::array<std::int64_t, 3>& e) {
             const std::size_t at = out.zView->offset(pixel - out.origin);
-            const Fragment<Real> fragment = interpolate(triangle, pixel, e, view.perspective);
+            Fragment<Real> fragment = interpolate(triangle, pixel, e, view.perspective);
             double depth = double(fragment.z);
             if (!linear) {
                 const auto w = interpolateW(triangle, e);
@@ -50,18 +53,22 @@ void zBuffer(const View& view, DepthFormat format, const TriangleBins<Real>& bin
             const double stored = linear ? double(out.zView->pixels[at]) : out.depth.pixels[at];
             // What is there is nearer than nothing: in the far plane a reversed depth is the cleared 0 itself.
             const bool first = out.triangle->pixels[at] == kNoTriangle;
-            const bool won = linear ? fragment.z < out.zView->pixels[at] : first || code.nearer(depth, stored);
+            bool won = linear ? fragment.z < out.zView->pixels[at] : first || code.nearer(depth, stored);
+            if (out.planted) [[unlikely]]
+                spoilTest(code, triangle, e, out, at, fragment, depth, won);
             if (record) record->push_back({triangle.id, pixel, depth, stored, won});
             ++out.overdraw.pixels[at];
             if (!won) return;
             if (!linear) out.depth.pixels[at] = depth;
             writeFragment(out, at, triangle.id, fragment);
+            if (out.planted) [[unlikely]]
+                spoilWritten(code, out, at);
         });
     }
 }
 
 #define SHADESCOPE_INSTANTIATE(Real)                                                                                 \
-    template ZBufferOutput<Real> prepareZBuffer(Tile, DepthFormat);                                                  \
+    template ZBufferOutput<Real> prepareZBuffer(Tile, DepthFormat, const Planted&);                                  \
     template Vec3<Real> barycentricAt(const TransformOutput<Real>&, std::uint32_t, glm::ivec2);                      \
     template void zBuffer(const View&, DepthFormat, const TriangleBins<Real>&, std::span<const std::uint32_t>, Tile, \
                           ZBufferOutput<Real>&, std::vector<FragmentRecord>*);

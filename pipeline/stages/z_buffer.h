@@ -22,6 +22,7 @@ struct ZBufferInputs {
     // Clipping, else of polygons alone that culling did not find whole in the picture; and, left out by pipeline/simd alone,
     // what stands beside z_view and depth. Which triangle is seen is then found when somebody first reads it.
     Parts parts{};
+    Planted planted{};
     bool operator==(const ZBufferInputs&) const = default;
 };
 
@@ -29,7 +30,8 @@ struct SeenBlocks;  // pipeline/simd/seen_blocks.h
 
 template <class Real>
 struct ZBufferOutput : Visible<Real> {
-    glm::ivec2 origin{0};                      // the pixel that stands first; (0, 0) but for a replay
+    glm::ivec2 origin{0};  // the pixel that stands first; (0, 0) but for a replay
+    Planted planted{};
     std::shared_ptr<const SeenBlocks> seen{};  // what zView and triangle are made of, where pipeline/simd drew
     std::vector<std::uint8_t> tileIsDrawn;     // per tile of kTileSize, row by row: whether a triangle touches it
     // What the stage did.
@@ -40,7 +42,7 @@ struct ZBufferOutput : Visible<Real> {
     std::string note;                       // what the painter's order took; may be empty
 };
 template <class Real>
-ZBufferOutput<Real> prepareZBuffer(Tile extent, DepthFormat format);
+ZBufferOutput<Real> prepareZBuffer(Tile extent, DepthFormat format, const Planted& planted = {});
 
 // The weights at a pixel that the triangle covers, as they stand in barycentric where that is kept.
 template <class Real>

@@ -78,8 +78,8 @@ void bindRow(const FrameData<Real>& data, const PixelReport& report, std::uint32
     }
 }
 
-void bindFrameBuffer(Vec3d intensity, double iMax, Bindings& out) {
-    const Color8 value = frameBufferValue(intensity, iMax);
+void bindFrameBuffer(Vec3d intensity, double iMax, const Planted& planted, Bindings& out) {
+    const Color8 value = frameBufferValue(intensity, iMax, planted);
     out.word("FB", fmt::format("{}, {}, {}", int(value.r), int(value.g), int(value.b)),
              fmt::format("Imax = {}", shortest(iMax)))
         .numbers = {double(value.r), double(value.g), double(value.b)};
@@ -88,7 +88,7 @@ void bindFrameBuffer(Vec3d intensity, double iMax, Bindings& out) {
 template <class Real>
 void bindPixelShading(const Frame& frame, const FrameData<Real>& data, glm::ivec2 pixel, Bindings& out) {
     const PixelReport report = inspectShading(frame, pixel);
-    bindFrameBuffer(report.intensity, report.iMax, out);
+    bindFrameBuffer(report.intensity, report.iMax, data.keys.shading.planted, out);
     out.vector("intensity", report.intensity, kIntensityDigits);
     if (report.outline) return;
     const std::uint32_t triangle = data.zBuffer->triangle->at(pixel);
@@ -160,7 +160,8 @@ void bindLayers(const Frame& frame, const FrameData<Real>& data, Bindings& out) 
         turn.vector("I", layer.intensity, kIntensityDigits);
         turn.vector("C", layer.composed, kIntensityDigits);
     }
-    bindFrameBuffer(report.layers.empty() ? report.intensity : report.layers.back().composed, report.iMax, out);
+    bindFrameBuffer(report.layers.empty() ? report.intensity : report.layers.back().composed, report.iMax,
+                    data.keys.shading.planted, out);
 }
 
 template <class Real>

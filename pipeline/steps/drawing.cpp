@@ -149,7 +149,7 @@ ZBufferOutput<Real> drawnSoFar(const FrameData<Real>& data, const Drawing<Real>&
     if (data.keys.zBuffer.visibility == Visibility::None)
         return outlinesSoFar(data, drawing, all ? ~0u : drawing.ranges[elements][0], threads);
     const TransformOutput<Real>& in = *data.transform;
-    ZBufferOutput<Real> out = prepareZBuffer<Real>({{0, 0}, in.view.size}, in.depthFormat);
+    ZBufferOutput<Real> out = prepareZBuffer<Real>({{0, 0}, in.view.size}, in.depthFormat, data.keys.zBuffer.planted);
     out.tileIsDrawn.resize(drawing.tiles.size());
     const std::uint32_t before = all ? ~0u : drawing.ranges[elements][0];
     threads.forRange(drawing.tiles.size(), 1, [&](std::size_t begin, std::size_t end) {
@@ -180,7 +180,7 @@ PixelFragments fragmentsAt(const FrameData<Real>& data, const Drawing<Real>& dra
     const auto before = std::size_t(std::ranges::lower_bound(list, first) - list.begin());
     const auto own = std::size_t(std::ranges::lower_bound(list, end) - list.begin());
     const Tile alone{pixel, pixel + 1};
-    ZBufferOutput<Real> scratch = prepareZBuffer<Real>(alone, data.transform->depthFormat);
+    ZBufferOutput<Real> scratch = prepareZBuffer<Real>(alone, data.transform->depthFormat, data.keys.zBuffer.planted);
     PixelFragments fragments;
     drawInto<Real>(data, drawing, {list.data(), before}, alone, scratch, &fragments.before);
     drawInto<Real>(data, drawing, {list.data() + before, own - before}, alone, scratch, &fragments.own);

@@ -11,6 +11,7 @@
 #include "lessons/expression/function_table.h"
 #include "pipeline/buffers/buffer_table.h"
 #include "pipeline/core/text.h"
+#include "pipeline/defects/defect_table.h"
 #include "pipeline/formats/toml_scene.h"
 #include "pipeline/scene/settings_table.h"
 
@@ -87,6 +88,28 @@ std::string settings() {
     return text;
 }
 
+std::string cell(std::string_view text) {  // of a table: | stands for its border
+    std::string out;
+    for (const char c : text) out += c == '|' ? std::string("\\|") : std::string(1, c);
+    return out;
+}
+
+std::string defects() {
+    std::string text =
+        "\n## Planted defects\n\nValues of the setting `defect`, beside `none`. *Way* is the value of `defect_way`. "
+        "[How to use them](defects.md).\n\n"
+        "| defect | what | the line stands in | wrong | right | other ways |\n|---|---|---|---|---|---|\n";
+    for (const pipeline::DefectRow& row : pipeline::defectTable()) {
+        std::string ways;
+        for (std::size_t i = 0; i < row.otherWays.size(); ++i)
+            ways += fmt::format("{}{}: {}", ways.empty() ? "" : "; ", i + 1, row.otherWays[i]);
+        text += fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", row.idText(), row.name,
+                            row.stage ? pipeline::stageInfo(*row.stage).name : "the file", cell(row.wrong),
+                            cell(row.fix), cell(ways));
+    }
+    return text;
+}
+
 std::string functions() {
     std::string text =
         "\n## Functions\n\nOf [formulas](formulas.md). A place is x, y for a buffer per pixel, and an index for one "
@@ -113,7 +136,7 @@ int main(int argc, char** argv) {
     const std::string text =
         "# Reference\n\nMade from the program's tables by `resources/manual/write_reference.cpp`; not to be "
         "edited.\n\n" +
-        stages() + buffers() + settings() + functions();
+        stages() + buffers() + settings() + defects() + functions();
     if (!check) {
         std::ofstream file(argv[1], std::ios::binary);
         return file << text && file.flush() ? 0 : 4;

@@ -66,6 +66,9 @@ struct Layer {
     int height;
 };
 constexpr std::array kLayers{
+    Layer{"pipeline/defects/defect.h", 0},
+    Layer{"pipeline/defects/hooks.h", 0},  // each stage has a line
+    Layer{"pipeline/defects/", 7},
     Layer{"pipeline/core/", 0},
     Layer{"pipeline/scene/", 1},
     Layer{"pipeline/buffers/", 2},

@@ -1,0 +1,212 @@
+// Defects that rewrite what the stages are given.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "pipeline/defects/hooks.h"
+#include "pipeline/plan/stage_keys.h"
+#include "pipeline/scene/view.h"
+
+namespace pipeline {
+namespace {
+
+constexpr double kDegrees = 180 / std::numbers::pi;
+
+bool isUsable(const View& view) {
+    return std::isfinite(view.scale.x) && std::isfinite(view.scale.y) && view.scale.x != 0 && view.scale.y != 0;
+}
+
+// The view of a scene whose camera is another.
+template <class Change>
+void spoilCamera(const Scene& scene, StageKeys& keys, Change change) {
+    Scene other = scene;
+    change(other.camera);
+    if (const View view = makeView(other); isUsable(view)) keys.transform.view = view;
+    keys.shading.lights = lightsInWorldSpace(scene, keys.transform.view);
+}
+
+// The distance that z-buffers are cleared to by somebody who takes the middle of the scene for far away.
+double middleDepth(const Scene& scene) {
+    const Camera& camera = scene.camera;
+    return camera.kind == CameraKind::Spherical ? camera.rho : glm::length(camera.target - camera.eye);
+}
+
+// Of the ways of a defect, its number; the last stands for those beyond it.
+template <std::size_t count>
+double ofWay(const double (&values)[count], std::size_t way) {
+    return values[std::min(way, count - 1)];
+}
+
+void spoilTranslations(StageKeys& keys) {
+    constexpr double kFarthest = 1e9;  // as far as a scene may put an object: squares of edges remain numbers
+    for (ObjectTransform& transform : keys.transform.transforms)
+        transform.translation =
+            glm::clamp(makeObjectMatrix(transform).linear * transform.translation, Vec3d(-kFarthest), Vec3d(kFarthest));
+}
+
+void spoilRotations(StageKeys& keys, double factor) {
+    for (ObjectTransform& transform : keys.transform.transforms) {
+        transform.rotation *= factor;
+        for (AxisTurn& turn : transform.turns) turn.angle *= factor;
+    }
+}
+
+// A light's numbers, taken for those of a space whose axes are the eye's: x right, y up, z towards the viewer.
+void spoilLightSpace(StageKeys& keys) {
+    const View& view = keys.transform.view;
+    for (Light& light : keys.shading.lights) {
+        const Vec3d p = light.position;
+        light.position = p.x * view.right + p.y * view.up - p.z * view.forward;
+        if (light.kind != LightKind::AtInfinity) light.position += view.eye;
+    }
+}
+
+void spoilShadowBias(const Planted& planted, StageKeys& keys) {
+    ShadowSettings& shadow = keys.shading.shadow;
+    shadow.bias = ShadowBias::Constant, shadow.biasValue = 0;
+    if (planted.defect == Defect::NoBias) return;
+    // Shares of the scene's depth.
+    const View& view = keys.transform.view;
+    shadow.biasValue = ofWay({1.0 / 3, 1.0 / 6, 2.0 / 3}, planted.way) * (view.far - view.near);
+}
+
+// Who changes its own text.
+void tellStage(const Scene& scene, Planted planted, StageKeys& keys) {
+    using enum Defect;
+    switch (planted.defect) {
+        case NormalMatrix:
+        case ClipNormals: keys.transform.planted = planted; return;
+        case NormalSpace:  // of given normals, and of polygons
+            keys.transform.planted = keys.normals.planted = planted;
+            return;
+        case CullSign:
+        case CullAxis:
+        case NearDrop: keys.cull.planted = planted; return;
+        case NormalFlip: keys.normals.planted = planted; return;
+        case ZClear: planted.value = middleDepth(scene); [[fallthrough]];
+        case ZFlip:
+        case ZNoWrite:
+        case ZAffine: keys.zBuffer.planted = planted; return;
+        case ShadowSpace: keys.shading.shadow.eye = keys.transform.view; [[fallthrough]];
+        case ShadowFlip: keys.shading.shadow.planted = planted; return;
+        case LRaw:
+        case LightFrom:
+        case NoMax:
+        case SpecBehind:
+        case RFlip:
+        case HRaw:
+        case KsKd:
+        case FadeTwice:
+        case NoSpecular: keys.shading.illumination.detail.planted = planted; return;
+        case NormalShort:
+        case EyeAtOrigin:
+        case AmbientInShadow:
+        case AmbientPerLight:
+        case NoAmbient:
+        case Integer:
+        case Wrap:
+        case Gamma:
+        case NoScale:
+        case Bgr:
+        case Unsorted: keys.shading.planted = planted; return;
+        default: return;
+    }
+}
+
+void spoilView(const Scene& scene, const Planted& planted, StageKeys& keys) {
+    View& view = keys.transform.view;
+    const double aspect = double(view.size.x) / view.size.y;
+    switch (planted.defect) {
+        case Defect::Radians:
+            spoilCamera(scene, keys, [](Camera& camera) {
+                camera.theta *= kDegrees, camera.phi *= kDegrees, camera.fovY *= kDegrees;
+            });
+            if (planted.way == 1) spoilRotations(keys, kDegrees);
+            return;
+        case Defect::YDown: view.scale.y = -view.scale.y; return;
+        case Defect::HalfPixel: view.centre -= 0.5; return;
+        case Defect::HalfAngle:
+            if (2 * scene.camera.fovY < 180) spoilCamera(scene, keys, [](Camera& camera) { camera.fovY *= 2; });
+            return;
+        case Defect::Aspect: view.scale.x *= planted.way == 0 ? aspect * aspect : aspect; return;
+        case Defect::NearSmall:
+            if (view.perspective) view.near *= ofWay({1.0 / 20, 1.0 / 100, 1.0 / 1000}, planted.way);
+            return;
+        default: return;
+    }
+}
+
+}  // namespace
+
+void spoilGiven(const Scene& scene, StageKeys& keys) {
+    const Planted planted{scene.settings.defect, std::uint8_t(std::clamp(scene.settings.defectWay, 0, 255)), 0};
+    spoilView(scene, planted, keys);
+    switch (planted.defect) {
+        case Defect::TrsOrder: spoilTranslations(keys); break;
+        case Defect::Degrees: spoilRotations(keys, 1 / kDegrees); break;
+        case Defect::LightInEye: spoilLightSpace(keys); break;
+        case Defect::NoBias:
+        case Defect::BigBias: spoilShadowBias(planted, keys); break;
+        case Defect::Affine: keys.shading.interpolation = Interpolation::Affine; break;
+        case Defect::Exponent:
+            for (std::vector<Material>* materials : {&keys.shading.materials, &keys.shading.backMaterials})
+                for (Material& material : *materials) material.exponent *= planted.way == 0 ? 4 : 0.25;
+            break;
+        default: break;
+    }
+    tellStage(scene, planted, keys);
+}
+
+namespace {
+
+// A mesh with other polygons. corners: what becomes of the corners of polygon p.
+template <class Corners>
+std::shared_ptr<const Mesh> withCorners(const Mesh& mesh, Corners corners) {
+    Mesh out;
+    out.file = mesh.file, out.positions = mesh.positions, out.normals = mesh.normals;
+    out.polygonPlaces = mesh.polygonPlaces;
+    out.reservePolygons(mesh.polygonCount(), mesh.cornerCount());
+    for (std::size_t p = 0; p < mesh.polygonCount(); ++p) {
+        const std::span<const std::uint32_t> polygon = mesh.polygon(p);
+        std::vector<std::uint32_t> changed(polygon.begin(), polygon.end());
+        corners(p, changed);
+        out.addPolygon(changed);
+    }
+    return makeMesh(std::move(out));
+}
+
+bool areAlike(const Mesh& a, const Mesh& b) {
+    return a.triangles == b.triangles && a.corners == b.corners && a.firstCorner == b.firstCorner &&
+           a.positions == b.positions && a.normals == b.normals;
+}
+
+}  // namespace
+
+void spoilMeshes(const Scene& scene, std::span<const std::shared_ptr<const Mesh>> before,
+                 std::vector<std::shared_ptr<const Mesh>>& meshes) {
+    const Settings& settings = scene.settings;
+    if (settings.defect != Defect::Winding && settings.defect != Defect::OneBased) return;
+    bool isReversed = false;  // one polygon is, the one in the middle of the first mesh that has any
+    for (std::size_t i = 0; i < meshes.size(); ++i) {
+        const Mesh& mesh = *meshes[i];
+        const auto vertices = std::uint32_t(mesh.positions.size());
+        if (mesh.polygonCount() == 0) continue;
+        if (settings.defect == Defect::OneBased) {
+            // The number of a vertex, counted from 1, read as if from 0; the vertex after the last is the first.
+            const std::uint32_t next = settings.defectWay == 0 ? 1 : vertices - 1;
+            meshes[i] = withCorners(mesh, [&](std::size_t, std::vector<std::uint32_t>& corners) {
+                for (std::uint32_t& corner : corners) corner = (corner + next) % vertices;
+            });
+        } else {
+            const bool all = settings.defectWay > 0;
+            if (isReversed && !all) continue;
+            meshes[i] = withCorners(mesh, [&](std::size_t polygon, std::vector<std::uint32_t>& corners) {
+                if (all || polygon == mesh.polygonCount() / 2) std::ranges::reverse(corners);
+            });
+            isReversed = true;
+        }
+        if (i < before.size() && areAlike(*before[i], *meshes[i])) meshes[i] = before[i];
+    }
+}
+
+}  // namespace pipeline

@@ -1,0 +1,83 @@
+// Defects that rewrite what a stage has left.
+#include "pipeline/defects/hooks.h"
+#include "pipeline/stages/cull.h"
+#include "pipeline/stages/normals.h"
+
+namespace pipeline {
+namespace {
+
+// Which of near and far a polygon that stage 2 has tested reaches beyond.
+struct Reaching {
+    bool near = false, far = false;
+};
+template <class Real>
+Reaching reachOf(const TransformOutput<Real>& in, const Topology::Corners& corners) {
+    Reaching beyond;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const double z = double(in.viewSpace(corners[i]).z);
+        beyond.near = beyond.near || z < in.view.near;
+        beyond.far = beyond.far || z > in.view.far;
+    }
+    return beyond;
+}
+
+// Whether a polygon faces the way that the camera looks, whatever the line of sight to it.
+template <class Real>
+bool facesAlongAxis(const TransformOutput<Real>& in, std::size_t polygon) {
+    const Topology::Corners corners = in.topology->corners(polygon);
+    const Vec3<Real> first = in.world[corners[0]];
+    Vec3<Real> sum(0);
+    for (std::size_t i = 2; i < corners.size(); ++i)
+        sum += glm::cross(in.world[corners[i - 1]] - first, in.world[corners[i]] - first);
+    const bool along = glm::dot(sum, Vec3<Real>(in.view.forward)) > 0;
+    return along != (in.mirrored[in.topology->objectOfPolygon(polygon)] != 0);
+}
+
+}  // namespace
+
+template <class Real>
+void spoilVerdicts(const CullInputs& inputs, const TransformOutput<Real>& in, std::size_t polygons, Culled& out) {
+    for (std::size_t polygon = 0; polygon < polygons; ++polygon) {
+        Verdict& verdict = out.verdicts[polygon];
+        if (!goesOn(verdict) && verdict != Verdict::BackFacing) continue;
+        const Reaching beyond = reachOf(in, in.topology->corners(polygon));
+        if (inputs.planted.defect == Defect::NearDrop) {
+            if (verdict == Verdict::Clipped && beyond.near) verdict = Verdict::OutsideNear;
+            continue;
+        }
+        std::uint8_t& marks = out.marks[polygon];
+        const bool isBack =
+            inputs.planted.defect == Defect::CullSign ? !out.isBack(polygon) : facesAlongAxis(in, polygon);
+        marks = std::uint8_t(isBack ? marks | CullMark::kBack : marks & ~CullMark::kBack);
+        if (isBack && inputs.mode == CullMode::Back)
+            verdict = Verdict::BackFacing;
+        else
+            verdict = beyond.near || beyond.far ? Verdict::Clipped : Verdict::Kept;
+    }
+}
+
+template <class Real>
+void spoilPolygonNormals(const Planted& planted, const TransformOutput<Real>& in, std::size_t polygons,
+                         NormalsOutput<Real>& out) {
+    const View& view = in.view;
+    const auto inView = [&](Vec3<Real> n) {
+        return Vec3<Real>(glm::dot(Vec3<Real>(view.right), n), glm::dot(Vec3<Real>(view.up), n),
+                          -glm::dot(Vec3<Real>(view.forward), n));
+    };
+    const auto spoil = [&](Vec3<Real>& normal) {
+        // Never -0, which a buffer would show.
+        normal = (planted.defect == Defect::NormalFlip ? -normal : inView(normal)) + Vec3<Real>(0);
+    };
+    for (std::size_t polygon = 0; polygon < polygons; ++polygon) {
+        spoil(out.polygon[polygon]);
+        if (!out.weighted.empty()) spoil(out.weighted[polygon]);
+    }
+}
+
+#define SHADESCOPE_INSTANTIATE(Real)                                                                    \
+    template void spoilVerdicts(const CullInputs&, const TransformOutput<Real>&, std::size_t, Culled&); \
+    template void spoilPolygonNormals(const Planted&, const TransformOutput<Real>&, std::size_t, NormalsOutput<Real>&);
+SHADESCOPE_FOR_EVERY_REAL(SHADESCOPE_INSTANTIATE)
+#undef SHADESCOPE_INSTANTIATE
+
+}  // namespace pipeline

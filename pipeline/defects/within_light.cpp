@@ -1,0 +1,149 @@
+// Defects within the illumination of a point by one light, and in the test of its shadow.
+#include <algorithm>
+#include <cmath>
+
+#include "pipeline/defects/hooks.h"
+#include "pipeline/illumination/illumination.h"
+#include "pipeline/stages/shadow_factor.h"
+
+namespace pipeline {
+namespace {
+
+// What no formula of a scene within its ranges comes near, and what float still squares.
+constexpr double kMost = 1e18;
+
+// A value that is none becomes 0, one without bound the largest.
+template <class Real>
+Real bounded(Real x) {
+    return x > Real(-kMost) ? (x < Real(kMost) ? x : Real(kMost)) : (x <= Real(-kMost) ? Real(-kMost) : Real(0));
+}
+template <class Real>
+Vec3<Real> bounded(Vec3<Real> v) {
+    return {bounded(v.x), bounded(v.y), bounded(v.z)};
+}
+
+// From the surface to the light, at its own length.
+template <class Real>
+Vec3<Real> rawDirection(const Light& light, const Surface<Real>& at) {
+    const Vec3<Real> place(light.position);
+    return light.kind == LightKind::AtInfinity ? place : place - at.position;
+}
+
+// What follows from another L.
+template <class Real>
+void follow(const Surface<Real>& at, UnitForm unit, LightSample<Real>& s) {
+    s.nDotL = bounded(glm::dot(at.N, s.L));
+    s.R = bounded(2 * s.nDotL * at.N - s.L);
+    s.rDotV = bounded(glm::dot(s.R, at.V));
+    s.H = normalized(s.L + at.V, unit);
+    s.nDotH = glm::dot(at.N, s.H);
+}
+
+// The terms of the model for other directions, or with another form of the power.
+template <class Real>
+LightSample<Real> termsOf(const Illumination& illumination, const Light& light, const Material& material,
+                          const Surface<Real>& at, bool attenuated, PowerForm form, LightSample<Real> s) {
+    LightDetail detail = illumination.detail;
+    detail.power = form;
+    s.ambient = s.diffuse = s.specular = Vec3<Real>(0);
+    std::get<AddLight<Real>>(lightTermsOf(illumination.model))(
+        {light, material, at, detail, effectiveExponent(illumination.model, illumination.exponentFactor, material),
+         usesHalfway(illumination.model, material), attenuated},
+        s);
+    return s;
+}
+
+}  // namespace
+
+template <class Real>
+void spoilDirections(const Illumination& illumination, const Light& light, const Surface<Real>& at,
+                     LightSample<Real>& s) {
+    const Planted& planted = illumination.detail.planted;
+    const UnitForm unit = illumination.detail.unit;
+    switch (planted.defect) {
+        case Defect::LRaw:
+            s.L = rawDirection(light, at);
+            follow(at, unit, s);
+            return;
+        case Defect::LightFrom:
+            s.L = -s.L;
+            follow(at, unit, s);
+            return;
+        case Defect::RFlip:
+            s.R = planted.way == 0 ? s.L - 2 * s.nDotL * at.N : s.nDotL * at.N - s.L;
+            s.rDotV = glm::dot(s.R, at.V);
+            return;
+        case Defect::HRaw:
+            s.H = planted.way == 0 ? normalized(rawDirection(light, at) + at.V, unit) : (s.L + at.V) / Real(2);
+            s.nDotH = glm::dot(at.N, s.H);
+            return;
+        default: return;
+    }
+}
+
+template <class Real>
+void spoilTerms(const Illumination& illumination, const Light& light, const Material& material, const Surface<Real>& at,
+                bool attenuated, LightSample<Real>& s) {
+    const Planted& planted = illumination.detail.planted;
+    const auto again = [&](const Surface<Real>& surface, const LightSample<Real>& sample, PowerForm form) {
+        return termsOf(illumination, light, material, surface, attenuated, form, sample);
+    };
+    const PowerForm form = illumination.detail.power;
+    const bool behind = !(s.nDotL > 0);
+    switch (planted.defect) {
+        // The stable form of the power is of unit vectors alone.
+        case Defect::LRaw: s = again(at, s, PowerForm::Pow); break;
+        case Defect::HRaw:
+            if (planted.way > 0) s = again(at, s, PowerForm::Pow);
+            break;
+        case Defect::RFlip:
+            if (planted.way > 0) s = again(at, s, PowerForm::Pow);
+            break;
+        case Defect::NoMax:
+            if (behind) {
+                // The term is linear in N·L: of the other side, with the sign that was not cut off, or cut off too much.
+                LightSample<Real> other = s;
+                other.nDotL = -s.nDotL;
+                const Vec3<Real> diffuse = again({at.position, -at.N, at.V}, other, form).diffuse;
+                s.diffuse = planted.way == 0 ? -diffuse : diffuse;
+            }
+            break;
+        case Defect::SpecBehind:
+            if (behind) {
+                LightSample<Real> lit = s;
+                lit.nDotL = 1;  // its diffuse term is not taken
+                lit = again(at, lit, form);
+                s.specular = lit.specular, s.specularPower = lit.specularPower, s.power = lit.power;
+            }
+            break;
+        case Defect::KsKd: s.specular *= Vec3<Real>(material.diffuse); break;
+        case Defect::NoSpecular: s.specular = Vec3<Real>(0); break;
+        case Defect::FadeTwice:
+            s.ambient *= s.fading, s.diffuse *= s.fading, s.specular *= s.fading;
+            s.fading *= s.fading;
+            break;
+        default: break;
+    }
+    s.specularPower = bounded(s.specularPower);
+    s.ambient = bounded(s.ambient), s.diffuse = bounded(s.diffuse) + Vec3<Real>(0);
+    s.specular = bounded(s.specular) + Vec3<Real>(0);
+}
+
+template <class Real>
+void spoilShadowPoint(const ShadowSettings& settings, Vec3<Real>& position) {
+    if (settings.planted.defect == Defect::ShadowSpace) position = toView(*settings.eye, position);
+}
+
+void spoilTexel(const ShadowSettings& settings, glm::ivec2 size, glm::ivec2& texel) {
+    if (settings.planted.defect == Defect::ShadowFlip) texel.y = size.y - 1 - texel.y;
+}
+
+#define SHADESCOPE_INSTANTIATE(Real)                                                                            \
+    template void spoilDirections(const Illumination&, const Light&, const Surface<Real>&, LightSample<Real>&); \
+    template void spoilTerms(const Illumination&, const Light&, const Material&, const Surface<Real>&, bool,    \
+                             LightSample<Real>&);                                                               \
+    template void spoilShadowPoint(const ShadowSettings&, Vec3<Real>&);
+SHADESCOPE_FOR_EVERY_REAL(SHADESCOPE_INSTANTIATE)
+#undef SHADESCOPE_INSTANTIATE
+
+}  // namespace pipeline

@@ -1,0 +1,85 @@
+// Defects within stage 6, at its points, sums and frame buffer.
+#include <algorithm>
+#include <cmath>
+
+#include "pipeline/core/elementary.h"
+#include "pipeline/core/numerics.h"
+#include "pipeline/defects/hooks.h"
+#include "pipeline/stages/shading.h"
+#include "pipeline/stages/translucent.h"
+
+namespace pipeline {
+
+template <class Real>
+void spoilSurface(const ShadingInputs& inputs, Surface<Real>& surface) {
+    if (inputs.planted.defect == Defect::EyeAtOrigin)
+        surface.V = normalized(-surface.position, inputs.illumination.detail.unit);
+}
+
+template <class Real>
+void spoilPixel(const ShadingInputs& inputs, const ShadingSources<Real>& in, const VertexWeights<Real>& weights,
+                Surface<Real>& surface) {
+    spoilSurface(inputs, surface);
+    if (inputs.planted.defect != Defect::NormalShort || in.normals.vertex.empty()) return;
+    const Vec3<Real> normal = interpolated(weights, [&](std::uint32_t vertex) { return in.normals.vertex[vertex]; });
+    surface.N = glm::dot(normal, surface.N) < 0 ? -normal : normal;  // of a back face it has been turned round
+}
+
+template <class Real>
+void spoilAmbient(const Planted& planted, std::size_t light, Real shadow, Vec3<Real> whole, Vec3<Real>& ambient,
+                  Vec3<Real>& intensity) {
+    const Vec3<Real> before = ambient;
+    switch (planted.defect) {
+        case Defect::AmbientInShadow:
+            if (light == 0) ambient = shadow * whole;
+            break;
+        case Defect::AmbientPerLight:
+            if (light > 0) ambient += whole;
+            break;
+        case Defect::NoAmbient: ambient = Vec3<Real>(0); break;
+        default: return;
+    }
+    intensity += ambient - before;
+}
+
+void spoilFrameBuffer(const Planted& planted, Vec3d intensity, double iMax, Color8& value) {
+    constexpr double kGammas[]{2.2, 1.8, 2.4};
+    for (int c = 0; c < 3; ++c) {
+        const double share = iMax > 0 && std::isfinite(intensity[c]) ? intensity[c] / iMax : 0;
+        const double within = std::clamp(share, 0.0, 1.0);
+        switch (planted.defect) {
+            case Defect::Integer: value[c] = std::uint8_t(int(within) * 255); break;
+            case Defect::Wrap: {
+                const double byte = std::fmod(std::floor(share * 255 + 0.5), 256.0);
+                value[c] = std::uint8_t(byte < 0 ? byte + 256 : byte);
+                break;
+            }
+            case Defect::Gamma:
+                value[c] = std::uint8_t(
+                    pow(within, 1.0 / kGammas[std::min<std::size_t>(planted.way, std::size(kGammas) - 1)]) * 255 + 0.5);
+                break;
+            case Defect::NoScale:
+                value[c] = std::uint8_t(std::isfinite(intensity[c]) ? std::clamp(intensity[c], 0.0, 255.0) + 0.5 : 0);
+                break;
+            default: break;
+        }
+    }
+    if (planted.defect == Defect::Bgr) std::swap(value.r, value.b);
+}
+
+template <class Real>
+void spoilLayers(const Planted& planted, std::vector<Layer<Real>>& layers) {
+    if (planted.defect != Defect::Unsorted) return;
+    std::ranges::stable_sort(layers, {}, &Layer<Real>::triangle);  // by the order of the file
+}
+
+#define SHADESCOPE_INSTANTIATE(Real)                                                                        \
+    template void spoilSurface(const ShadingInputs&, Surface<Real>&);                                       \
+    template void spoilPixel(const ShadingInputs&, const ShadingSources<Real>&, const VertexWeights<Real>&, \
+                             Surface<Real>&);                                                               \
+    template void spoilAmbient(const Planted&, std::size_t, Real, Vec3<Real>, Vec3<Real>&, Vec3<Real>&);    \
+    template void spoilLayers(const Planted&, std::vector<Layer<Real>>&);
+SHADESCOPE_FOR_EVERY_REAL(SHADESCOPE_INSTANTIATE)
+#undef SHADESCOPE_INSTANTIATE
+
+}  // namespace pipeline
