@@ -36,6 +36,36 @@ Result<std::string> textOf(std::span<const Option> options, const Context& conte
     return fmt::format("{}", fmt::join(words, "; "));
 }
 
+Result<bool> holdsAt(const Expression& condition, Context context, glm::ivec2 pixel) {
+    Pick pick;
+    pick.x = pixel.x, pick.y = pixel.y;
+    context.pick = &pick;
+    const auto holds = evaluate(condition, context);
+    if (!holds) return holds.errors();
+    return holds->numbers[0] == 1;
+}
+
+// A pixel at which a condition holds, and around which it does, so that a finger hits it: on a coarse grid, then on
+// finer ones. Nothing where there is none so large.
+Result<std::optional<glm::ivec2>> exampleOf(const Expression& condition, const Context& context) {
+    const glm::ivec2 size(context.frame.scene().settings.width, context.frame.scene().settings.height);
+    for (const auto& [step, around] : {std::pair{24, 6}, std::pair{8, 3}, std::pair{3, 1}})
+        for (int y = step; y < size.y - step; y += step)
+            for (int x = step; x < size.x - step; x += step) {
+                bool all = true;
+                for (const glm::ivec2 beside : {glm::ivec2(0), {around, 0}, {-around, 0}, {0, around}, {0, -around}}) {
+                    const auto holds = holdsAt(condition, context, glm::ivec2(x, y) + beside);
+                    if (!holds) return holds.errors();
+                    if (!*holds) {
+                        all = false;
+                        break;
+                    }
+                }
+                if (all) return std::optional(glm::ivec2(x, y));
+            }
+    return std::optional<glm::ivec2>();
+}
+
 Result<std::string> textOf(const ClickQuestion& click, Context context) {
     if (click.near) {
         const auto place = evaluate(*click.near, context);
@@ -43,7 +73,12 @@ Result<std::string> textOf(const ClickQuestion& click, Context context) {
         return fmt::format("x {}, y {}, within {} px", toText({{place->numbers[0]}, {}}, 0),
                            toText({{place->numbers[1]}, {}}, 0), pipeline::shortestText(click.within));
     }
-    if (click.kind == ThingKind::Pixel) return fmt::format("a pixel with `{}`", click.holds.text);
+    if (click.kind == ThingKind::Pixel) {
+        const auto example = exampleOf(click.holds, context);
+        if (!example) return example.errors();
+        if (!*example) return fmt::format("a pixel with `{}`", click.holds.text);
+        return fmt::format("for example x {}, y {}", (*example)->x, (*example)->y);
+    }
     std::vector<std::string> words;
     for (std::size_t i = 0; i < countOf(click.kind, context.frame.scene()); ++i) {
         const Pick pick = pickOf({click.kind, i});

@@ -201,14 +201,22 @@ std::string figuresHtml(const PageState& state, const pipeline::FramePtr& whole,
         const pipeline::BufferName& name = buffers[i];
         const bool isYetToCome = !frame->buffer(name) && whole->buffer(name);  // at the page's place in the frame
         if (hidden.hides(name) || isYetToCome) continue;
+        // Of a view that is compared: A, B, or both where the window wipes, blinks or takes the difference.
+        const auto& compared = state.window.views[i].compared;
+        const std::string other = compared && compared->mode != "a"
+                                      ? comparedFigure(state.window.views[i], name, *frame, part, pixel, stop)
+                                      : std::string();
+        if (compared && compared->mode == "b" && !other.empty()) {
+            html += other;
+            continue;
+        }
         if (pipeline::isDerived(name.id)) {
             const auto made = derive(name, recipe, *frame, {.stop = stop});
             if (made) html += bufferFigure(*frame, made->buffer, part, pixel, made->meaning, {});
         } else {
             html += figureHtml(*frame, name, part, pixel);
         }
-        if (state.window.views[i].compared)
-            html += comparedFigure(state.window.views[i], name, *frame, part, pixel, stop);
+        html += other;
     }
     return html;
 }

@@ -23,6 +23,9 @@ VectorCode vectorIn(const QString& text) {
     return VectorCode::None;
 }
 
+// Of a fenced block of code: Qt marks the block, not its letters.
+bool isCode(const QTextBlock& block) { return block.blockFormat().hasProperty(QTextFormat::BlockCodeLanguage); }
+
 QColor colorOf(ProseView::Tone tone, const ThemeColors& colors) {
     switch (tone) {
         case ProseView::Tone::Right: return colors.run;
@@ -78,6 +81,7 @@ void ProseView::typeset() {
         format.setLineHeight(theme.px(heading ? 24 : 20),
                              fixed ? QTextBlockFormat::FixedHeight : QTextBlockFormat::MinimumHeight);
         format.setTopMargin(0);
+        format.setNonBreakableLines(false);  // lines of code wrap as well: the column does not scroll sideways
         const bool inList = block.textList() && block.next().textList();
         format.setBottomMargin(block.next().isValid() ? theme.px(inList ? 2 : 8) : 0);
         QTextCursor(block).setBlockFormat(format);
@@ -96,7 +100,7 @@ void ProseView::markVectors() {
             QTextCursor cursor(block);
             cursor.setPosition(fragment.position());
             cursor.setPosition(fragment.position() + fragment.length(), QTextCursor::KeepAnchor);
-            if (format.fontFixedPitch()) {
+            if (format.fontFixedPitch() || isCode(block)) {
                 QTextCharFormat code;
                 code.setFont(theme.mono(12), QTextCharFormat::FontPropertiesSpecifiedOnly);
                 code.setFontFixedPitch(true);
@@ -117,7 +121,7 @@ void ProseView::markVectors() {
 void ProseView::raiseScripts() {
     static const QRegularExpression script("(?<=[\\p{L})])[_^][A-Za-z0-9]+");
     for (QTextCursor found = document()->find(script, 0); !found.isNull(); found = document()->find(script, found)) {
-        if (found.charFormat().fontFixedPitch()) continue;
+        if (found.charFormat().fontFixedPitch() || isCode(found.block())) continue;
         const bool below = found.selectedText().startsWith('_');
         const int start = found.selectionStart(), end = found.selectionEnd() - 1;  // without its sign
         QTextCursor sign(document());
