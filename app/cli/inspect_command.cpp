@@ -10,8 +10,10 @@
 #include "app/cli/message.h"
 #include "app/cli/scene_argument.h"
 #include "lessons/expression/condition.h"
+#include "pipeline/contracts/contract.h"
 #include "pipeline/core/text.h"
 #include "pipeline/export/algorithm_json.h"
+#include "pipeline/export/contracts_json.h"
 #include "pipeline/export/json.h"
 #include "pipeline/export/plot_file.h"
 #include "pipeline/export/table_json.h"
@@ -33,7 +35,7 @@ struct InspectOptions {
     std::string format = "text";
     std::optional<int> row;
     int threads = 0;
-    bool json = false, shadowVerdicts = false;
+    bool json = false, shadowVerdicts = false, contracts = false;
 };
 
 pipeline::FrameRequest requestFor(const InspectOptions& options, pipeline::BufferSet wanted) {
@@ -178,6 +180,21 @@ int printShadows(const std::shared_ptr<const pipeline::Scene>& scene, const Insp
     return kDone;
 }
 
+// What must hold of every stage's output, and how often it does.
+int printContracts(const std::shared_ptr<const pipeline::Scene>& scene, const InspectOptions& options) {
+    const pipeline::FramePtr frame = frameOf(scene, options, pipeline::contractBuffers());
+    if (!frame) return cancelled();
+    const pipeline::ContractInput input = contractInput(*frame);
+    const auto results = checkContracts(input, options.stop);
+    if (options.stop.stop_requested()) return cancelled();
+    if (options.json)
+        say("{}\n", toJson(results, input, true).dump(2, ' ', false, pipeline::Json::error_handler_t::replace));
+    else
+        say("{}", contractsText(results, input));
+    const bool hold = std::ranges::all_of(results, [](const auto& result) { return result.holds(); });
+    return hold ? kDone : kAnswerIsNo;
+}
+
 // The algorithm of the stage that the place is in, with the line and the values there.
 int printStep(const std::shared_ptr<const pipeline::Scene>& scene, const InspectOptions& options) {
     if (!knowsFormat(options, pipeline::kAlgorithmFormats, "text or latex for a step")) return kWrongUsage;
@@ -218,10 +235,12 @@ int runInspect(InspectOptions options) {
     pipeline::BufferSet wanted;  // beside what a condition reads
     if (options.row) wanted = pipeline::sectionBuffers();
     if (options.shadowVerdicts) wanted = pipeline::setOf({pipeline::BufferId::Shadow});
+    if (options.contracts) wanted = pipeline::contractBuffers();
     if (!fits(*scene, requestFor(options, wanted), options.scene, status)) return status;
     if (!options.table.empty()) return inspectTable(scene, options);
     if (options.hasWhere) return printWhere(scene, options);
     if (options.shadowVerdicts) return printShadows(scene, options);
+    if (options.contracts) return printContracts(scene, options);
     if (options.row) return printRow(scene, options);
     if (!options.step.empty()) return printStep(scene, options);
     const auto pixel = pixelIn(*scene, options.pixel);
@@ -265,6 +284,8 @@ void declareInspect(CLI::App& program, const CliHost&, int& status) {
             ->type_name("CONDITION");
     CLI::Option* verdicts = what->add_flag("--shadow-verdicts", options->shadowVerdicts,
                                            "Per light the pixels lit, shadowed, acne and leak, against exact rays");
+    CLI::Option* contracts = what->add_flag("--contracts", options->contracts,
+                                            "What must hold of every stage's output, how often it does, and where not");
     what->add_option("--row", options->row, "The section along a row: depths and intensities, as CSV, SVG or JSON")
         ->type_name("Y");
     what->add_option(
@@ -282,7 +303,7 @@ void declareInspect(CLI::App& program, const CliHost&, int& status) {
             ->type_name("FORMAT")
             ->check(CLI::IsMember(formats));
     declareThreads(*command, options->threads);
-    format->excludes(where)->excludes(verdicts);
+    format->excludes(where)->excludes(verdicts)->excludes(contracts);
     command->add_flag("--json", options->json, "Print JSON")->excludes(format);
     command->callback([options, where, &status] {
         options->hasWhere = where->count() > 0;

@@ -10,6 +10,7 @@
 
 #include "lessons/expression/function_table.h"
 #include "pipeline/buffers/buffer_table.h"
+#include "pipeline/contracts/contract.h"
 #include "pipeline/core/text.h"
 #include "pipeline/defects/defect_table.h"
 #include "pipeline/formats/toml_scene.h"
@@ -125,6 +126,31 @@ std::string functions() {
     return text;
 }
 
+std::string contracts() {
+    std::string text =
+        "\n## Contracts\n\nWhat must hold of every stage's output: `inspect SCENE --contracts` counts how often it "
+        "does, and "
+        "the manifest of an export for what was exported. u is the unit of rounding: 2⁻²⁴ in float, 2⁻⁵³ in double.\n\n"
+        "| name | stage | formula | what | reads | may be off by | source |\n|---|---|---|---|---|---|---|\n";
+    // A bar ends a cell.
+    const auto cell = [](std::string_view words) {
+        std::string escaped;
+        for (const char c : words) escaped += c == '|' ? std::string("\\|") : std::string(1, c);
+        return escaped;
+    };
+    for (const pipeline::Contract& contract : pipeline::contractTable()) {
+        std::string reads;
+        for (const pipeline::BufferId id : contract.reads)
+            reads += fmt::format("{}`{}{}`", reads.empty() ? "" : ", ", pipeline::bufferInfo(id).name,
+                                 pipeline::bufferInfo(id).perLight ? ".k" : "");
+        text +=
+            fmt::format("| `{}` | {} | {} | {} | {} | {}{}{} | {} |\n", contract.id,
+                        pipeline::stageInfo(contract.stage).name, cell(contract.formula), cell(contract.claim), reads,
+                        cell(contract.bound), contract.unit.empty() ? "" : ", in ", contract.unit, contract.source);
+    }
+    return text;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -136,7 +162,7 @@ int main(int argc, char** argv) {
     const std::string text =
         "# Reference\n\nMade from the program's tables by `resources/manual/write_reference.cpp`; not to be "
         "edited.\n\n" +
-        stages() + buffers() + settings() + defects() + functions();
+        stages() + buffers() + settings() + defects() + functions() + contracts();
     if (!check) {
         std::ofstream file(argv[1], std::ios::binary);
         return file << text && file.flush() ? 0 : 4;

@@ -77,6 +77,7 @@ constexpr std::array kLayers{
     Layer{"pipeline/simd/", 5},
     Layer{"pipeline/plan/", 6},
     Layer{"pipeline/run/", 7},
+    Layer{"pipeline/contracts/", 8},
     Layer{"pipeline/inspect/", 8},
     Layer{"pipeline/steps/", 9},
     Layer{"pipeline/study/", 9},
@@ -248,6 +249,7 @@ Breaches longFiles(const SourceTree& tree) {
         const bool script = file.path.ends_with("CMakeLists.txt") || file.path.ends_with(".cmake") ||
                             file.path.ends_with(".sh") || file.path.ends_with(".py");
         if (!isSource(file) && !script) continue;
+        if (file.path.starts_with("tests/student/")) continue;  // a renderer is handed in as one file
         std::size_t limit = 400;
         if (file.path.starts_with("app/panels/")) limit = 250;
         if (file.path.starts_with("pipeline/stages/") && file.path.ends_with(".cpp")) limit = 200;

@@ -145,6 +145,32 @@ TEST(Inspect, HoldsShadowsAgainstRays) {
     }
 }
 
+// The pyramid has five vertices and as many polygons; with the estimated root, which is within 3.44 % and no nearer than
+// some tenths of a per cent for most lengths, no normal of the five has length 1.
+TEST(Inspect, CountsWhatHolds) {
+    const auto whole = run({"inspect", "pyramid", "--contracts"});
+    EXPECT_EQ(whole.status, 0) << whole.out;
+    EXPECT_TRUE(has(whole.out, "p_v = R (p − E)")) << whole.out;
+    EXPECT_TRUE(has(whole.out, "A light at infinity has its origin anywhere."));
+    const auto naive = run({"inspect", "pyramid", "--contracts", "--json", "--set", "numerics.normalize=estimate"});
+    EXPECT_EQ(naive.status, 1);
+    std::size_t violated = 0;
+    for (const Json& one : Json::parse(naive.out)) {
+        if (one["contract"] == "unit-polygon-normals") {
+            EXPECT_EQ(one["checked"], 5);
+            EXPECT_LT(one["hold"], 5);
+            EXPECT_LT(one["worst"]["error"].get<double>(), 0.0344);
+            EXPECT_TRUE(has(one["worst"]["place"].get<std::string>(), "polygon "));
+            ++violated;
+        }
+        if (one["contract"] == "view") {
+            EXPECT_EQ(one["hold"], 5);
+        }
+    }
+    EXPECT_EQ(violated, 1u);
+    EXPECT_EQ(run({"inspect", "pyramid", "--contracts", "--pixel", "1,1"}).status, 2);
+}
+
 TEST(Inspect, WantsAPixelOrATable) {
     for (const std::vector<std::string>& wrong :
          {std::vector<std::string>{"inspect", "pyramid"},
