@@ -27,6 +27,7 @@ using pipeline::PaletteRange;
 using pipeline::Tile;
 
 constexpr std::size_t kMostRows = 40, kMostCategories = 8;
+constexpr double kTallest = 24;  // of a picture, rem
 
 // "1.5·10^−6" with its power set high.
 std::string numberHtml(double value) {
@@ -107,9 +108,14 @@ std::string pictureHtml(const pipeline::Frame& frame, const AnyBuffer& buffer, T
     const bool ofPixels = buffer.info->domain == Domain::Pixel;
     if (!ofPixels) part = {{0, 0}, size};
     const PaletteRange range = fittingRange(buffer, statistics(buffer), frame.scene().settings.depthFormat);
-    std::string html = fmt::format(
-        "<div class=picture><img src=\"{}\" alt=\"{}\">", pipeline::imageSource("png", pictureOf(buffer, range, part)),
-        pipeline::escapedHtml(pictureSentence(buffer, part, ofPixels ? pixel : std::nullopt)));
+    // A tall one, as the faces of a shadow buffer below one another, is narrower: it has to fit on a sheet.
+    const glm::dvec2 shown(part.max - part.min);
+    const std::string narrow =
+        shown.y > shown.x ? fmt::format(" style=\"max-width: {:.2f}rem\"", kTallest * shown.x / shown.y) : "";
+    std::string html =
+        fmt::format("<div class=picture{}><img src=\"{}\" alt=\"{}\">", narrow,
+                    pipeline::imageSource("png", pictureOf(buffer, range, part)),
+                    pipeline::escapedHtml(pictureSentence(buffer, part, ofPixels ? pixel : std::nullopt)));
     if (pixel && ofPixels) {
         const glm::dvec2 at = 100.0 * (glm::dvec2(*pixel - part.min) + 0.5) / glm::dvec2(part.max - part.min);
         html += fmt::format("<span class=pick style=\"left: {:.3f}%; top: {:.3f}%\"></span>", at.x, at.y);
