@@ -12,7 +12,7 @@ install(FILES ${commands}/_shadescope DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/v
 install(FILES ${commands}/shadescope.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
 if(SHADESCOPE_WINDOW)
   install(DIRECTORY resources/manual resources/pictures DESTINATION ${CMAKE_INSTALL_DATADIR}/shadescope
-    FILES_MATCHING PATTERN "*.md" PATTERN "*.png")
+    FILES_MATCHING PATTERN "*.md" PATTERN "*.png" PATTERN "*.cues")
   set(desktop ${PROJECT_SOURCE_DIR}/resources/desktop)
   install(FILES ${desktop}/shadescope.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications)
   install(FILES ${desktop}/shadescope.metainfo.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/metainfo)

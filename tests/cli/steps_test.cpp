@@ -96,6 +96,22 @@ TEST(ExportCue, WritesWhatTheCueShows) {
     EXPECT_FALSE(fs::exists(folder / "none"));
 }
 
+// Each names a scene, settings, a place and buffers that are there.
+TEST(ExportCue, WritesEveryCueOfTheTalksThatComeWithTheProgram) {
+    const test::TemporaryFolder folder;
+    const fs::path manual = fs::path(test::scene("pyramid.scene")).parent_path().parent_path() / "manual";
+    for (const char* name : {"tour.cues", "lecture1.cues", "lecture2.cues"}) {
+        const std::string talk = (manual / name).string(), text = test::readText(talk);
+        int cues = 0;
+        for (std::size_t at = 0; (at = text.find("\n[[cue]]\n", at)) != text.npos; ++at) {
+            const std::string cue = fmt::format("{}:{}", talk, ++cues);
+            const auto done = run({"export", "--cue", cue, "-o", folder / "out", "--format", "npy"});
+            EXPECT_EQ(done.status, 0) << cue << ": " << done.err;
+        }
+        EXPECT_GT(cues, 0) << talk;
+    }
+}
+
 // One mistake a cue; the value that is wrong stands in the last line.
 TEST(ExportCue, TellsAMistakeOfTheCueWithItsPlace) {
     const test::TemporaryFolder folder;
