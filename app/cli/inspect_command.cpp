@@ -185,7 +185,7 @@ int printContracts(const std::shared_ptr<const pipeline::Scene>& scene, const In
     const pipeline::FramePtr frame = frameOf(scene, options, pipeline::contractBuffers());
     if (!frame) return cancelled();
     const pipeline::ContractInput input = contractInput(*frame);
-    const auto results = checkContracts(input, options.stop);
+    const auto results = checkContracts(input, pipeline::Stop(options.stop));
     if (options.stop.stop_requested()) return cancelled();
     if (options.json)
         say("{}\n", toJson(results, input, true).dump(2, ' ', false, pipeline::Json::error_handler_t::replace));

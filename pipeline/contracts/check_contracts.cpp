@@ -86,7 +86,7 @@ double excess(const ContractFinding& finding) {
 
 }  // namespace
 
-ContractResult checkContract(const Contract& contract, const ContractInput& input, int light) {
+ContractResult checkContract(const Contract& contract, const ContractInput& input, int light, const GoOn& goOn) {
     ContractResult result{&contract, light};
     if (contract.whyNot) result.why = contract.whyNot(input.scene, std::size_t(std::max(light, 0)));
     if (!result.why.empty()) return result;
@@ -97,7 +97,9 @@ ContractResult checkContract(const Contract& contract, const ContractInput& inpu
     }
     data.setRounding(data.rounding(contract));
     const std::size_t count = data.count(contract.reads.ids[0]);
+    constexpr std::size_t kBetweenLooks = 1 << 16;
     for (std::size_t i = 0; i < count; ++i) {
+        if (i % kBetweenLooks == 0 && goOn && !goOn()) return result;
         const std::optional<ContractFinding> finding = contract.check(data, i);
         if (!finding) continue;
         ++result.checked;
@@ -113,13 +115,14 @@ ContractResult checkContract(const Contract& contract, const ContractInput& inpu
     return result;
 }
 
-std::vector<ContractResult> checkContracts(const ContractInput& input, const Stop& stop) {
+std::vector<ContractResult> checkContracts(const ContractInput& input, const GoOn& goOn) {
     std::vector<ContractResult> results;
     for (const Contract& contract : contractTable()) {
         const int lights = contract.perLight() ? int(input.scene.lights.size()) : 0;
         for (int k = contract.perLight() ? 0 : -1; k < lights; ++k) {
-            if (stop.stop_requested()) return results;
-            results.push_back(checkContract(contract, input, k));
+            ContractResult result = checkContract(contract, input, k, goOn);
+            if (goOn && !goOn()) return results;
+            results.push_back(std::move(result));
         }
     }
     return results;

@@ -2,6 +2,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <initializer_list>
 #include <optional>
 #include <span>
@@ -104,9 +105,15 @@ struct ContractResult {
     std::string name() const;  // "unit-lights.0"
 };
 
-// Every contract for every light, in the table's order. Stopped, it gives what it has so far.
-std::vector<ContractResult> checkContracts(const ContractInput& input, const Stop& stop = {});
-ContractResult checkContract(const Contract& contract, const ContractInput& input, int light = -1);
+// Every contract for every light, in the table's order. goOn is asked before each and every 65 536 elements; where it says
+// no, what there is so far is given, without the contract that was begun.
+using GoOn = std::function<bool()>;
+std::vector<ContractResult> checkContracts(const ContractInput& input, const GoOn& goOn = {});
+inline std::vector<ContractResult> checkContracts(const ContractInput& input, const Stop& stop) {
+    return checkContracts(input, [&stop] { return !stop.stop_requested(); });
+}
+ContractResult checkContract(const Contract& contract, const ContractInput& input, int light = -1,
+                             const GoOn& goOn = {});
 
 // "pixel 12, 40", "vertex 3", "polygon 2": where an element of a contract's first buffer is.
 std::string contractPlace(const ContractResult& result, const ContractInput& input, std::size_t element);

@@ -26,6 +26,7 @@ std::string notAboveZero(const Scene& scene, std::size_t k) {
 }
 
 Found shadowFactor(const ContractData& data, std::size_t pixel) {
+    if (!data.drawn(pixel)) return {};
     return within(data.number(B::Shadow, pixel), 0, 1, 0);
 }
 
@@ -157,6 +158,7 @@ Found scaledIntensity(const ContractData& data, std::size_t pixel) {
     const Vec3d is = data.vector(B::Color, pixel);
     const B of = data.scene().settings.antialiasing > 1 && data.has(B::Antialiased) ? B::Antialiased : B::Intensity;
     const Vec3d intensity = data.vector(of, pixel);
+    if (!data.drawn(pixel) && intensity == Vec3d(0)) return {};  // the background's colour is free
     Found worst;
     for (int c = 0; c < 3; ++c) {
         const double share = data.iMax() > 0 ? std::clamp(intensity[c] / data.iMax(), 0.0, 1.0) : 0;

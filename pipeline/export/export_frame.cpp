@@ -4,6 +4,7 @@
 
 #include "pipeline/export/byte_file.h"
 #include "pipeline/export/contents.h"
+#include "pipeline/export/contracts_json.h"
 #include "pipeline/export/exporter.h"
 #include "pipeline/export/manifest.h"
 #include "pipeline/export/png_file.h"
@@ -178,6 +179,14 @@ Result<ExportSummary> exportFrame(const Frame& frame, const ExportRequest& reque
     }
 
     Json all = manifest(frame, askedFor(frame, request), written, *whole, *views, request.at);
+    if (request.at.empty()) {  // between two steps of a stage nothing has to hold yet
+        std::vector<BufferName> names;
+        for (const WrittenBuffer& buffer : written) names.push_back(buffer.item.buffer.name);
+        const ContractInput input = contractInput(frame, names);
+        const auto contracts = checkContracts(input, [&] { return goOn(done / total, kManifest); });
+        all["contracts"] = toJson(contracts, input, false);
+        if (!goOn(done / total, kManifest)) return cancelled;
+    }
     all["contents"] = contentsOf(staging.folder(), summary.files);
     staging.waitForOthers();  // what the export before has left has to be known when this one takes its place
     const Json earlier = readIndex(request.folder, kManifest);

@@ -7,7 +7,6 @@
 
 #include "pipeline/core/text.h"
 #include "pipeline/core/version.h"
-#include "pipeline/export/contracts_json.h"
 #include "pipeline/export/exporter.h"
 #include "pipeline/export/file_hash.h"
 #include "pipeline/export/png_file.h"
@@ -103,13 +102,6 @@ Json manifest(const Frame& frame, const std::vector<BufferName>& asked, const st
              {"files", files},
              {"views", views}};
     if (!derived.empty()) all["derived"] = std::move(derived);
-    // Between two steps of a stage nothing has to hold yet.
-    if (at.empty()) {
-        std::vector<BufferName> written;
-        for (const WrittenBuffer& buffer : buffers) written.push_back(buffer.item.buffer.name);
-        const ContractInput input = contractInput(frame, written);
-        all["contracts"] = toJson(checkContracts(input), input, false);
-    }
     if (!at.empty()) all["at"] = at;
     const Json ofFrame{all["program"], all["scene"], all["settings"], at};
     all["frame"] = sha256Of(ofFrame.dump(-1, ' ', false, Json::error_handler_t::replace));

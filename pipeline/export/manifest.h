@@ -29,8 +29,8 @@ struct WrittenScene {
 };
 
 // The text of manifest.json: which program made this of what, with which settings and plan,
-// and what each file holds; its "contents" (pipeline/export/contents.h) are for the caller to add. `asked` are the
-// buffers that were to be exported. Its "contracts" are those that the exported buffers suffice for.
+// and what each file holds; its "contents" (pipeline/export/contents.h) and "contracts" are for the caller to add. `asked` are the
+// buffers that were to be exported.
 Json manifest(const Frame& frame, const std::vector<BufferName>& asked, const std::vector<WrittenBuffer>& buffers,
               const std::vector<WrittenScene>& whole, const std::vector<std::string>& views, const std::string& at);
 

@@ -194,6 +194,21 @@ TEST(Contracts, NoneHoldsForNaN) {
     }
 }
 
+// 512 × 512 pixels are four looks; whoever says no at the third has had two of them done.
+TEST(Contracts, StopBetweenLooks) {
+    Scene scene = test::pyramid();
+    scene.settings.width = scene.settings.height = 512;
+    const Topology topology = makeTopology(meshesOf(scene));
+    ContractInput input{scene, topology, {}, std::vector<bool>(512 * 512, true)};
+    std::vector<double> normals(512 * 512 * 3, 0);
+    for (std::size_t i = 2; i < normals.size(); i += 3) normals[i] = 1;
+    input.buffers.push_back(numbersOf({BufferId::Normal}, {512, 512, 3}, normals, 0x1p-53));
+    int looks = 0;
+    const ContractResult result = checkContract(*findContract("unit-normals"), input, -1, [&] { return ++looks < 3; });
+    EXPECT_EQ(result.checked, std::size_t(2 * 65536));
+    EXPECT_TRUE(checkContracts(input, [] { return false; }).empty());
+}
+
 TEST(Contracts, AreDescribedInFull) {
     std::set<std::string_view> ids;
     StageId stage = StageId::Transform;
