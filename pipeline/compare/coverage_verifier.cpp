@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace pipeline::compare {
+namespace pipeline::foreign {
 namespace {
 
 __extension__ using Int128 = __int128;
@@ -114,4 +114,4 @@ Coverage CoverageVerifier::at(glm::ivec2 pixel, glm::dvec2 at) const {
     return free || (covered && missed) ? Coverage::Free : covered ? Coverage::Forced : Coverage::Forbidden;
 }
 
-}  // namespace pipeline::compare
+}  // namespace pipeline::foreign

@@ -6,7 +6,7 @@
 #include <optional>
 
 // What any correct rasterizer may do with a sample of a triangle. Shares no code with the stages: it judges them.
-namespace pipeline::compare {
+namespace pipeline::foreign {
 
 // Of a sample: every correct rasterizer covers it; none does; either is right.
 enum class Coverage : std::uint8_t { Forced, Forbidden, Free };
@@ -57,4 +57,4 @@ private:
     glm::ivec2 m_first{0}, m_end{0};
 };
 
-}  // namespace pipeline::compare
+}  // namespace pipeline::foreign

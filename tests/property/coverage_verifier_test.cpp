@@ -8,7 +8,7 @@
 #include "tests/support/sweep.h"
 #include "tests/support/triangles.h"
 
-namespace pipeline::compare {
+namespace pipeline::foreign {
 namespace {
 
 Coverage of(const test::ScreenTriangle& triangle, int bits, glm::ivec2 pixel, Snapping snapping = Snapping::Nearest) {
@@ -176,4 +176,4 @@ TEST(CoverageVerifier, FindsViolationsWhereTheGridIsAnother) {
 }
 
 }  // namespace
-}  // namespace pipeline::compare
+}  // namespace pipeline::foreign

@@ -42,9 +42,9 @@ std::vector<ScreenTriangle> randomTriangles(unsigned seed, std::size_t count, in
 
 void CoverageViolations::add(const std::vector<ScreenTriangle>& triangles, const std::vector<int>& ids, int size,
                              int bits) {
-    using pipeline::compare::Coverage;
+    using pipeline::foreign::Coverage;
     for (std::size_t i = 0; i < triangles.size(); ++i) {
-        const auto verifier = pipeline::compare::CoverageVerifier::make(triangles[i], bits);
+        const auto verifier = pipeline::foreign::CoverageVerifier::make(triangles[i], bits);
         for (int y = 0; y < size; ++y) {
             for (int x = 0; x < size; ++x) {
                 const int seen = ids[std::size_t(y * size + x)];
