@@ -26,6 +26,7 @@ void declareStudy(CLI::App& program, const CliHost& host, int& status);
 void declareBench(CLI::App& program, const CliHost& host, int& status);
 void declareCheck(CLI::App& program, const CliHost& host, int& status);
 void declareFilm(CLI::App& program, const CliHost& host, int& status);
+void declareBug(CLI::App& program, const CliHost& host, int& status);
 void declareLesson(CLI::App& program, const CliHost& host, int& status);
 
 }  // namespace app

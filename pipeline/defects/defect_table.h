@@ -28,8 +28,7 @@ struct DefectRow {
     std::string_view fix;            // and as it should be
     std::string_view scene;          // of resources/scenes, in which it shows
     std::string_view settings = {};  // of that scene, "key=value" with spaces between; may be empty
-    // The first buffer that differs there, in the order of the stages. Its stage is another than `stage` where the line
-    // shows early: near-small moves the depths that vertices.screen holds.
+    // The first buffer that differs there, in the order of the stages: one of `stage`, where there is one.
     BufferId first;
     std::string_view lesson = {},
                      heading = {};  // the lesson about it, and the page's heading; empty where there is none yet

@@ -67,7 +67,7 @@ void spoilShadowBias(const Planted& planted, StageKeys& keys) {
     if (planted.defect == Defect::NoBias) return;
     // Shares of the scene's depth.
     const View& view = keys.transform.view;
-    shadow.biasValue = ofWay({1.0 / 3, 1.0 / 6, 2.0 / 3}, planted.way) * (view.far - view.near);
+    shadow.biasValue = ofWay({1.0 / 4, 1.0 / 8, 1.0 / 2}, planted.way) * (view.far - view.near);
 }
 
 // Who changes its own text.
@@ -182,8 +182,7 @@ bool areAlike(const Mesh& a, const Mesh& b) {
 
 }  // namespace
 
-void spoilMeshes(const Scene& scene, std::span<const std::shared_ptr<const Mesh>> before,
-                 std::vector<std::shared_ptr<const Mesh>>& meshes) {
+void spoilMeshes(const Scene& scene, const Topology* before, std::vector<std::shared_ptr<const Mesh>>& meshes) {
     const Settings& settings = scene.settings;
     if (settings.defect != Defect::Winding && settings.defect != Defect::OneBased) return;
     bool isReversed = false;  // one polygon is, the one in the middle of the first mesh that has any
@@ -205,7 +204,8 @@ void spoilMeshes(const Scene& scene, std::span<const std::shared_ptr<const Mesh>
             });
             isReversed = true;
         }
-        if (i < before.size() && areAlike(*before[i], *meshes[i])) meshes[i] = before[i];
+        if (before && i < before->meshes.size() && areAlike(*before->meshes[i], *meshes[i]))
+            meshes[i] = before->meshes[i];
     }
 }
 

@@ -1,13 +1,12 @@
 #pragma once
 #include <array>
 #include <memory>
-#include <span>
 #include <vector>
 
 #include "pipeline/core/real.h"
 #include "pipeline/defects/defect.h"
 
-// Where a planted defect changes what the right text has made: one line each, `if (planted) [[unlikely]] spoil…`. All that
+// Where a planted defect changes what the right text has made: one line each, `if (planted) spoil…`. All that
 // is wrong stands behind these functions, in this folder. The structs are declared here and known to the .cpp files alone,
 // so that every layer of the pipeline may include this header.
 namespace pipeline {
@@ -19,6 +18,7 @@ struct Mesh;
 struct ObjectMatrix;
 struct Scene;
 struct StageKeys;
+struct Topology;
 struct View;
 struct CullInputs;
 struct Culled;
@@ -50,9 +50,8 @@ struct Layer;
 
 // Given: what the stages read of the scene, and which stage gets the defect to change its own text.
 void spoilGiven(const Scene& scene, StageKeys& keys);
-// What the files hold. before: the meshes of the frame before, which serve again where they are alike.
-void spoilMeshes(const Scene& scene, std::span<const std::shared_ptr<const Mesh>> before,
-                 std::vector<std::shared_ptr<const Mesh>>& meshes);
+// What the files hold. before: of the frame before, whose meshes serve again where they are alike; may be null.
+void spoilMeshes(const Scene& scene, const Topology* before, std::vector<std::shared_ptr<const Mesh>>& meshes);
 
 // Left: what a stage has left. Of the first so many polygons.
 template <class Real>

@@ -37,14 +37,12 @@ LightSample<Real> sampleLight(const Illumination& illumination, const Light& lig
     const VectorsRead specular = shining ? model.specularReads(halfway) : VectorsRead();
     LightSample<Real> s = directionsOf(light, at, detail.reflection || diffuse.R || specular.R,
                                        detail.halfway || diffuse.H || specular.H, detail.unit);
-    if (detail.planted) [[unlikely]]
-        spoilDirections(illumination, light, at, s);
+    if (detail.planted) spoilDirections(illumination, light, at, s);
     std::get<AddLight<Real>>(lightTermsOf(illumination.model))(
         {light, material, at, detail, effectiveExponent(illumination.model, illumination.exponentFactor, material),
          halfway, attenuated},
         s);
-    if (detail.planted) [[unlikely]]
-        spoilTerms(illumination, light, material, at, attenuated, s);
+    if (detail.planted) spoilTerms(illumination, light, material, at, attenuated, s);
     return s;
 }
 

@@ -125,8 +125,7 @@ Evaluation evaluate(const ShadingInputs& inputs, const Surface<Real>& at, const 
     const Vec3<Real> whole = ambient;
     Vec3<Real> sum(0);  // the sum is found below, of what the terms then are
     for (std::size_t k = 0; k < shadow.size(); ++k)
-        if (inputs.planted) [[unlikely]]
-            spoilAmbient(inputs.planted, k, Real(shadow[k]), whole, ambient, sum);
+        if (inputs.planted) spoilAmbient(inputs.planted, k, Real(shadow[k]), whole, ambient, sum);
     e.ambient = Vec3d(ambient);
     if (modelFacts(model).clamps && inputs.shading != Shading::Phong) clampTerms<Real>(e);
     e.intensity = Vec3d(sumOf<Real>(e, &LightReport::diffuse, &LightReport::specular));

@@ -47,8 +47,7 @@ StageKeys stageKeys(const Scene& scene, const Needs& needs, std::shared_ptr<cons
         else
             keys.shadowBuffer.casters.push_back({});
     }
-    if (settings.defect != Defect::None) [[unlikely]]
-        spoilGiven(scene, keys);
+    if (settings.defect != Defect::None) spoilGiven(scene, keys);
     return keys;
 }
 

@@ -58,6 +58,13 @@ std::shared_ptr<const ShadowBufferOutput<Real>> runShadowBuffer(const ShadowBuff
     return out;
 }
 
+// As lights see the world: without the objects that are wholly transparent.
+template <class Real>
+std::shared_ptr<const ShadowBufferOutput<Real>> runShadowsOf(const ShadowBufferInputs& inputs,
+                                                             const TransformOutput<Real>& in, Threads& threads) {
+    return runShadowBuffer(inputs, in.transparent.empty() ? in : withoutTransparent(in), threads);
+}
+
 template <class Real>
 void sumCounts(ZBufferOutput<Real>& out) {
     for (std::int32_t n : out.overdraw.pixels) out.arrived += n;

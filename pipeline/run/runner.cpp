@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "pipeline/defects/defect_table.h"
 #include "pipeline/run/counts.h"
 #include "pipeline/run/frame_data.h"
 #include "pipeline/run/run_stages.h"
@@ -24,10 +25,7 @@ std::shared_ptr<const Topology> topologyOf(const Scene& scene, const FramePtr& b
     auto meshes = meshesOf(scene);
     std::shared_ptr<const Topology> old;
     if (before) old = readStages(*before, [](const auto& data) { return data.keys.transform.topology; });
-    if (scene.settings.defect != Defect::None) [[unlikely]] {
-        using Meshes = std::span<const std::shared_ptr<const Mesh>>;
-        spoilMeshes(scene, old ? Meshes(old->meshes) : Meshes(), meshes);
-    }
+    if (scene.settings.defect != Defect::None) spoilMeshes(scene, old.get(), meshes);
     if (old && old->meshes == meshes) return old;
     return std::make_shared<const Topology>(makeTopology(std::move(meshes)));
 }
@@ -143,11 +141,8 @@ private:
         stage(StageId::Cull, &Data::cull, [&] { return runCull(data.keys.cull, *data.transform, threads); });
         stage(StageId::Normals, &Data::normals,
               [&] { return runNormals(data.keys.normals, *data.transform, threads); });
-        stage(StageId::ShadowBuffer, &Data::shadowBuffer, [&] {
-            const TransformOutput<Real>& in = *data.transform;
-            if (in.transparent.empty()) return runShadowBuffer(data.keys.shadowBuffer, in, threads);
-            return runShadowBuffer(data.keys.shadowBuffer, withoutTransparent(in), threads);
-        });
+        stage(StageId::ShadowBuffer, &Data::shadowBuffer,
+              [&] { return runShadowsOf(data.keys.shadowBuffer, *data.transform, threads); });
         stage(StageId::ZBuffer, &Data::zBuffer, [&] { return runVisibility(data, threads); });
         stage(StageId::Shading, &Data::shading, [&] {
             const auto& incidence = frame.m_plan[index(StageId::Shading)].incidence;
@@ -163,6 +158,56 @@ private:
 
 FramePtr unfinishedFrame(const Frame& whole, std::shared_ptr<const FrameStages> stages, StageId until) {
     return Runner::unfinished(whole, std::move(stages), until);
+}
+
+namespace {
+
+template <class Real>
+std::shared_ptr<const FrameStages> alone(const Frame& whole, const StageKeys& keys, StageId stage) {
+    Threads threads(0, {});
+    auto stages = std::make_shared<FrameStages>();
+    FrameData<Real>& data = stages->data.emplace<FrameData<Real>>(*dataOf<Real>(whole));
+    switch (stage) {
+        case StageId::Transform:
+            data.transform = runTransform<Real>(data.keys.transform = keys.transform, threads);
+            break;
+        case StageId::Cull: data.cull = runCull(data.keys.cull = keys.cull, *data.transform, threads); break;
+        case StageId::Normals: {
+            // What takes the mesh's own normals to world space is found with the matrices, and is this stage's affair.
+            auto in = std::make_shared<TransformOutput<Real>>(*data.transform);
+            in->normalMatrix = prepareTransform<Real>(keys.transform).normalMatrix;
+            data.transform = in;
+            data.normals = runNormals(data.keys.normals = keys.normals, *data.transform, threads);
+            break;
+        }
+        case StageId::ShadowBuffer:
+            data.shadowBuffer = runShadowsOf(data.keys.shadowBuffer = keys.shadowBuffer, *data.transform, threads);
+            break;
+        case StageId::ZBuffer:
+            data.keys.zBuffer = keys.zBuffer;
+            data.zBuffer = runVisibility(data, threads);
+            break;
+        case StageId::Shading:
+            data.keys.shading = keys.shading;
+            data.shading = runShading(data, whole.made(), {}, threads);
+            break;
+    }
+    return stages;
+}
+
+}  // namespace
+
+FramePtr runAlone(const FramePtr& whole, StageId stage) {
+    Scene right = whole->scene();
+    if (right.settings.defect == Defect::None) return whole;
+    const bool isOfFile = !defectInfo(right.settings.defect).stage;
+    right.settings.defect = Defect::None, right.settings.leaveOut = false;
+    const Needs needs = needsOf(right, whole->wanted(), whole->until());
+    return readStages(*whole, [&]<class Real>(const FrameData<Real>& data) {
+        // Where the file is wrong every stage is right, given the file.
+        const StageKeys keys = isOfFile ? data.keys : stageKeys(right, needs, whole->sharedTopology());
+        return unfinishedFrame(*whole, alone<Real>(*whole, keys, stage), stage);
+    });
 }
 
 FramePtr runFrame(std::shared_ptr<const Scene> scene, const FrameRequest& request, const FramePtr& before) {

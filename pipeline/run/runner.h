@@ -16,6 +16,10 @@ FramePtr runFrame(std::shared_ptr<const Scene> scene, const FrameRequest& reques
 // run. What the plan left out stays left out. For stepping inside a frame (pipeline/steps/).
 FramePtr unfinishedFrame(const Frame& whole, std::shared_ptr<const FrameStages> stages, StageId until);
 
+// A stage of a whole frame once more, as its right text has it, on what the stages before it have left in the frame: where
+// that is what the frame has too, the stage did what it should, whatever it got. Without a planted defect it is the frame.
+FramePtr runAlone(const FramePtr& whole, StageId stage);
+
 // The largest error of each stage's buffers against a double-precision run of the same scene:
 // pixels for transform, a share of the polygons for cull, radians for normals; for the others the largest difference
 // over the largest magnitude in double, in pixels that show the same polygon in both.

@@ -25,16 +25,14 @@ void cullPolygons(const CullInputs& inputs, const TransformOutput<Real>& in, std
                   CullOutput& out) {
     threads.forRange(count, kPolygonGrain,
                      [&](std::size_t begin, std::size_t end) { piece::cull(inputs, in, begin, end, out); });
-    if (inputs.planted) [[unlikely]]
-        spoilVerdicts(inputs, in, count, out);
+    if (inputs.planted) spoilVerdicts(inputs, in, count, out);
 }
 template <class Real>
 void findPolygonNormals(const NormalsInputs& inputs, const TransformOutput<Real>& in, std::size_t count,
                         Threads& threads, NormalsOutput<Real>& out) {
     threads.forRange(count, kPolygonGrain,
                      [&](std::size_t begin, std::size_t end) { piece::polygonNormals(inputs, in, begin, end, out); });
-    if (inputs.planted) [[unlikely]]
-        spoilPolygonNormals(inputs.planted, in, count, out);
+    if (inputs.planted) spoilPolygonNormals(inputs.planted, in, count, out);
 }
 
 // Of an object. Where every normal is the mesh's own nothing reads the sums, and no normal vanishes.

@@ -118,8 +118,7 @@ Vec3<Real> shade(const ShadingInputs& inputs, const ShadingSources<Real>& in, co
         const Vec3<Real> diffuse = shadow * s.diffuse, specular = shadow * s.specular;
         intensity += diffuse;
         intensity += specular;
-        if (inputs.planted) [[unlikely]]
-            spoilAmbient(inputs.planted, k, shadow, ambient, base.ambient, intensity);
+        if (inputs.planted) spoilAmbient(inputs.planted, k, shadow, ambient, base.ambient, intensity);
         write.put(BufferId::Shadow, shadow, k);
         write.put(BufferId::Diffuse, diffuse, k);
         write.put(BufferId::Specular, specular, k);

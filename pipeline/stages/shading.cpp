@@ -37,8 +37,7 @@ Surface<Real> polygonSurface(const ShadingInputs& inputs, const ShadingSources<R
     const Vec3<Real> normal = flatNormal(inputs, in, polygon);
     Surface<Real> surface{at, showsBack(inputs, in, polygon) ? -normal : normal,
                           viewVector(inputs, in.transform.view, at)};
-    if (inputs.planted) [[unlikely]]
-        spoilSurface(inputs, surface);
+    if (inputs.planted) spoilSurface(inputs, surface);
     return surface;
 }
 
@@ -47,8 +46,7 @@ Surface<Real> vertexSurface(const ShadingInputs& inputs, const ShadingSources<Re
                             bool back) {
     const Vec3<Real> position = in.transform.world[vertex], normal = in.normals.vertex[vertex];
     Surface<Real> surface{position, back ? -normal : normal, viewVector(inputs, in.transform.view, position)};
-    if (inputs.planted) [[unlikely]]
-        spoilSurface(inputs, surface);
+    if (inputs.planted) spoilSurface(inputs, surface);
     return surface;
 }
 
@@ -70,8 +68,7 @@ Surface<Real> pixelSurface(const ShadingInputs& inputs, const ShadingSources<Rea
                 ? viewVector(inputs, in.transform.view, position)
                 : towardsEye<Real>(in.transform.view, pixel, inputs.illumination.detail.unit);
     Surface<Real> surface{position, showsBack(inputs, in, polygon) ? -normal : normal, V};
-    if (inputs.planted) [[unlikely]]
-        spoilPixel(inputs, in, weights, surface);
+    if (inputs.planted) spoilPixel(inputs, in, weights, surface);
     return surface;
 }
 
@@ -167,8 +164,7 @@ Color8 frameBufferValue(Vec3d intensity, double iMax, const Planted& planted) {
         // Written so that a share that is not a number gives 0.
         value[c] = static_cast<std::uint8_t>(!(share > 0) ? 0 : share >= 1 ? 255 : share * 255 + 0.5);
     }
-    if (planted) [[unlikely]]
-        spoilFrameBuffer(planted, intensity, iMax, value);
+    if (planted) spoilFrameBuffer(planted, intensity, iMax, value);
     return value;
 }
 

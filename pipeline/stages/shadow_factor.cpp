@@ -40,8 +40,7 @@ template <class Real>
 ShadowTest<Real> shadowTest(const LightView<Real>& light, const ShadowSettings& settings, Vec3<Real> position,
                             Vec3<Real> normal) {
     ShadowTest<Real> test;
-    if (settings.planted) [[unlikely]]
-        spoilShadowPoint(settings, position);
+    if (settings.planted) spoilShadowPoint(settings, position);
     test.face = faceOf(light, position);
     const View& face = light.faces[test.face];
     const Vec3<Real> p = toView(face, position);
@@ -51,8 +50,7 @@ ShadowTest<Real> shadowTest(const LightView<Real>& light, const ShadowSettings& 
     if (face.perspective) test.texel = glm::clamp(test.texel, glm::ivec2(0), face.size - 1);
     test.z = p.z;
     test.offset = (place - Vec2<Real>(test.texel)) - Real(0.5);
-    if (settings.planted) [[unlikely]]
-        spoilTexel(settings, face.size, test.texel);
+    if (settings.planted) spoilTexel(settings, face.size, test.texel);
     if (settings.bias == ShadowBias::Constant) {
         test.bias = Real(settings.biasValue);
         return test;

@@ -32,8 +32,7 @@ TransformOutput<Real> prepareTransform(const TransformInputs& inputs) {
         const ObjectMatrix matrix = makeObjectMatrix(t);
         out.mirrored.push_back(matrix.mirrors);
         out.normalMatrix.push_back(normalMatrix(matrix, inputs.normalMatrix));
-        if (inputs.planted) [[unlikely]]
-            spoilNormalMatrix(inputs.planted, inputs.view, matrix, out.normalMatrix.back());
+        if (inputs.planted) spoilNormalMatrix(inputs.planted, inputs.view, matrix, out.normalMatrix.back());
     }
     const std::size_t count = inputs.topology->vertexCount();
     out.done = count;

@@ -90,8 +90,7 @@ std::optional<std::vector<Layer<Real>>> layersIn(const ShadingInputs& inputs, co
     }
     if (layers.sorts)
         std::ranges::stable_sort(found, [](const Layer<Real>& a, const Layer<Real>& b) { return a.depth > b.depth; });
-    if (inputs.planted) [[unlikely]]
-        spoilLayers(inputs.planted, found);
+    if (inputs.planted) spoilLayers(inputs.planted, found);
     return found;
 }
 

@@ -16,8 +16,7 @@ ZBufferOutput<Real> prepareZBuffer(Tile extent, DepthFormat format, const Plante
     out.barycentric = {size, Vec3<Real>(0)};
     out.overdraw = {size, 0};
     out.depthWrites = {size, 0};
-    if (planted) [[unlikely]]
-        spoilCleared(out);
+    if (planted) spoilCleared(out);
     return out;
 }
 
@@ -54,15 +53,13 @@ void zBuffer(const View& view, DepthFormat format, const TriangleBins<Real>& bin
             // What is there is nearer than nothing: in the far plane a reversed depth is the cleared 0 itself.
             const bool first = out.triangle->pixels[at] == kNoTriangle;
             bool won = linear ? fragment.z < out.zView->pixels[at] : first || code.nearer(depth, stored);
-            if (out.planted) [[unlikely]]
-                spoilTest(code, triangle, e, out, at, fragment, depth, won);
+            if (out.planted) spoilTest(code, triangle, e, out, at, fragment, depth, won);
             if (record) record->push_back({triangle.id, pixel, depth, stored, won});
             ++out.overdraw.pixels[at];
             if (!won) return;
             if (!linear) out.depth.pixels[at] = depth;
             writeFragment(out, at, triangle.id, fragment);
-            if (out.planted) [[unlikely]]
-                spoilWritten(code, out, at);
+            if (out.planted) spoilWritten(code, out, at);
         });
     }
 }

@@ -22,7 +22,8 @@ constexpr const char* kClosed = "closed";
 
 // Standard output and error go to these files; empty: to ones whose text is given back.
 Finished start(const std::vector<std::string>& arguments, std::string out, std::string err,
-               const std::function<void(pid_t)>& meanwhile, std::vector<std::string> environment = {}) {
+               const std::function<void(pid_t)>& meanwhile, std::vector<std::string> environment = {},
+               const std::string& in = "/dev/null") {
     const TemporaryFolder folder;
     if (out.empty()) out = (folder / "out").string();
     if (err.empty()) err = (folder / "err").string();
@@ -39,7 +40,7 @@ Finished start(const std::vector<std::string>& arguments, std::string out, std::
 
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+    posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, in.c_str(), O_RDONLY, 0);
     posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, out.c_str(), O_WRONLY | O_CREAT, 0600);
     if (err == kClosed)
         posix_spawn_file_actions_addclose(&actions, STDERR_FILENO);
@@ -67,6 +68,11 @@ Finished run(const std::vector<std::string>& arguments) { return runInto("", arg
 Finished runIn(const std::vector<std::string>& environment, const std::vector<std::string>& arguments) {
     return start(
         arguments, "", "", [](pid_t) {}, environment);
+}
+
+Finished runReading(const std::string& file, const std::vector<std::string>& arguments) {
+    return start(
+        arguments, "", "", [](pid_t) {}, {}, file);
 }
 
 Finished runInto(const std::string& file, const std::vector<std::string>& arguments) {

@@ -19,6 +19,9 @@ Finished run(const std::vector<std::string>& arguments);
 // The same, with variables of the environment: "XDG_DATA_HOME=data". Without them it has none but the language.
 Finished runIn(const std::vector<std::string>& environment, const std::vector<std::string>& arguments);
 
+// The same, with standard input coming from a file; else there is nothing to be read.
+Finished runReading(const std::string& file, const std::vector<std::string>& arguments);
+
 // The same, with standard output going to a file.
 Finished runInto(const std::string& file, const std::vector<std::string>& arguments);
 

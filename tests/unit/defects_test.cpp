@@ -111,12 +111,26 @@ TEST(Defects, EachShowsInItsSceneFirstInTheBufferOfItsRow) {
     }
 }
 
-// Where the line stands and where it shows first are one stage, but for these: a file has no stage; the depth of
-// vertices.screen is in the depth format, which is the z-buffer's affair.
-TEST(Defects, ShowFirstInTheStageToBlameButForThose) {
+// Nothing is wrong before the stage in which the line stands that is to be mended; a file has no stage.
+TEST(Defects, ShowFirstInTheStageToBlame) {
+    for (const DefectRow& row : defectTable())
+        EXPECT_EQ(row.stage.value_or(bufferInfo(row.first).stage), bufferInfo(row.first).stage) << row.idText();
+}
+
+// The stage that the row blames, given what the wrong frame's stages before it have left, leaves something else than the
+// wrong frame has; every other stage, given the same, leaves what it has.
+TEST(Defects, OneStageAloneDoesNotDoWhatItShould) {
     for (const DefectRow& row : defectTable()) {
-        const bool isThere = row.stage == bufferInfo(row.first).stage;
-        EXPECT_EQ(!isThere, !row.stage || row.id == Defect::NearSmall) << row.idText();
+        const std::optional<Scene> scene = sceneOf(row);
+        if (!scene) continue;
+        const FramePtr wrong = test::frameOf(small(plant(*scene, row.id)));
+        for (const StageId stage : kStages) {
+            BufferSet ofStage;
+            for (const BufferInfo& info : bufferTable()) ofStage[index(info.id)] = info.stage == stage;
+            const std::string difference = test::firstDifference(*runAlone(wrong, stage), *wrong, ofStage);
+            EXPECT_EQ(difference.empty(), row.stage != stage)
+                << row.idText() << ", " << stageInfo(stage).name << ": " << difference;
+        }
     }
 }
 
