@@ -31,7 +31,7 @@ constexpr std::array<std::string_view, 12> kScreenWords{"click",         "drag "
 // Tries one page.
 class PageCheck {
 public:
-    PageCheck(const Page& page, const PageFrames& frames, const std::stop_token& stop)
+    PageCheck(const Page& page, const PageFrames& frames, const pipeline::Stop& stop)
         : m_page(page), m_frames(frames), m_context{.frame = *frames.first, .changed = &m_changed, .stop = stop} {}
 
     Errors run() {
@@ -266,7 +266,7 @@ double minutesOf(const Lesson& lesson) {
     return minutes;
 }
 
-Errors checkLesson(const Lesson& lesson, const std::stop_token& stop, const CheckProgress& progress) {
+Errors checkLesson(const Lesson& lesson, const pipeline::Stop& stop, const CheckProgress& progress) {
     Errors errors;
     checkHeader(lesson, errors);
     const bool all = runPages(lesson, stop, [&](const Page& page, std::size_t number, const PageFrames& frames) {

@@ -1,6 +1,5 @@
 #pragma once
 #include <functional>
-#include <stop_token>
 
 #include "lessons/lesson.h"
 
@@ -13,8 +12,7 @@ using CheckProgress = std::function<void(std::size_t page)>;
 // right, mistakes that are right or answered by another's sentence, choices of which not exactly one holds, first halves
 // that tell the answer, texts that cannot be filled in, buffers that are not there. At most kMaxErrors, each with its
 // place; "stopped" alone where it was stopped.
-pipeline::Errors checkLesson(const Lesson& lesson, const std::stop_token& stop = {},
-                             const CheckProgress& progress = {});
+pipeline::Errors checkLesson(const Lesson& lesson, const pipeline::Stop& stop = {}, const CheckProgress& progress = {});
 
 // Of checkLesson: where a page tells its answer before it is asked for. Answers of fewer than three digits are not
 // looked for in the texts.

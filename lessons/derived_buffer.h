@@ -1,10 +1,10 @@
 #pragma once
 #include <functional>
 #include <memory>
-#include <stop_token>
 #include <string>
 
 #include "lessons/expression/condition.h"
+#include "pipeline/core/stop.h"
 #include "pipeline/inspect/term_mix.h"
 #include "pipeline/study/shadow_verdict.h"
 
@@ -40,7 +40,7 @@ struct DerivedBuffer {
 
 struct DerivedControl {
     int threads = 0;  // 0: as many as the machine has
-    std::stop_token stop{};
+    pipeline::Stop stop{};
     std::function<void(double share)> progress{};  // of the rays, 0 to 1; on any thread
     std::shared_ptr<const KnownRays> rays{};       // taken where they are those of the frame's scene; may be null
 };

@@ -69,7 +69,7 @@ std::string headingOf(const Page& page, std::size_t number) {
 }
 
 // The equation that the window shows beside the half of a page: of the picked pixel, in the page's channel.
-std::string equationHtml(const PageState& state, const pipeline::Frame& frame, const std::stop_token& stop) {
+std::string equationHtml(const PageState& state, const pipeline::Frame& frame, const pipeline::Stop& stop) {
     if (state.window.stage != pipeline::StageId::Shading || !pickedPixel(state)) return {};
     static constexpr const char* kChannels[]{"red", "green", "blue"};
     const glm::ivec2 pixel = *pickedPixel(state);
@@ -94,7 +94,7 @@ std::string pointsText(double points) {
 // Takes up the pages, and what could not be filled in.
 class Writer {
 public:
-    Writer(const Lesson& lesson, const std::stop_token& stop)
+    Writer(const Lesson& lesson, const pipeline::Stop& stop)
         : m_lesson(lesson), m_stop(stop), m_pictures(lesson.folder), m_answerPictures(lesson.folder) {}
 
     void add(const Page& page, std::size_t number, const PageFrames& frames) {
@@ -231,7 +231,7 @@ private:
     }
 
     const Lesson& m_lesson;
-    const std::stop_token& m_stop;
+    const pipeline::Stop& m_stop;
     const Page* m_page = nullptr;           // the one that is being written
     Pictures m_pictures, m_answerPictures;  // one budget for each file
     std::string m_pages, m_hints, m_answers;
@@ -241,7 +241,7 @@ private:
 
 }  // namespace
 
-pipeline::Result<Handout> makeHandout(const Lesson& lesson, const std::stop_token& stop,
+pipeline::Result<Handout> makeHandout(const Lesson& lesson, const pipeline::Stop& stop,
                                       const HandoutProgress& progress) {
     Writer writer(lesson, stop);
     const bool all = runPages(lesson, stop, [&](const Page& page, std::size_t number, const PageFrames& frames) {

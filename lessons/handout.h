@@ -1,7 +1,6 @@
 #pragma once
 #include <filesystem>
 #include <functional>
-#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -23,7 +22,7 @@ struct Handout {
 using HandoutProgress = std::function<void(std::size_t number)>;
 
 // Runs the frame of every page. Errors: what cannot be filled in, FILE:LINE:COLUMN; "stopped".
-pipeline::Result<Handout> makeHandout(const Lesson& lesson, const std::stop_token& stop = {},
+pipeline::Result<Handout> makeHandout(const Lesson& lesson, const pipeline::Stop& stop = {},
                                       const HandoutProgress& progress = {});
 
 // NAME.html and NAME-answers.html.

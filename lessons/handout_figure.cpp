@@ -171,7 +171,7 @@ std::string bufferFigure(const pipeline::Frame& frame, const AnyBuffer& buffer, 
 
 // What view A is compared with, where that is in a page's own frames: "setting KEY=VALUE" or "buffer NAME".
 std::string comparedFigure(const BufferShown& view, const pipeline::BufferName& name, const pipeline::Frame& frame,
-                           Tile part, const std::optional<glm::ivec2>& pixel, const std::stop_token& stop) {
+                           Tile part, const std::optional<glm::ivec2>& pixel, const pipeline::Stop& stop) {
     constexpr std::string_view kSetting = "setting ", kBuffer = "buffer ";
     const std::string& with = view.compared->with;
     if (with.starts_with(kBuffer)) {
@@ -187,14 +187,14 @@ std::string comparedFigure(const BufferShown& view, const pipeline::BufferName& 
 
 }  // namespace
 
-pipeline::FramePtr frameShown(const PageState& state, const pipeline::FramePtr& frame, const std::stop_token& stop) {
+pipeline::FramePtr frameShown(const PageState& state, const pipeline::FramePtr& frame, const pipeline::Stop& stop) {
     if (!state.window.place) return frame;
     const pipeline::Steps steps(frame);
     return steps.frameAt(steps.momentOf(*state.window.place), 0, stop);
 }
 
 std::string figuresHtml(const PageState& state, const pipeline::FramePtr& whole, const Hidden& hidden,
-                        const std::stop_token& stop) {
+                        const pipeline::Stop& stop) {
     const pipeline::FramePtr frame = frameShown(state, whole, stop);
     if (!frame) return {};
     const std::vector<pipeline::BufferName> buffers = shownBuffers(state);

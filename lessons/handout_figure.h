@@ -1,18 +1,18 @@
 #pragma once
 #include <optional>
 #include <span>
-#include <stop_token>
 #include <string>
 #include <string_view>
 
 #include "lessons/hidden.h"
 #include "pipeline/buffers/buffer2d.h"
+#include "pipeline/core/stop.h"
 #include "pipeline/run/frame.h"
 
 namespace lessons {
 
 // The frame that half a page shows: `frame`, or the moment of it that the page's place names. Null when stopped.
-pipeline::FramePtr frameShown(const PageState& state, const pipeline::FramePtr& frame, const std::stop_token& stop);
+pipeline::FramePtr frameShown(const PageState& state, const pipeline::FramePtr& frame, const pipeline::Stop& stop);
 
 // The part of the picture that is worth its ink: what was drawn in one of these buffers, and the picked pixel, with a
 // margin, in the picture's proportions. The whole picture where that is more than half of its width or height.
@@ -28,7 +28,7 @@ std::string figureHtml(const pipeline::Frame& frame, const pipeline::BufferName&
 // All figures of half a page, but for hidden buffers: of its views, with what they are compared with beside them.
 // Derived buffers are made; rays take their time.
 std::string figuresHtml(const PageState& state, const pipeline::FramePtr& frame, const Hidden& hidden,
-                        const std::stop_token& stop);
+                        const pipeline::Stop& stop);
 
 // What a picture shows, in a sentence or two for somebody who does not see it.
 std::string pictureSentence(const pipeline::AnyBuffer& buffer, pipeline::Tile part,

@@ -46,7 +46,7 @@ pipeline::FrameRequest requestFor(const Page& page) {
 
 pipeline::FrameRequest requestForThen(const Page& page) { return requestFor(*page.then); }
 
-bool runPages(const Lesson& lesson, const std::stop_token& stop, const PageVisit& visit) {
+bool runPages(const Lesson& lesson, const pipeline::Stop& stop, const PageVisit& visit) {
     pipeline::FramePtr frame;  // what the next half has in common with it need not run again
     const auto run = [&](const Half& half, pipeline::FrameRequest request) {
         request.stop = stop;

@@ -3,7 +3,6 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
-#include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -76,6 +75,10 @@ pipeline::Result<Lesson> readLesson(const std::filesystem::path& folder, const p
 using SceneSource = std::function<pipeline::Result<pipeline::Scene>(std::string_view name)>;
 pipeline::Result<Lesson> parseLesson(std::string_view text, const std::string& file, const SceneSource& sceneNamed);
 
+// What a lesson in this folder means by the name of a scene: one that comes with the program, or a file in the folder.
+pipeline::Result<pipeline::Scene> sceneOfLesson(std::string_view name, const std::filesystem::path& folder,
+                                                const pipeline::Stop& stop = {});
+
 // A frame of the first half's scene asked for with this has everything that the first half shows and says, and what it
 // takes to judge an answer and speak about it. That of the second half likewise; the page must have one.
 pipeline::FrameRequest requestFor(const Page& page);
@@ -87,6 +90,6 @@ struct PageFrames {
 };
 // visit(page, number, frames) for every page; false where it was stopped before all were visited.
 using PageVisit = std::function<void(const Page& page, std::size_t number, const PageFrames& frames)>;
-bool runPages(const Lesson& lesson, const std::stop_token& stop, const PageVisit& visit);
+bool runPages(const Lesson& lesson, const pipeline::Stop& stop, const PageVisit& visit);
 
 }  // namespace lessons

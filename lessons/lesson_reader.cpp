@@ -316,9 +316,14 @@ private:
     Complaints m_complaints;
 };
 
-// A scene that comes with the program, or a file in the lesson's folder.
-Result<pipeline::Scene> sceneFor(std::string_view name, const std::filesystem::path& folder,
-                                 const pipeline::Stop& stop) {
+}  // namespace
+
+Result<Lesson> parseLesson(std::string_view text, const std::string& file, const SceneSource& sceneNamed) {
+    return Reader(text, file, sceneNamed).read();
+}
+
+Result<pipeline::Scene> sceneOfLesson(std::string_view name, const std::filesystem::path& folder,
+                                      const pipeline::Stop& stop) {
     std::vector<std::string> names;
     for (const pipeline::BuiltInScene& scene : pipeline::builtInScenes()) {
         if (scene.name == name) return pipeline::readScene(scene.file, {{}, stop});
@@ -333,18 +338,12 @@ Result<pipeline::Scene> sceneFor(std::string_view name, const std::filesystem::p
     return Error{{}, "no scene " + inQuotes(name) + "; " + pipeline::insteadOf(name, names), {}};
 }
 
-}  // namespace
-
-Result<Lesson> parseLesson(std::string_view text, const std::string& file, const SceneSource& sceneNamed) {
-    return Reader(text, file, sceneNamed).read();
-}
-
 Result<Lesson> readLesson(const std::filesystem::path& folder, const pipeline::Stop& stop) {
     const std::filesystem::path file = folder / "lesson.md";
     const auto text = pipeline::readFile(file, kMaxLessonBytes);
     if (!text) return pipeline::namedAt({file.string()}, text.errors());
     auto lesson = parseLesson(pipeline::escapedControls(*text), file.string(),
-                              [&](std::string_view name) { return sceneFor(name, folder, stop); });
+                              [&](std::string_view name) { return sceneOfLesson(name, folder, stop); });
     if (!lesson) return lesson;
     Lesson named = std::move(lesson).value();
     std::error_code ignored;

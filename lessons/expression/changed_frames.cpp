@@ -19,7 +19,7 @@ pipeline::Result<pipeline::Scene> withChanges(pipeline::Scene scene, std::span<c
 pipeline::Result<pipeline::FramePtr> ChangedFrames::frame(const pipeline::Frame& base,
                                                           std::span<const std::string> changes,
                                                           const pipeline::BufferSet& wanted,
-                                                          const std::stop_token& stop) {
+                                                          const pipeline::Stop& stop) {
     if (m_scene != base.sharedScene()) {
         m_scene = base.sharedScene();
         m_frames.clear();

@@ -1,10 +1,10 @@
 #pragma once
 #include <map>
 #include <span>
-#include <stop_token>
 #include <string>
 
 #include "pipeline/core/result.h"
+#include "pipeline/core/stop.h"
 #include "pipeline/run/frame.h"
 
 namespace lessons {
@@ -15,7 +15,7 @@ public:
     // The frame of the base's scene after `changes`, "KEY=VALUE" each, with the wanted buffers. Errors say what is wrong
     // with a change, or "stopped".
     pipeline::Result<pipeline::FramePtr> frame(const pipeline::Frame& base, std::span<const std::string> changes,
-                                               const pipeline::BufferSet& wanted, const std::stop_token& stop);
+                                               const pipeline::BufferSet& wanted, const pipeline::Stop& stop);
 
 private:
     std::shared_ptr<const pipeline::Scene> m_scene;  // of the base

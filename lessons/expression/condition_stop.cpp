@@ -14,7 +14,7 @@ bool readsShading(const Node& node) {
            std::ranges::any_of(node.operands, readsShading);
 }
 
-ConditionMask maskAt(const Steps& steps, Moment moment, const Expression& condition, const std::stop_token& stop) {
+ConditionMask maskAt(const Steps& steps, Moment moment, const Expression& condition, const pipeline::Stop& stop) {
     const pipeline::FramePtr frame = steps.frameAt(moment, 0, stop);
     if (!frame) return {};
     const auto mask = maskOf(condition, {.frame = *frame, .stop = stop});
@@ -23,7 +23,7 @@ ConditionMask maskAt(const Steps& steps, Moment moment, const Expression& condit
 
 // The first step in (begin, end] after which isIt(pixel) of the pixel that it drew.
 template <class IsIt>
-std::optional<ConditionStop> firstStep(const Steps& steps, Moment begin, std::int64_t end, const std::stop_token& stop,
+std::optional<ConditionStop> firstStep(const Steps& steps, Moment begin, std::int64_t end, const pipeline::Stop& stop,
                                        IsIt isIt) {
     while (begin.done < end && !stop.stop_requested()) {
         Moment at = begin;
@@ -40,7 +40,7 @@ bool holdsAt(const ConditionMask& mask, glm::ivec2 pixel) {
 }
 
 std::optional<ConditionStop> inZBuffer(const Steps& steps, Moment from, const Expression& condition,
-                                       const std::stop_token& stop, const StopProgress& progress) {
+                                       const pipeline::Stop& stop, const StopProgress& progress) {
     const Moment end{StageId::ZBuffer, steps.total(StageId::ZBuffer)};
     ConditionMask before = maskAt(steps, from, condition, stop);
     while (from < end && !stop.stop_requested()) {
@@ -60,7 +60,7 @@ std::optional<ConditionStop> inZBuffer(const Steps& steps, Moment from, const Ex
 }  // namespace
 
 std::optional<ConditionStop> nextStop(const Steps& steps, Moment from, const Expression& condition,
-                                      const std::stop_token& stop, const StopProgress& progress) {
+                                      const pipeline::Stop& stop, const StopProgress& progress) {
     const Moment zEnd{StageId::ZBuffer, steps.total(StageId::ZBuffer)};
     if (!readsShading(condition.root) && steps.runs(StageId::ZBuffer) && from < zEnd) {
         const Moment begin = std::max(from, Moment{StageId::ZBuffer, 0});

@@ -19,6 +19,6 @@ using StopProgress = std::function<void(double share)>;
 // it holds in the end. Nothing where none comes, or when stopped. The frame of `steps` holds the condition's buffers.
 // Looks at the state after every polygon of the z-buffer stage, so that many polygons take their time.
 std::optional<ConditionStop> nextStop(const pipeline::Steps& steps, pipeline::Moment from, const Expression& condition,
-                                      const std::stop_token& stop = {}, const StopProgress& progress = {});
+                                      const pipeline::Stop& stop = {}, const StopProgress& progress = {});
 
 }  // namespace lessons

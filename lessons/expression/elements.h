@@ -32,7 +32,7 @@ private:
 
 // visit(first, numbers) for runs of elements, whose numbers stay in the cache. False where it was stopped.
 template <class Visit>
-bool goThrough(const ElementValues& values, std::size_t count, const std::stop_token& stop, Visit visit) {
+bool goThrough(const ElementValues& values, std::size_t count, const pipeline::Stop& stop, Visit visit) {
     constexpr std::size_t kRun = 1024;
     for (std::size_t first = 0; first < count; first += kRun) {
         if (stop.stop_requested()) return false;

@@ -126,7 +126,7 @@ struct Context {
     const pipeline::Frame& frame;
     ChangedFrames* changed = nullptr;  // remembers the frames of with(); without it each call computes its own
     const Pick* pick = nullptr;
-    std::stop_token stop{};
+    pipeline::Stop stop{};
 };
 
 // The value in a frame. Errors name what the frame lacks, say that a result is not finite, or say "stopped".

@@ -10,20 +10,20 @@
 namespace lessons {
 namespace {
 
-constexpr std::string_view kMinus = "\u2212", kGroup = "\u202f";  // narrow, and no line ends there
-constexpr double kExactWhole = 9007199254740992.0;                // 2^53: up to here a double counts in ones
+constexpr std::string_view kMinusSign = "\u2212", kGroup = "\u202f";  // narrow, and no line ends there
+constexpr double kExactWhole = 9007199254740992.0;                    // 2^53: up to here a double counts in ones
 
 // Without digits up to four decimals, as many as tell something.
 std::string numberText(double number, std::optional<int> digits) {
     if (std::isnan(number)) return "NaN";
-    if (std::isinf(number)) return std::string(number < 0 ? kMinus : "+") + "∞";
+    if (std::isinf(number)) return std::string(number < 0 ? kMinusSign : "+") + "∞";
     std::string plain = fmt::format("{:.{}f}", std::abs(number), digits.value_or(4));
     if (!digits) plain.erase(plain.find_last_not_of('0') + 1);
     if (plain.ends_with('.')) plain.pop_back();
     const std::size_t point = std::min(plain.find('.'), plain.size());
     std::string text;
     // What rounds to zero has no sign.
-    if (number < 0 && plain.find_first_not_of("0.") != std::string::npos) text += kMinus;
+    if (number < 0 && plain.find_first_not_of("0.") != std::string::npos) text += kMinusSign;
     for (std::size_t i = 0; i < point; ++i) {
         if (i > 0 && (point - i) % 3 == 0) text += kGroup;
         text += plain[i];
@@ -49,7 +49,8 @@ std::string toText(const Value& value, std::optional<int> digits) {
 
 std::optional<double> numberIn(std::string_view text) {
     std::string plain(text);
-    for (std::size_t at; (at = plain.find(kMinus)) != std::string::npos;) plain.replace(at, kMinus.size(), 1, '-');
+    for (std::size_t at; (at = plain.find(kMinusSign)) != std::string::npos;)
+        plain.replace(at, kMinusSign.size(), 1, '-');
     for (std::size_t at; (at = plain.find(kGroup)) != std::string::npos;) plain.erase(at, kGroup.size());
     std::replace(plain.begin(), plain.end(), ',', '.');
     const auto isSpace = [](char c) { return c == ' ' || c == '\t'; };

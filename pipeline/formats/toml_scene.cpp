@@ -32,7 +32,7 @@ constexpr std::size_t kMaxObjects = 65536, kMaxLights = 4096;
 constexpr double kMaxFactor = 1e9;  // of attenuation, as other intensities
 
 constexpr std::array<std::string_view, 4> kTopKeys{"title", "look", "light", "object"};
-constexpr std::array<std::string_view, 1> kLightKeys{"attenuation"};
+constexpr std::array<std::string_view, 1> kTomlLightKeys{"attenuation"};
 constexpr std::array<std::string_view, 10> kObjectKeys{"name",     "shape",   "mesh",  "model",    "vertices",
                                                        "polygons", "normals", "turns", "material", "back_material"};
 
@@ -119,7 +119,7 @@ private:
     void readLight(const toml::table& table) {
         const std::size_t index = m_scene.lights.size();
         m_scene.lights.emplace_back().gl.specular = Vec3d(kNotGiven);
-        readTable(table, "light.#.", index, kLightKeys);
+        readTable(table, "light.#.", index, kTomlLightKeys);
         Light& light = m_scene.lights[index];
         fillIn(light.gl.specular, light.color);
         const auto path = [&](std::string_view key) { return fmt::format("light.{}.{}", index, key); };
