@@ -88,6 +88,7 @@ constexpr std::array kLayers{
     Layer{"lessons/state/", 12},
     Layer{"lessons/", 13},
     Layer{"app/cli/", 14},
+    Layer{"app/web/", 14},
     Layer{"app/core/", 14},
     Layer{"app/view3d/", 15},
     Layer{"app/panels/", 16},
@@ -127,6 +128,8 @@ Breaches includesPointingBack(const SourceTree& tree) {
         if (!from && file.path.starts_with("pipeline/")) return "a folder of the pipeline has a floor in this test";
         if (!from || !to || from->folder == to->folder) return "";
         if (from->folder == "app/cli/" && to->folder == "app/core/") return "app/cli is built without Qt";
+        if (from->folder == "app/web/" && to->folder.starts_with("app/"))
+            return "the core of live pages has lessons and the pipeline alone";
         if (to->height > from->height)
             return "arrows point from app to lessons to lessons/state to pipeline_io to pipeline, in app from desktop "
                    "to panels to "
@@ -156,8 +159,9 @@ Breaches misplacedToolkits(const SourceTree& tree) {
     return checkIncludes(tree, [](const SourceFile& file, const Include& include) -> std::string_view {
         const std::string_view path = file.path;
         const bool qtHere =
-            (path.starts_with("app/") && !path.starts_with("app/cli/")) || path.starts_with("tests/app/");
-        if (isQt(include.target) && !qtHere) return "Qt stands in app, outside app/cli";
+            (path.starts_with("app/") && !path.starts_with("app/cli/") && !path.starts_with("app/web/")) ||
+            path.starts_with("tests/app/");
+        if (isQt(include.target) && !qtHere) return "Qt stands in app, outside app/cli and app/web";
         // A test reads with VTK what export writes for it.
         const bool vtkHere = path.starts_with("app/view3d/") || path == "tests/app/vtk_file_test.cpp";
         if (include.target.starts_with("vtk") && !vtkHere) return "VTK stands in app/view3d";

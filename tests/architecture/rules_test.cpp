@@ -66,6 +66,8 @@ TEST(Architecture, IncludesPointOneWay) {
               "app/core/document.h:2:");
     expectOne(includesPointingBack({{"app/cli/export.cpp", {"#include \"app/core/document.h\""}}}),
               "app/cli/export.cpp:1:");
+    expectOne(includesPointingBack({{"app/web/core/core.cpp", {"#include \"app/cli/cli.h\""}}}),
+              "app/web/core/core.cpp:1:");
     expectOne(includesPointingBack({{"lessons/lesson.cpp", {"#include \"tests/unit/scenes.h\""}}}),
               "lessons/lesson.cpp:1:");
     expectKept(includesPointingBack({{"app/panels/plan_panel.h",

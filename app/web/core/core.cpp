@@ -1,0 +1,63 @@
+#include "app/web/core/core.h"
+
+#include <cstdlib>
+
+namespace web {
+
+namespace {
+
+std::string s_answer;
+
+}  // namespace
+
+LiveCore& core() {
+    static LiveCore one;
+    return one;
+}
+
+std::string_view textAt(const char* start, int size) { return {start, std::size_t(size)}; }
+
+int give(const Json& json) {
+    s_answer = json.dump(-1, ' ', false, Json::error_handler_t::replace);
+    return 1;
+}
+
+int giveText(std::string text) {
+    s_answer = std::move(text);
+    return 1;
+}
+
+int refuse(const pipeline::Errors& errors) {
+    Json list = Json::array();
+    for (const pipeline::Error& error : errors)
+        list.push_back({{"file", error.where.file},
+                        {"line", error.where.line},
+                        {"column", error.where.column},
+                        {"found", error.found},
+                        {"expected", error.expected},
+                        {"keys", error.keys},
+                        {"text", format(error)}});
+    give({{"errors", list}});
+    return 0;
+}
+int refuse(std::string found) { return refuse({pipeline::Error{{}, std::move(found), {}}}); }
+
+const std::string& answer() { return s_answer; }
+
+void take(pipeline::Scene scene) { core().own.scene = std::make_shared<const pipeline::Scene>(std::move(scene)); }
+
+void runOwn(bool fresh) {
+    ShownScene& own = core().own;
+    pipeline::FrameRequest request;
+    request.wanted = core().wanted;
+    request.threads = 1;
+    own.frame = runFrame(own.scene, request, fresh ? pipeline::FramePtr() : own.frame);
+    own.steps.reset(), own.atMoment.reset();
+}
+
+WEB_CALL(alloc) void* webAlloc(int size) { return std::malloc(std::size_t(size)); }
+WEB_CALL(release) void webRelease(void* memory) { std::free(memory); }
+WEB_CALL(text) const char* webText() { return s_answer.data(); }
+WEB_CALL(size) int webSize() { return int(s_answer.size()); }
+
+}  // namespace web

@@ -1,0 +1,65 @@
+#pragma once
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lessons/attempt.h"
+#include "lessons/lesson.h"
+#include "pipeline/export/json.h"
+#include "pipeline/run/runner.h"
+#include "pipeline/steps/steps.h"
+
+// A call of the page: text comes as pointer and length, 1 means done and 0 refused, and answer() is there for text() and
+// size().
+#define WEB_CALL(name) extern "C" __attribute__((export_name(#name)))
+
+namespace web {
+
+using pipeline::Json;
+
+// What a scene shows at a place inside its frame.
+struct ShownScene {
+    std::shared_ptr<const pipeline::Scene> scene;
+    pipeline::FramePtr frame;                // whole
+    std::unique_ptr<pipeline::Steps> steps;  // of it, once somebody steps
+    pipeline::Moment moment;                 // where steps are
+    pipeline::FramePtr atMoment;             // null at the end of the frame
+    const pipeline::Frame& now() const { return atMoment ? *atMoment : *frame; }
+};
+
+// The open lesson.
+struct OpenLesson {
+    lessons::Lesson lesson;
+    std::vector<lessons::Progress> progress;  // of every page
+    std::size_t page = 0;
+    bool then = false;               // the second half is shown
+    pipeline::FramePtr first, half;  // frames as the author meant them: of the first half, and of the one shown
+};
+
+// Everything that calls share: there is one page.
+struct LiveCore {
+    std::map<std::string, std::string, std::less<>> files;  // that scenes and the engine may read, by name
+    ShownScene own;                                         // the reader's
+    std::optional<ShownScene> other;                        // what it is compared with
+    pipeline::BufferSet wanted;
+    std::optional<OpenLesson> lesson;
+};
+LiveCore& core();
+
+std::string_view textAt(const char* start, int size);
+
+int give(const Json& json);
+int giveText(std::string text);
+int refuse(const pipeline::Errors& errors);  // {"errors": [{file, line, column, found, expected, keys, text}]}
+int refuse(std::string found);
+const std::string& answer();
+
+// Runs the reader's frame again, with what is wanted now; fresh: nothing is reused.
+void runOwn(bool fresh = false);
+// Takes over a scene, whose frame has yet to run.
+void take(pipeline::Scene scene);
+
+}  // namespace web

@@ -1,0 +1,240 @@
+#include <fmt/format.h>
+
+#include "app/web/core/core.h"
+#include "app/web/core/scene_text.h"
+#include "lessons/expression/changed_frames.h"
+#include "lessons/hidden.h"
+#include "lessons/live_text.h"
+#include "pipeline/core/text.h"
+
+// The lesson's pages and their questions, judged by the engine of the program.
+
+namespace web {
+
+using lessons::Attempt;
+using lessons::Page;
+using pipeline::Errors;
+
+namespace {
+
+OpenLesson& opened() { return *core().lesson; }
+const Page& page() { return opened().lesson.pages[opened().page]; }
+Attempt attempt() { return Attempt(*page().question, opened().progress[opened().page]); }
+bool isSettled() { return page().question && attempt().isSettled(); }
+
+// What an answer is judged by: the page's own frame, or the reader's where the reader changes it.
+lessons::Context contextOf(const lessons::Question& question) {
+    const bool byReader = std::holds_alternative<lessons::UntilQuestion>(question.kind);
+    return {.frame = byReader ? *core().own.frame : *opened().first};
+}
+
+std::string html(const pipeline::Result<std::string>& said, Errors& errors) {
+    if (said) return lessons::liveHtml(*said);
+    errors.insert(errors.end(), said.errors().begin(), said.errors().end());
+    return {};
+}
+std::string html(const lessons::Prose& prose, const lessons::Context& context, Errors& errors) {
+    return html(filled(prose, context), errors);
+}
+
+void addSettings(const lessons::Node& node, std::vector<std::string>& keys) {
+    if (node.setting && std::ranges::find(keys, node.setting->key()) == keys.end()) keys.push_back(node.setting->key());
+    for (const lessons::Node& operand : node.operands) addSettings(operand, keys);
+}
+
+// The settings that the page is about: those that its question frees, else those that its text names.
+std::vector<std::string> settingsInPlay() {
+    std::vector<std::string> keys;
+    const auto& question = page().question;
+    if (question)
+        if (const auto* until = std::get_if<lessons::UntilQuestion>(&question->kind)) return until->free;
+    for (const lessons::Half* half : {&page().first, page().then ? &*page().then : nullptr})
+        if (half)
+            for (const lessons::Prose::Hole& hole : half->text.holes) addSettings(hole.expression.root, keys);
+    return keys;
+}
+
+Json questionJson(Errors& errors) {
+    const lessons::Question& question = *page().question;
+    const lessons::Context context = contextOf(question);
+    const Attempt attempt = web::attempt();
+    static constexpr std::array<const char*, 5> kStates{"open", "known", "not yet", "right", "shown"};
+    Json json{{"kind", kindName(question)},
+              {"text", html(question.text, context, errors)},
+              {"state", kStates[std::size_t(attempt.state())]},
+              {"settled", attempt.isSettled()},
+              {"worth", attempt.worth()},
+              {"full", attempt.full()},
+              {"points", attempt.points()},
+              {"tries_left", attempt.triesLeft() ? Json(*attempt.triesLeft()) : Json()},
+              {"hint_count", attempt.hintCount()},
+              {"hints", Json::array()},
+              {"options", Json::array()}};
+    for (std::size_t i = 0; i < attempt.hintsSeen(); ++i)
+        json["hints"].push_back(html(attempt.hint(i, context), errors));
+    std::size_t number = 0;
+    for (const lessons::Option& option : optionsOf(question))
+        json["options"].push_back({{"text", html(option.text, context, errors)}, {"off", attempt.isOff(number++)}});
+    if (const auto* typed = std::get_if<lessons::NumberQuestion>(&question.kind)) json["unit"] = typed->unit;
+    if (const auto* click = std::get_if<lessons::ClickQuestion>(&question.kind)) json["click"] = name(click->kind);
+    if (const auto* until = std::get_if<lessons::UntilQuestion>(&question.kind)) {
+        if (const auto gauge = gaugeOf(*until, context); gauge && *gauge) json["gauge"] = (*gauge)->said;
+        // For Show me; a page tells no answer before.
+        if (attempt.isSettled())
+            for (const lessons::UntilQuestion::Setting& setting : until->answer) {
+                std::string value = setting.word;
+                if (setting.number)
+                    if (const auto number = evaluate(*setting.number, {.frame = *opened().first}); number)
+                        value = fmt::format("{}", number->numbers[0]);
+                json["answer"].push_back(setting.key + '=' + value);
+            }
+    }
+    if (!attempt.isSettled()) return json;
+    const auto solution = attempt.solution({.frame = *opened().first});
+    if (!solution) {
+        errors.insert(errors.end(), solution.errors().begin(), solution.errors().end());
+        return json;
+    }
+    json["solution"] = {{"answer", lessons::liveHtml(solution->answer)}, {"steps", Json::array()}};
+    for (const std::string& line : solution->steps) json["solution"]["steps"].push_back(lessons::liveHtml(line));
+    return json;
+}
+
+Json hiddenJson() {
+    const lessons::Hidden hidden = lessons::hiddenOn(page(), isSettled());
+    Json json{{"buffers", Json::array()}, {"parts", Json::array()}, {"count", hidden.count()}};
+    for (const pipeline::BufferName& name : hidden.buffers) json["buffers"].push_back(name.text());
+    for (const lessons::Part part : hidden.parts) json["parts"].push_back(lessons::kPartNames[std::size_t(part)]);
+    return json;
+}
+
+int givePage() {
+    OpenLesson& open = opened();
+    const lessons::Half& half = open.then ? *page().then : page().first;
+    const lessons::WindowState& window = half.state.window;
+    Errors errors;
+    Json buffers = Json::array();
+    for (const lessons::BufferShown& view : window.views)
+        buffers.push_back({{"buffer", view.buffer},
+                           {"channel", index(view.channel)},
+                           {"range", view.range ? Json(*view.range) : Json()}});
+    Json json{{"number", open.page},
+              {"count", open.lesson.pages.size()},
+              {"heading", page().heading},
+              {"text", html(half.text, {.frame = *core().own.frame}, errors)},
+              {"then", open.then},
+              {"has_then", page().then.has_value()},
+              {"stage", pipeline::stageInfo(window.stage).name},
+              {"place", window.place ? Json(pipeline::text(*window.place)) : Json()},
+              {"level", int(window.step)},
+              {"pixel", window.pixel ? Json(*window.pixel) : Json()},
+              {"channel", window.channel},
+              {"buffers", buffers},
+              {"in_play", settingsInPlay()},
+              {"hidden", hiddenJson()},
+              {"question", page().question ? questionJson(errors) : Json()}};
+    return errors.empty() ? give(json) : refuse(errors);
+}
+
+std::optional<double> numberAt(const Json& json, const char* key) {
+    return json.contains(key) && json[key].is_number() ? std::optional(json[key].get<double>()) : std::nullopt;
+}
+
+lessons::Given givenIn(const Json& json) {
+    if (json.contains("typed") && json["typed"].is_string()) return lessons::Typed{json["typed"].get<std::string>()};
+    if (json.contains("chosen") && json["chosen"].is_array()) {
+        lessons::Chosen chosen;
+        for (const Json& option : json["chosen"])
+            if (option.is_number_unsigned()) chosen.options.push_back(option.get<std::size_t>());
+        return chosen;
+    }
+    if (json.contains("pick")) {
+        const Json& from = json["pick"];
+        return lessons::Pick{numberAt(from, "x"),      numberAt(from, "y"),      numberAt(from, "polygon"),
+                             numberAt(from, "vertex"), numberAt(from, "object"), numberAt(from, "light")};
+    }
+    return lessons::Reached{};
+}
+
+Json parsed(const char* text, int size) { return Json::parse(textAt(text, size), nullptr, false); }
+
+}  // namespace
+
+// lesson: lesson.md, whose scenes are files of the page by the names that it has for them, with ".toml". html: of each of
+// its texts in the order of liveTexts(), a JSON array.
+WEB_CALL(lesson) int webLesson(const char* text, int size, const char* html, int htmlSize) {
+    auto lesson = lessons::parseLesson(textAt(text, size), "lesson.md", [](std::string_view name) {
+        const auto found = core().files.find(std::string(name) + ".toml");
+        if (found == core().files.end())
+            return pipeline::Result<pipeline::Scene>(pipeline::Error{{}, "no scene " + pipeline::inQuotes(name), {}});
+        return sceneFromText(found->first, found->second);
+    });
+    if (!lesson) return refuse(lesson.errors());
+    core() = LiveCore{.files = std::move(core().files)};
+    OpenLesson& open = core().lesson.emplace(OpenLesson{std::move(lesson).value(), {}});
+    open.progress.resize(open.lesson.pages.size());
+    const Json texts = parsed(html, htmlSize);
+    const std::vector<lessons::Prose*> prose = lessons::liveTexts(open.lesson);
+    if (!texts.is_array() || texts.size() != prose.size()) return refuse("the texts of this page are not its lesson's");
+    for (std::size_t i = 0; i < prose.size(); ++i)
+        if (!texts[i].is_string() || !lessons::dress(*prose[i], texts[i].get<std::string>()))
+            return refuse("the texts of this page are not its lesson's");
+    return give({{"title", open.lesson.title}, {"pages", open.lesson.pages.size()}});
+}
+
+// Opens a page, from 0; then: its second half, which the reader has reached. frame() has to follow.
+WEB_CALL(page) int webPage(int number, int then) {
+    OpenLesson& open = opened();
+    if (number < 0 || std::size_t(number) >= open.lesson.pages.size()) return refuse("no such page");
+    open.page = std::size_t(number);
+    open.then = then != 0 && page().then && isSettled();
+    const auto run = [&](const lessons::Half& half, pipeline::FrameRequest request) {
+        request.threads = 1;
+        return runFrame(std::make_shared<const pipeline::Scene>(half.state.scene), request, core().own.frame);
+    };
+    open.first = run(page().first, lessons::requestFor(page()));
+    open.half = open.then ? run(*page().then, lessons::requestForThen(page())) : open.first;
+    core().own = {open.half->sharedScene(), open.half, nullptr, {}, nullptr};
+    core().other.reset();
+    const int given = givePage();
+    core().own.frame.reset();  // the reader's own begins anew: it says what ran
+    return given;
+}
+
+// The page again, with the numbers of the reader's frame.
+WEB_CALL(read) int webRead() { return givePage(); }
+
+// {"typed": "0.5"}, {"chosen": [1]}, {"pick": {"x": 3, "y": 4, "polygon": 2}}, or {} for the reader's own frame.
+WEB_CALL(check) int webCheck(const char* text, int size) {
+    if (!page().question || isSettled()) return refuse("nothing is asked");
+    const Json json = parsed(text, size);
+    Attempt attempt = web::attempt();
+    const auto verdict = attempt.check(givenIn(json), contextOf(*page().question));
+    if (!verdict) return refuse(verdict.errors());
+    opened().progress[opened().page] = attempt.progress();
+    static constexpr std::array<const char*, 4> kMarks{"right", "known", "not yet", "again"};
+    return give({{"mark", kMarks[std::size_t(verdict->mark)]},
+                 {"name", verdict->name},
+                 {"said", lessons::liveHtml(verdict->said)}});
+}
+
+WEB_CALL(hint) int webHint() {
+    if (!page().question || isSettled()) return refuse("nothing is asked");
+    Attempt attempt = web::attempt();
+    if (attempt.hintsSeen() == attempt.hintCount()) return refuse("no more hints");
+    const auto hint = attempt.nextHint(contextOf(*page().question));
+    if (!hint) return refuse(hint.errors());
+    opened().progress[opened().page] = attempt.progress();
+    return give(lessons::liveHtml(*hint));
+}
+
+// Gives up.
+WEB_CALL(show) int webShow() {
+    if (!page().question || isSettled()) return refuse("nothing is asked");
+    Attempt attempt = web::attempt();
+    attempt.showMe();
+    opened().progress[opened().page] = attempt.progress();
+    return give(true);
+}
+
+}  // namespace web

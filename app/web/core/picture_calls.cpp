@@ -1,0 +1,153 @@
+#include <array>
+#include <cmath>
+
+#include "app/web/core/core.h"
+#include "pipeline/buffers/buffer2d.h"
+#include "pipeline/buffers/palette.h"
+
+// Buffers, and the pictures that they make.
+
+namespace web {
+
+using pipeline::AnyBuffer;
+using pipeline::Color8;
+using pipeline::PaletteRange;
+
+namespace {
+
+std::vector<std::uint8_t> s_pixels;  // RGBA of the last picture
+std::optional<AnyBuffer> s_buffer;   // keeps the memory that the page reads
+
+const ShownScene& shownOf(int which) { return which == 0 || !core().other ? core().own : *core().other; }
+
+// Nothing, after the reason was given.
+std::optional<AnyBuffer> bufferNamed(const pipeline::Frame& frame, std::string_view text) {
+    const auto name = pipeline::findBuffer(text);
+    if (!name) {
+        const bool isDerived = pipeline::findDerived(text).has_value();
+        refuse(isDerived ? "\"" + std::string(text) + "\" is a derived buffer: open the scene in Shadescope to see it."
+                         : "no buffer \"" + std::string(text) + "\"; " + pipeline::insteadOfBuffer(text));
+        return {};
+    }
+    auto buffer = frame.buffer(*name);
+    if (!buffer) refuse(frame.whyAbsent(*name));
+    return buffer;
+}
+
+Json placeJson(const AnyBuffer& buffer) {
+    const void* start = std::visit([](const auto& span) { return static_cast<const void*>(span.data()); }, buffer.data);
+    return {{"pointer", std::uintptr_t(start)}, {"count", buffer.count()},   {"shape", buffer.shape},
+            {"dtype", buffer.dtype()},          {"unit", buffer.info->unit}, {"space", buffer.info->space},
+            {"meaning", buffer.info->meaning}};
+}
+
+void put(std::uint8_t*& out, Color8 color, bool drawn) {
+    out[0] = color.r, out[1] = color.g, out[2] = color.b, out[3] = drawn ? 255 : 0;
+    out += 4;
+}
+
+// Neighbours are often equal, above all in flat shading. channel: of three, the one that is shown alone; below 0: all of
+// them as a colour. drawn: the ids of what is seen; null: everything is shown.
+template <class T>
+void paint(const AnyBuffer& buffer, std::span<const T> numbers, pipeline::Tile part, int channel, PaletteRange range,
+           const std::int32_t* drawn) {
+    const auto channels = std::size_t(buffer.channels());
+    const bool isColor = channels == 3 && channel < 0;
+    const pipeline::Palette palette = buffer.info->palette;
+    const std::size_t used = isColor ? 3 : 1, from = isColor ? 0 : std::size_t(std::max(channel, 0));
+    const auto colorOf = [&](const T* number) {
+        if (!isColor) return paletteColor(palette, double(number[0]), range.first, range.last);
+        Color8 color;
+        for (int c = 0; c < 3; ++c) {
+            const Color8 share = paletteColor(pipeline::Palette::Color, double(number[c]), range.first, range.last);
+            if (std::isnan(double(number[c]))) return share;
+            color[c] = share[c];
+        }
+        return color;
+    };
+    std::array<T, 3> last{};
+    Color8 color = colorOf(last.data());
+    std::uint8_t* out = s_pixels.data();
+    for (int y = part.min.y; y < part.max.y; ++y)
+        for (int x = part.min.x; x < part.max.x; ++x) {
+            const std::size_t i = std::size_t(y) * buffer.columns() + std::size_t(x);
+            const T* number = numbers.data() + i * channels + from;
+            bool same = true;
+            for (std::size_t c = 0; c < used; ++c) same = same && number[c] == last[c];  // NaN differs from itself
+            if (!same) {
+                for (std::size_t c = 0; c < used; ++c) last[c] = number[c];
+                color = colorOf(number);
+            }
+            put(out, color, !drawn || drawn[i] >= 0);
+        }
+}
+
+}  // namespace
+
+// What the frame has, and what it has not with the reason: every buffer that the scene can have.
+WEB_CALL(buffers) int webBuffers() {
+    const pipeline::Frame& frame = core().own.now();
+    Json list = Json::array();
+    for (const pipeline::BufferName& name : pipeline::allBuffers(frame.scene().lights.size())) {
+        const pipeline::BufferInfo& info = pipeline::bufferInfo(name.id);
+        static constexpr std::array<const char*, 4> kDomains{"vertex", "polygon", "pixel", "texel"};
+        list.push_back({{"name", name.text()},
+                        {"stage", pipeline::stageInfo(info.stage).label},
+                        {"domain", kDomains[std::size_t(info.domain)]},
+                        {"channels", info.channels},
+                        {"unit", info.unit},
+                        {"meaning", info.meaning},
+                        {"useless", whyUseless(frame.scene(), name.id)}});
+    }
+    return give(list);
+}
+
+// The names of the buffers that the frame holds.
+WEB_CALL(held) int webHeld() {
+    Json list = Json::array();
+    for (const AnyBuffer& buffer : core().own.now().buffers()) list.push_back(buffer.name.text());
+    return give(list);
+}
+
+// The numbers themselves: pointer, shape, dtype. which: as of picture().
+WEB_CALL(buffer) int webBuffer(const char* text, int size, int which) {
+    s_buffer = bufferNamed(shownOf(which).now(), textAt(text, size));
+    return s_buffer ? give(placeJson(*s_buffer)) : 0;
+}
+
+// RGBA in the window's palette; where nothing is drawn, alpha 0. which: 0 the reader's, 1 what it is compared with.
+// first, last: the ends of the palette where `own` is not 0, else the range that shows all. Of a buffer of the picture's
+// size the part from column x and row y on, else all.
+WEB_CALL(picture)
+int webPicture(const char* text, int size, int which, int channel, int own, double first, double last, int x, int y,
+               int width, int height) {
+    const pipeline::Frame& frame = shownOf(which).now();
+    const auto buffer = bufferNamed(frame, textAt(text, size));
+    if (!buffer) return 0;
+    const pipeline::BufferInfo& info = *buffer->info;
+    const auto fits = fittingRange(*buffer, statistics(*buffer), frame.scene().settings.depthFormat);
+    const PaletteRange range = own ? PaletteRange{first, last} : fits;
+    const bool masks = info.domain == pipeline::Domain::Pixel && info.id != pipeline::BufferId::Color;
+    const auto ids = masks ? frame.buffer({pipeline::BufferId::PolygonId}) : std::nullopt;
+    const auto* drawn = ids ? std::get<std::span<const std::int32_t>>(ids->data).data() : nullptr;
+    const int columns = int(buffer->columns()), rows = int(buffer->rows());
+    const pipeline::Settings& settings = frame.scene().settings;
+    pipeline::Tile part{{0, 0}, {columns, rows}};
+    const bool isWithin = x >= 0 && y >= 0 && width > 0 && height > 0 && x <= columns - width && y <= rows - height;
+    if (isWithin && columns == settings.width && rows == settings.height) part = {{x, y}, {x + width, y + height}};
+    s_pixels.resize(4 * std::size_t(part.max.x - part.min.x) * std::size_t(part.max.y - part.min.y));
+    std::visit([&](const auto& numbers) { paint(*buffer, numbers, part, channel, range, drawn); }, buffer->data);
+    Json stops = Json::array();
+    for (const Color8 color : pipeline::paletteStops(info.palette)) stops.push_back({color.r, color.g, color.b});
+    Json json = placeJson(*buffer);
+    json["pixels"] = std::uintptr_t(s_pixels.data());
+    json["width"] = columns, json["height"] = rows;
+    json["part"] = {part.min.x, part.min.y, part.max.x - part.min.x, part.max.y - part.min.y};
+    json["stops"] = stops;
+    json["scale"] = info.palette == pipeline::Palette::Sequential || info.palette == pipeline::Palette::Diverging;
+    json["first"] = range.first, json["last"] = range.last;
+    json["channels"] = info.channels;
+    return give(json);
+}
+
+}  // namespace web

@@ -1,0 +1,51 @@
+// What stands in the page for files of the program that need a folder, or a library that is not there for WebAssembly.
+#include "app/web/core/core.h"
+#include "lessons/library.h"
+#include "pipeline/export/file_hash.h"
+#include "pipeline/formats/png_scene.h"
+#include "pipeline/formats/scene_folder.h"
+#include "pipeline/formats/scene_reader.h"
+#include "pipeline/study/shadow_verdict.h"
+
+namespace pipeline {
+
+std::optional<std::string> sha256(const std::filesystem::path&) { return {}; }
+std::string sha256Of(std::string_view) { return {}; }
+
+bool looksLikePng(std::string_view) { return false; }
+Result<Scene> readPngScene(const SourceText& source, const FileLoader&) {
+    return Error{{source.name, 0, 0}, "found a picture", "a scene: pictures open in Shadescope"};
+}
+
+Result<std::string> readFile(const std::filesystem::path& file, std::size_t limit) {
+    const auto& files = web::core().files;
+    const auto found = files.find(file.string());
+    if (found == files.end() || found->second.size() > limit) return Error{{}, "not in this page", {}};
+    return found->second;
+}
+Result<std::string> wholeText(const SourceText& source) { return std::string(source.text); }
+bool FileTail::read(std::string&, std::size_t) { return false; }
+std::vector<BuiltInScene> builtInScenes() { return {}; }
+Result<Scene> readScene(const std::filesystem::path& file, const ReadProgress&) {
+    return Error{{file.string(), 0, 0}, "not in this page", {}};
+}
+std::string whyNoShadowVerdicts(const Scene&, std::size_t) {
+    return "Shadow verdicts cast rays. Open the scene in Shadescope to see them.";
+}
+Result<std::filesystem::path> pathInFolder(const std::filesystem::path&, std::string_view, std::string_view) {
+    return Error{{}, "not in this page", {}};
+}
+
+}  // namespace pipeline
+
+namespace lessons {
+
+std::filesystem::path lessonFolder() { return {}; }
+
+}  // namespace lessons
+
+// Nothing is thrown here: memory that is out, or a length that no container has, ends the core, and the page says so.
+extern "C" {
+void* __cxa_allocate_exception(unsigned long) { __builtin_trap(); }
+[[noreturn]] void __cxa_throw(void*, void*, void (*)(void*)) { __builtin_trap(); }
+}

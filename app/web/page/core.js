@@ -1,0 +1,84 @@
+// The pipeline: compiled, started, and asked. Each call gives JSON or throws what the core says is wrong.
+
+/** @typedef {{found: string, expected: string, text: string}} Wrong */
+
+const decoder = new TextDecoder(), encoder = new TextEncoder();
+
+/** A data block that was packed by gzip. @param {string} id @returns {Promise<Uint8Array>} */
+async function unpacked(id) {
+  const text = atob(/** @type {HTMLElement} */ (document.getElementById(id)).textContent.trim());
+  const packed = new Uint8Array(text.length);
+  for (let i = 0; i < text.length; ++i) packed[i] = text.charCodeAt(i);
+  const stream = new Blob([packed]).stream().pipeThrough(new (/** @type {any} */ (globalThis).DecompressionStream)('gzip'));
+  return new Uint8Array(await new Response(stream).arrayBuffer());
+}
+
+class Core {
+  /** @param {Record<string, any>} calls */
+  constructor(calls) {
+    this.calls = calls;
+  }
+
+  /** @param {Uint8Array} bytes @returns {Promise<Core>} */
+  static async start(bytes) {
+    /** @type {WebAssembly.Memory} */
+    let memory;
+    // What WebAssembly's system interface asks for: a clock, an end, no files, no environment.
+    const known = {
+      clock_time_get: (id, precision, to) => {
+        new DataView(memory.buffer).setBigUint64(to, BigInt(Math.round(performance.now() * 1e6)), true);
+        return 0;
+      },
+      environ_sizes_get: (count, size) => {
+        const view = new DataView(memory.buffer);
+        view.setUint32(count, 0, true), view.setUint32(size, 0, true);
+        return 0;
+      },
+      proc_exit: code => {
+        throw new Error('The core has ended (' + code + '). Reload the page.');
+      },
+    };
+    const module = await WebAssembly.compile(bytes);
+    /** @type {Record<string, any>} */
+    const imports = {};
+    for (const { module: from, name } of WebAssembly.Module.imports(module))
+      (imports[from] ??= {})[name] = known[name] || (() => 52);  // 52: not there
+    const calls = (await WebAssembly.instantiate(module, imports)).exports;
+    memory = /** @type {WebAssembly.Memory} */ (calls.memory);
+    /** @type {any} */ (calls)._initialize();
+    return new Core(calls);
+  }
+
+  get memory() { return this.calls.memory.buffer; }
+
+  /** Whether a call did what it was asked to; its answer is in text(). @param {string} name @param {...(string|number)} values */
+  call(name, ...values) {
+    const held = [];
+    const passed = values.flatMap(value => {
+      if (typeof value === 'number') return [value];
+      const bytes = encoder.encode(value), at = this.calls.alloc(bytes.length || 1);
+      held.push(at);
+      new Uint8Array(this.memory, at, bytes.length).set(bytes);
+      return [at, bytes.length];
+    });
+    const done = this.calls[name](...passed);
+    for (const at of held) this.calls.release(at);
+    return done;
+  }
+  text() { return decoder.decode(new Uint8Array(this.memory, this.calls.text(), this.calls.size())); }
+
+  /** @param {string} name @param {...(string|number)} values @returns {any} */
+  ask(name, ...values) {
+    const done = this.call(name, ...values), answer = JSON.parse(this.text());
+    if (done) return answer;
+    /** @type {Wrong[]} */
+    const errors = answer.errors;
+    throw Object.assign(new Error(errors.map(error => error.text).join('\n')), { errors });
+  }
+
+  /** The numbers of a buffer that ask('buffer', …) has found; they are the core's until it is asked again. */
+  numbers({ pointer, count, dtype }) {
+    const Kind = { float32: Float32Array, float64: Float64Array, int32: Int32Array, uint8: Uint8Array }[dtype];
+    return new Kind(this.memory, pointer, count);
+  }
+}
