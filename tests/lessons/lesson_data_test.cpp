@@ -31,8 +31,9 @@ TEST(Lessons, EveryPageIsTrue) {
             const pipeline::FramePtr frame = frameOf(page.first.state.scene, request);
             ASSERT_TRUE(frame);
             for (const pipeline::BufferName& buffer : shownBuffers(page.first.state))
-                if (!pipeline::isDerived(buffer.id))
+                if (!pipeline::isDerived(buffer.id)) {
                     EXPECT_TRUE(frame->buffer(buffer)) << buffer.text() << ": " << frame->whyAbsent(buffer);
+                }
             if (const auto pixel = pickedPixel(page.first.state)) {
                 const auto polygons = frame->buffer({pipeline::BufferId::PolygonId});
                 ASSERT_TRUE(polygons);
