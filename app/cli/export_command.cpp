@@ -7,6 +7,7 @@
 #include "app/cli/derived_argument.h"
 #include "app/cli/frame_argument.h"
 #include "app/cli/interrupt.h"
+#include "app/cli/live_argument.h"
 #include "app/cli/message.h"
 #include "app/cli/scene_argument.h"
 #include "lessons/state/cue_list.h"
@@ -14,6 +15,7 @@
 #include "pipeline/export/export_frame.h"
 #include "pipeline/export/exporter.h"
 #include "pipeline/export/size_text.h"
+#include "pipeline/formats/built_in_scenes.h"
 #include "pipeline/plan/needs.h"
 #include "pipeline/run/runner.h"
 #include "pipeline/scene/key_places.h"
@@ -33,6 +35,7 @@ struct ExportOptions {
     std::string pixel;
     std::string cue;  // FILE:NAME; empty: the scene argument
     std::string at;   // a place inside a stage; empty: all stages
+    bool live = false;
 };
 
 std::vector<std::string> formatNames() {
@@ -179,6 +182,31 @@ std::string stateToCarry(const ExportOptions& options, const std::optional<pipel
     return toToml(state);
 }
 
+// What is shown of a scene that comes with the program: the title and what to look at.
+pipeline::BuiltInScene titled(const SceneArgument& argument) {
+    for (pipeline::BuiltInScene& scene : pipeline::builtInScenes())
+        if (scene.name == argument.scene) return scene;
+    return {};
+}
+
+int runLive(ExportOptions options) {
+    if (options.cue.empty() == options.scene.scene.empty()) {
+        tell("shadescope export: --live takes one SCENE or one --cue\n");
+        return kWrongUsage;
+    }
+    const auto found = livePartsOrTell(options.folder, "export");
+    if (!found) return found.status;
+    const Interrupt interrupt;
+    int status = kDone;
+    if (!options.cue.empty() && !takeCue(options, interrupt.token(), status)) return status;
+    const auto scene = loadScene(options.scene, interrupt.token(), status);
+    if (!scene) return status;
+    const pipeline::BuiltInScene known = titled(options.scene);
+    return writeLivePage(
+        makeLivePage(*scene, known.title, known.look, options.scene.state, *found.parts, interrupt.token()),
+        options.folder, interrupt);
+}
+
 int runExport(ExportOptions options, const CliHost& host) {
     if (const std::string wrong = wrongUsage(options, host); !wrong.empty()) {
         tell("shadescope export: {}\n", wrong);
@@ -291,7 +319,9 @@ void declareExport(CLI::App& program, const CliHost& host, int& status) {
     declareSceneArgument(*command, options->scene, SceneArgument::Need::Maybe);
     command->add_option("--cue", options->cue, "A cue of a talk in place of SCENE: its scene, place and buffers")
         ->type_name("FILE:NAME");
-    command->add_option("-o,--output", options->folder, "The folder to write into; made when it is missing")
+    command
+        ->add_option("-o,--output", options->folder,
+                     "The folder to write into, made when it is missing; with --live the file")
         ->required()
         ->type_name("DIR");
     declareFrameArgument(*command, options->frame);
@@ -311,7 +341,12 @@ void declareExport(CLI::App& program, const CliHost& host, int& status) {
         command->add_flag("--views", options->views)->group("");  // known, so that it can be refused by name
         command->add_option("--pixel", options->pixel)->group("");
     }
-    command->callback([options, &host, &status] { status = runExport(*options, host); });
+    auto* live = command->add_flag("--live", options->live,
+                                   "Write one HTML file with the scene and the pipeline in it; -o names the file");
+    for (const char* other : {"--format", "--buffers", "--until", "--at", "--views", "--pixel", "--where", "--mix"})
+        live->excludes(other);
+    command->callback(
+        [options, &host, &status] { status = options->live ? runLive(*options) : runExport(*options, host); });
 }
 
 }  // namespace app

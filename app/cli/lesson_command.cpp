@@ -5,6 +5,7 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/interrupt.h"
+#include "app/cli/live_argument.h"
 #include "app/cli/message.h"
 #include "app/cli/progress_printer.h"
 #include "app/cli/scene_argument.h"
@@ -171,6 +172,16 @@ int exportLesson(const std::string& name, const std::string& folder) {
     return kDone;
 }
 
+int exportLive(const std::string& name, const std::string& file) {
+    const auto parts = livePartsOrTell(file, "lesson export");
+    if (!parts) return parts.status;
+    const Interrupt interrupt;
+    int status = kDone;
+    const auto lesson = foundLesson(name, interrupt, status);
+    if (!lesson) return status;
+    return writeLivePage(makeLivePage(*lesson, *parts.parts, interrupt.token()), file, interrupt);
+}
+
 int checkOne(const std::string& name) {
     const Interrupt interrupt;
     int status = kDone;
@@ -240,7 +251,7 @@ void declareLesson(CLI::App& program, const CliHost&, int& status) {
     command->require_subcommand(1);
     struct Options {
         std::string name, folder;
-        bool json = false, answers = false, forget = false;
+        bool json = false, answers = false, forget = false, live = false;
     };
     const auto options = std::make_shared<Options>();
     const auto addName = [&](CLI::App& to) {
@@ -268,12 +279,19 @@ void declareLesson(CLI::App& program, const CliHost&, int& status) {
     results->add_flag("--forget", options->forget, "Forget all of them")->excludes(json);
     results->callback([options, &status] { status = showResults(options->json, options->forget); });
 
-    CLI::App* write = command->add_subcommand("export", "Write a lesson for paper: a handout, and its answers");
+    CLI::App* write = command->add_subcommand(
+        "export", "Write a lesson for paper, a handout and its answers, or as a page that any browser opens");
     addName(*write);
-    write->add_option("-o,--output", options->folder, "The folder to write into; made when it is missing")
+    write
+        ->add_option("-o,--output", options->folder,
+                     "The folder to write into, made when it is missing; with --live the file")
         ->required()
         ->type_name("DIR");
-    write->callback([options, &status] { status = exportLesson(options->name, options->folder); });
+    write->add_flag("--live", options->live, "Write one HTML file with the lesson and the pipeline in it");
+    write->callback([options, &status] {
+        status =
+            options->live ? exportLive(options->name, options->folder) : exportLesson(options->name, options->folder);
+    });
 }
 
 }  // namespace app

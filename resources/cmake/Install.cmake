@@ -6,6 +6,10 @@ install(DIRECTORY resources/scenes DESTINATION ${CMAKE_INSTALL_DATADIR}/shadesco
 install(DIRECTORY lessons/ DESTINATION ${CMAKE_INSTALL_DATADIR}/shadescope/lessons
   FILES_MATCHING PATTERN "*.md" PATTERN "*.scene" PATTERN "*.toml" PATTERN "*.des" PATTERN "*.png"
   PATTERN expression EXCLUDE PATTERN state EXCLUDE)
+# What live pages are made of; the core where the preset web has built it.
+install(DIRECTORY app/web/page/ DESTINATION ${CMAKE_INSTALL_DATADIR}/shadescope/web
+  FILES_MATCHING PATTERN "*.html" PATTERN "*.css" PATTERN "*.js")
+install(FILES ${PROJECT_SOURCE_DIR}/build/web/shadescope_core.wasm.gz DESTINATION ${CMAKE_INSTALL_DATADIR}/shadescope/web OPTIONAL)
 set(commands ${PROJECT_BINARY_DIR}/resources/manual)
 install(FILES ${commands}/shadescope.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME shadescope)
 install(FILES ${commands}/_shadescope DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions)

@@ -4,6 +4,7 @@
 #include "lessons/library.h"
 #include "tests/lessons/html_of.h"
 #include "tests/lessons/pyramid_scene.h"
+#include "tests/support/sweep.h"
 
 namespace lessons {
 namespace {
@@ -16,48 +17,53 @@ std::string bare(std::string html) {
     return html;
 }
 
+// Spread over all lessons; every page in a long run.
+std::vector<Page> somePages() {
+    std::vector<Page> all, some;
+    for (const Lesson& lesson : allLessons().lessons) all.insert(all.end(), lesson.pages.begin(), lesson.pages.end());
+    for (const std::size_t i : test::sweep(all.size())) some.push_back(all[i]);
+    return some;
+}
+
 // What the page says is what the program says: the HTML of the Markdown that was filled in.
-TEST(LiveText, OfEveryTextOfEveryLessonIsTheHtmlOfWhatTheProgramSays) {
+TEST(LiveText, OfEveryTextIsTheHtmlOfWhatTheProgramSays) {
     std::size_t compared = 0;
-    for (Lesson& lesson : allLessons().lessons)
-        for (Page& page : lesson.pages) {
-            const pipeline::FramePtr frame = frameOf(page.first.state.scene, requestFor(page));
-            ASSERT_TRUE(frame);
-            const Pick pick{.x = 0, .y = 0, .polygon = 0, .vertex = 0, .object = 0, .light = 0};
-            const Context context{.frame = *frame, .pick = &pick};
-            std::vector<const Prose*> texts{&page.first.text};
-            if (page.question)
-                for (const Prose* text : textsOf(*page.question)) texts.push_back(text);
-            for (const Prose* text : texts) {
-                Prose dressed = *text;
-                ASSERT_TRUE(dress(dressed, htmlOf(withHoleWords(dressed)))) << withHoleWords(*text);
-                const auto said = filled(*text, context), live = filled(dressed, context);
-                ASSERT_TRUE(said && live) << lesson.name << ", " << page.heading;
-                EXPECT_EQ(bare(liveHtml(*live)), bare(htmlOf(*said))) << lesson.name << ", " << page.heading;
-                ++compared;
-            }
+    for (const Page& page : somePages()) {
+        const pipeline::FramePtr frame = frameOf(page.first.state.scene, requestFor(page));
+        ASSERT_TRUE(frame);
+        const Pick pick{.x = 0, .y = 0, .polygon = 0, .vertex = 0, .object = 0, .light = 0};
+        const Context context{.frame = *frame, .pick = &pick};
+        std::vector<const Prose*> texts{&page.first.text};
+        if (page.question)
+            for (const Prose* text : textsOf(*page.question)) texts.push_back(text);
+        for (const Prose* text : texts) {
+            Prose dressed = *text;
+            ASSERT_TRUE(dress(dressed, htmlOf(withHoleWords(dressed)))) << withHoleWords(*text);
+            const auto said = filled(*text, context), live = filled(dressed, context);
+            ASSERT_TRUE(said && live) << page.heading;
+            EXPECT_EQ(bare(liveHtml(*live)), bare(htmlOf(*said))) << page.heading;
+            ++compared;
         }
-    EXPECT_GT(compared, 500u);
+    }
+    EXPECT_GT(compared, 200u);
 }
 
 TEST(LiveText, JudgesAndSpeaksAsTheProgramDoes) {
-    for (Lesson& lesson : allLessons().lessons)
-        for (Page& page : lesson.pages) {
-            if (!page.question || !std::holds_alternative<NumberQuestion>(page.question->kind)) continue;
-            const pipeline::FramePtr frame = frameOf(page.first.state.scene, requestFor(page));
-            const Question plain = *page.question;
-            Lesson one;
-            one.pages.push_back(page);
-            for (Prose* text : liveTexts(one)) ASSERT_TRUE(dress(*text, htmlOf(withHoleWords(*text))));
-            for (const char* typed : {"0.5", "12", "-3", "<b>", "1/2", "1e9"}) {
-                const auto expected = judge(plain, Typed{typed}, {.frame = *frame});
-                const auto live = judge(*one.pages[0].question, Typed{typed}, {.frame = *frame});
-                ASSERT_TRUE(expected && live);
-                EXPECT_EQ(live->mark, expected->mark) << page.heading << ": " << typed;
-                EXPECT_EQ(live->name, expected->name);
-                EXPECT_EQ(bare(liveHtml(live->said)), bare(htmlOf(expected->said))) << page.heading << ": " << typed;
-            }
+    for (const Page& page : somePages()) {
+        if (!page.question || !std::holds_alternative<NumberQuestion>(page.question->kind)) continue;
+        const pipeline::FramePtr frame = frameOf(page.first.state.scene, requestFor(page));
+        Lesson one;
+        one.pages.push_back(page);
+        for (Prose* text : liveTexts(one)) ASSERT_TRUE(dress(*text, htmlOf(withHoleWords(*text))));
+        for (const char* typed : {"0.5", "-3", "<b>", "1/2"}) {
+            const auto expected = judge(*page.question, Typed{typed}, {.frame = *frame});
+            const auto live = judge(*one.pages[0].question, Typed{typed}, {.frame = *frame});
+            ASSERT_TRUE(expected && live);
+            EXPECT_EQ(live->mark, expected->mark) << page.heading << ": " << typed;
+            EXPECT_EQ(live->name, expected->name);
+            EXPECT_EQ(bare(liveHtml(live->said)), bare(htmlOf(expected->said))) << page.heading << ": " << typed;
         }
+    }
 }
 
 TEST(LiveText, TakesNothingThatSomebodyTypesForMarkup) {

@@ -1,0 +1,174 @@
+// The lesson's text, and its question. The core judges.
+
+/** What was said about the last answer. @type {?{mark: string, name: string, said: string}} */
+let verdict = null;
+
+function drawLesson() {
+  one('#count').textContent = page.count > 1 ? `page ${page.number + 1} of ${page.count}` : '';
+  one('#previous').hidden = one('#next').hidden = page.count === 1;
+  one('#previous').disabled = page.number === 0, one('#next').disabled = page.number + 1 === page.count;
+  one('#heading').textContent = page.heading;
+  fillHtml(one('#text'), page.text);
+  document.title = page.heading + ' – ' + data.title;
+  const hidden = one('#hidden');
+  hidden.hidden = page.hidden.count === 0;
+  hidden.textContent = page.hidden.count === 1 ? '1 thing is hidden until you answer.' : `${page.hidden.count} things are hidden until you answer.`;
+  drawQuestion();
+}
+
+function drawQuestion() {
+  const box = one('#question'), question = page.question;
+  box.hidden = !question;
+  if (!question) return;
+  box.className = 'question ' + question.state.replace(' ', '-');
+  fillHtml(one('#asked'), question.text);
+  drawAnswer(question);
+  const said = one('#said');
+  said.replaceChildren();
+  if (verdict) {
+    const [mark, word] = { right: ['●', 'Right'], known: ['△', verdict.name], 'not yet': ['△', 'Not yet'], again: ['○', 'Once more'] }[verdict.mark];
+    said.append(element('p', { className: 'mark ' + verdict.mark.replace(' ', '-'), textContent: `${mark} ${word}` }));
+    const words = element('div');
+    fillHtml(words, verdict.said);
+    said.append(words);
+  }
+  one('#hints').replaceChildren(...question.hints.map((hint, i) => {
+    const box = element('div', { className: 'hint' }, element('b', { textContent: `Hint ${i + 1}` }), element('div'));
+    fillHtml(box.lastElementChild, hint);
+    return box;
+  }));
+  const left = question.hint_count - question.hints.length, points = n => `${shortNumber(n)} ${n === 1 ? 'point' : 'points'}`;
+  one('#hint').hidden = question.settled || left === 0, one('#hint').textContent = `Hint (${left} left)`;
+  one('#giveup').hidden = question.settled;
+  one('#worth').textContent = question.settled ? `${points(question.points)} of ${shortNumber(question.full)}`
+    : `worth ${points(question.worth)}` + (question.tries_left === null ? '' : `, ${question.tries_left} ${question.tries_left === 1 ? 'try' : 'tries'} left`);
+  const solution = one('#solution');
+  solution.hidden = !question.solution;
+  if (question.solution) {
+    fillHtml(one('#solved'), question.solution.answer);
+    one('#works').replaceChildren(...question.solution.steps.map(line => {
+      const item = element('li');
+      fillHtml(item, line);
+      return item;
+    }));
+  }
+  one('#goon').hidden = !question.settled || !page.has_then || page.then;
+  one('#goback').hidden = !page.then;
+}
+
+/** The place to answer, by the kind of question; what stands there already stays. */
+function drawAnswer(question) {
+  const form = one('#answer'), key = [page.number, question.kind, question.options.length].join();
+  if (form.known !== key) {
+    form.known = key;
+    form.replaceChildren(...answerFields(question));
+  }
+  form.hidden = question.settled;
+  question.options.forEach((option, i) => {
+    const [input, words] = form.children[i].children;
+    input.disabled = option.off, form.children[i].classList.toggle('off', option.off);
+    if (words.known !== option.text) words.known = option.text, fillHtml(one('.words', words), option.text);
+  });
+  if (question.kind === 'click') one('#pickedthing', form).textContent = pickWords(question.click);
+  if (question.kind === 'until') one('#gauge', form).textContent = question.gauge ? `Now: ${question.gauge}` : '';
+}
+
+function answerFields(question) {
+  const check = element('button', { type: 'submit', className: 'primary', textContent: 'Check' });
+  if (question.options.length)
+    return [...question.options.map((option, i) => {
+      const type = question.kind === 'choice' ? 'radio' : 'checkbox';
+      return element('label', { className: 'option' }, element('input', { type, name: 'option', value: i }),
+        element('span', {}, element('b', { textContent: String.fromCharCode(65 + i) + ' ' }), element('span', { className: 'words' })));
+    }), check];
+  if (question.kind === 'number') {
+    const field = element('input', { type: 'text', id: 'typed', inputMode: 'decimal', autocomplete: 'off', ariaLabel: 'Your answer' });
+    return [element('span', { className: 'typedrow' }, field, ' ', question.unit || ''), check];
+  }
+  if (question.kind === 'click') return [element('p', { className: 'note', id: 'pickedthing' }), check];
+  return [element('p', { className: 'number', id: 'gauge' }), check];
+}
+
+/** What is under the picked pixel, as the core's Pick has it. */
+function pickOf() {
+  if (!view.pixel) return {};
+  const [x, y] = view.pixel, [width] = pictureSize(), at = y * width + x;
+  const number = name => {
+    if (!core.call('buffer', name, 0)) return undefined;  // not yet, inside the frame
+    const id = core.numbers(JSON.parse(core.text()))[at];
+    return id >= 0 ? id : undefined;
+  };
+  const polygon = number('polygon_id');
+  return { x, y, polygon, object: number('object_id'), vertex: nearestVertex(polygon) };
+}
+
+/** The vertex of the polygon that lies nearest to the picked pixel on the screen. */
+function nearestVertex(polygon) {
+  if (polygon === undefined) return undefined;
+  mesh ??= core.ask('mesh');
+  const screen = core.numbers(core.ask('buffer', 'vertices.screen', 0)), off = vertex => Math.hypot(screen[3 * vertex] - view.pixel[0] - 0.5, screen[3 * vertex + 1] - view.pixel[1] - 0.5);
+  return mesh.polygons[polygon].reduce((best, vertex) => (off(vertex) < off(best) ? vertex : best));
+}
+
+function pickWords(kind) {
+  if (!view.pixel) return `Click the ${kind} in the picture.`;
+  if (kind === 'pixel') return `Picked: pixel ${view.pixel.join(', ')}`;
+  const found = pickOf()[kind];
+  return found === undefined ? `There is no ${kind} at this pixel.` : `Picked: ${kind} ${found}`;
+}
+
+/** The reader has clicked into a picture. */
+function picked() {
+  if (page.question?.kind === 'click' && !page.question.settled) drawQuestion();
+}
+
+function given() {
+  const { kind } = page.question;
+  if (kind === 'number') return { typed: one('#typed').value };
+  if (kind === 'choice' || kind === 'several') return { chosen: all('#answer input:checked').map(input => Number(input.value)) };
+  return kind === 'click' ? { pick: pickOf() } : {};
+}
+
+function check() {
+  const found = core.ask('check', JSON.stringify(given()));
+  verdict = found;
+  readAgain();
+}
+
+/** Reads the page again after its question has changed: what was hidden may be there now. */
+function readAgain() {
+  page = core.ask('read');
+  if (page.question?.settled && view.pixel === null && page.pixel) view.pixel = page.pixel;
+  draw();
+  say(one('#said').textContent);
+}
+
+function startLesson() {
+  one('#answer').addEventListener('submit', event => {
+    event.preventDefault();
+    guarded(check);
+  });
+  const does = (id, work) => one(id).addEventListener('click', () => guarded(work));
+  does('#hint', () => {
+    core.ask('hint');
+    verdict = null;
+    readAgain();
+    say(one('#hints').lastElementChild.textContent);
+  });
+  does('#giveup', () => {
+    core.ask('show');
+    verdict = null;
+    readAgain();
+    for (const assignment of page.question.answer || []) setSetting(...splitAssignment(assignment));
+  });
+  does('#goon', () => openPage(view.page, true));
+  does('#goback', () => openPage(view.page, false));
+  does('#previous', () => openPage(view.page - 1));
+  does('#next', () => openPage(view.page + 1));
+}
+
+/** @param {string} assignment @returns {[string, string]} */
+function splitAssignment(assignment) {
+  const at = assignment.indexOf('=');
+  return [assignment.slice(0, at), assignment.slice(at + 1)];
+}

@@ -1,0 +1,113 @@
+// The page as a whole: opening it and its pages, drawing, keys.
+
+function draw() {
+  page = core.ask('read');
+  buffers = core.ask('buffers');
+  drawStages();
+  drawPixel();
+  drawLesson();
+  drawSettings();
+  fillCompare();
+  drawPictures();
+  drawSteps();
+  drawSpace();
+}
+
+/** @param {number} number @param {boolean} [then] */
+function openPage(number, then = false) {
+  if (number < 0 || number >= data.pages) return;
+  if (number !== view.page || then !== view.then) verdict = null;
+  page = core.ask('page', number, then ? 1 : 0);
+  Object.assign(view, { page: number, then: page.then, pixel: page.pixel, channel: page.channel, level: page.level, step: null, compare: '', was: '', own: {} });
+  const shown = page.buffers.map(({ buffer, channel, range }) => ({ buffer, channel: channel > 2 ? -1 : channel, range }));
+  view.pictures = [shown[0], shown[1] || { ...shown[0], buffer: secondBuffer(shown[0].buffer) }];
+  settings = core.ask('settings');
+  runFrame();
+  view.part = view.fit = partDrawn();
+  if (page.place) {
+    const made = core.ask('step', view.level, 0, page.place);
+    view.step = made.last ? null : made;
+  }
+  view.space = hides('inspector') ? 'world' : 'point';
+  one('#settingsbox').open = !page.question && page.in_play.length === 0;
+  one('#question').known = one('#answer').known = null;
+  drawPixel();
+  aimSpace();
+  draw();
+  one('#lessonbox').scrollTop = 0;
+  say(`${page.heading}. ${one('#count').textContent}`);
+}
+
+/** Another buffer beside the one that a page shows: where the surfaces are, unless it hides that. */
+function secondBuffer(first) {
+  const held = new Set(core.ask('held')), choices = ['n_dot_l.0', 'polygon_id', 'z_view', 'color'];
+  return choices.find(name => name !== first && held.has(name) && !page.hidden.buffers.includes(name)) ||
+    (first === 'polygon_id' ? 'color' : 'polygon_id');
+}
+
+function saveScene() {
+  core.call('scene');
+  const made = new Blob([core.text()], { type: 'text/plain' }), name = data.name || 'scene';
+  const link = element('a', { href: URL.createObjectURL(made), download: `${name}-${view.page + 1}.toml` });
+  link.click();
+  URL.revokeObjectURL(link.href);
+  say('The scene is saved with your settings. Open it in Shadescope.');
+}
+
+const kKeys = {
+  '.': () => step(1),
+  ',': () => step(-1),
+  '?': () => one('#help').showModal(),
+  PageDown: () => openPage(view.page + 1),
+  PageUp: () => openPage(view.page - 1),
+};
+
+function startKeys() {
+  addEventListener('keydown', event => {
+    if (event.ctrlKey || event.metaKey || event.altKey || one('#help').open) return;
+    if (/** @type {Element} */ (event.target).matches('input[type=text], select, textarea')) return;
+    const work = /^[1-6]$/.test(event.key) ? () => one(`#stages li:nth-child(${event.key}) button`).click() : kKeys[event.key];
+    if (!work) return;
+    event.preventDefault();
+    guarded(work);
+  });
+  one('#keys').addEventListener('click', () => one('#help').showModal());
+  one('#close').addEventListener('click', () => one('#help').close());
+  one('#save').addEventListener('click', () => guarded(saveScene));
+  addEventListener('resize', () => soon('draw', () => { drawPictures(), drawSpace(); }));
+  matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => guarded(drawSpace));
+  // The address names a page, nothing else.
+  addEventListener('hashchange', () => guarded(() => openPage(firstPage())));
+}
+
+/** ?page=3 or #3, from 1. */
+function firstPage() {
+  const asked = parseInt(new URLSearchParams(location.search).get('page') || location.hash.slice(1), 10) || 1;
+  return Math.min(data.pages, Math.max(1, asked)) - 1;
+}
+
+async function start() {
+  document.documentElement.classList.add('live');  // without scripts the paper stays
+  if (new URLSearchParams(location.search).has('projector')) document.documentElement.classList.add('projector');
+  if (typeof WebAssembly !== 'object' || !('DecompressionStream' in globalThis))
+    throw new Error('This browser is too old: the page needs Chromium 91, Firefox 113, Safari 16.4 or newer.');
+  const began = performance.now();
+  data = JSON.parse(one('#data').textContent);
+  core = await Core.start(await unpacked('core'));
+  for (const [name, text] of Object.entries(data.files)) core.ask('file', name, text);
+  const lesson = core.ask('lesson', data.lesson, JSON.stringify(data.texts));
+  data.pages = lesson.pages;
+  one('#title').textContent = lesson.title;
+  startStages(), startPictures(), startPixel(), startSettings(), startLesson(), startSpace(), startKeys();
+  openPage(firstPage());
+  requestAnimationFrame(() => {
+    const root = document.documentElement;
+    root.dataset.ready = '1', root.dataset.began = String(Math.round(began)), root.dataset.painted = String(Math.round(performance.now()));
+  });
+}
+
+start().catch(error => {
+  one('#wrong').textContent = 'This page could not start: ' + error.message, one('#wrong').hidden = false;
+  one('#app').classList.add('failed');
+  console.error(error);
+});

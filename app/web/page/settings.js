@@ -1,0 +1,140 @@
+// The settings: those that the page is about, and all that have an effect in this scene.
+
+function drawSettings() {
+  const hidden = hides('settings');
+  one('#settingsbox').hidden = hidden;
+  one('#inplay').hidden = hidden && !isUntil();
+  const inPlay = page.in_play.map(settingOf).filter(setting => setting);
+  one('#inplay').hidden = inPlay.length === 0 || (hidden && !isUntil());
+  fillControls(one('#inplay'), inPlay);
+  const groups = new Map();
+  for (const setting of settings) {
+    if (setting.idle || page.in_play.includes(setting.key)) continue;
+    const name = setting.group + (setting.index === null ? '' : ' ' + setting.index);
+    if (!groups.has(name)) groups.set(name, []);
+    groups.get(name).push(setting);
+  }
+  const box = one('#settings'), known = [...groups.keys()].join();
+  if (box.known !== known) {
+    box.known = known;
+    box.replaceChildren(...[...groups.keys()].map(name => element('details', {}, element('summary', { textContent: name }), element('div', { className: 'controls' }))));
+  }
+  [...groups.values()].forEach((list, i) => fillControls(box.children[i].lastElementChild, list));
+  one('#putback').hidden = Object.keys(view.own).length === 0;
+}
+
+const isUntil = () => page.question?.kind === 'until';
+
+/** One control a setting; controls that are there stay, so that a drag goes on. */
+function fillControls(box, list) {
+  const keys = list.map(setting => setting.key + setting.kind).join();
+  if (box.known !== keys) {
+    box.known = keys;
+    box.replaceChildren(...list.map(control));
+  }
+  list.forEach((setting, i) => showValue(box.children[i], setting));
+}
+
+function control(setting) {
+  const id = 'set-' + setting.key, isNumber = setting.kind === 'number' || setting.kind === 'integer';
+  const label = element('label', { htmlFor: id, title: setting.meaning }, ...withScripts(setting.label));
+  const row = element('div', { className: 'control', dataset: { key: setting.key } }, label);
+  const change = text => soon('set ' + setting.key, () => setSetting(setting.key, text));
+  if (setting.kind === 'switch') {
+    const box = element('input', { type: 'checkbox', id });
+    box.addEventListener('change', () => change(box.checked ? 'on' : 'off'));
+    row.append(box);
+  } else if (setting.kind === 'choice') {
+    const list = element('select', { id }, ...setting.choices.map(choice => element('option', { value: choice, textContent: choice })));
+    list.addEventListener('change', () => change(list.value));
+    row.append(list);
+  }
+  if (!isNumber) return row;
+  const field = element('input', { type: 'text', inputMode: 'decimal', className: 'typed', ariaLabel: `${setting.label}, typed`, autocomplete: 'off' });
+  const step = setting.kind === 'integer' ? 1 : niceStep(setting.high - setting.low);
+  const slider = element('input', { type: 'range', id, min: setting.low, max: setting.high, step });
+  slider.addEventListener('input', () => change(slider.value));
+  field.addEventListener('change', () => change(field.value.replace('−', '-').replace(',', '.')));
+  row.append(field, element('span', { className: 'unit', textContent: setting.unit === 'degrees' ? '°' : setting.unit }), slider);
+  return row;
+}
+
+/** A round step that gives a slider about 200 places. @param {number} range */
+function niceStep(range) {
+  const rough = range / 200, power = 10 ** Math.floor(Math.log10(rough));
+  return [1, 2, 5, 10].map(k => k * power).find(step => step >= rough) || power;
+}
+
+function showValue(row, setting) {
+  const slider = one('input[type=range]', row), field = one('.typed', row), box = one('input[type=checkbox]', row), list = one('select', row);
+  if (slider) {
+    slider.value = setting.value;
+    slider.setAttribute('aria-valuetext', `${setting.text}${setting.unit ? ' ' + setting.unit : ''}`);
+    if (document.activeElement !== field) field.value = withMinus(setting.text);
+  }
+  if (box) box.checked = setting.value !== 0;
+  if (list) list.value = setting.text;
+  row.classList.toggle('own', setting.key in view.own);
+}
+
+/** @param {string} key @param {string} text */
+function setSetting(key, text) {
+  const before = { ...settingOf(key) }, result = resultText();
+  try {
+    core.ask('set', `${key}=${text}`);
+  } catch (error) {
+    say(error.message), one('#refused').textContent = error.message;
+    drawSettings();
+    return;
+  }
+  one('#refused').textContent = '';
+  if (!(key in view.own)) view.own[key] = before.text;
+  readValues();
+  if (settingOf(key).text === view.own[key]) delete view.own[key];
+  const sameSize = key !== 'width' && key !== 'height';
+  runFrame();
+  view.was = result ? `was ${result}, with ${before.label.split(' ')[0]} = ${before.text}` : '';
+  if (!sameSize) view.pixel = null, view.part = view.fit = partDrawn();
+  draw();
+}
+
+/** The reader's frame with what is shown; steps begin anew. */
+function runFrame() {
+  const names = view.pictures.map(shown => shown.buffer).filter(name => core.call('want', name));
+  core.ask('want', [...new Set([...names, 'color', 'polygon_id', 'object_id', 'vertices.world', 'vertices.screen'])].join(','));
+  core.calls.frame(0);
+  view.step = null;
+  if (view.compare) core.ask('compare', view.compare);
+  plan = core.ask('plan'), mesh = null;
+}
+
+/** What a setting is stays; what it is set to moves. A choice may bring others with it. */
+function readValues() {
+  const values = core.ask('values');
+  if (values.length !== settings.length) return void (settings = core.ask('settings'));
+  values.forEach(([value, text, idle], i) => Object.assign(settings[i], { value, text, idle }));
+}
+
+function fillCompare() {
+  const chooser = one('#compare');
+  const choices = settings.filter(setting => (setting.kind === 'choice' || setting.kind === 'switch') && !setting.idle && setting.group !== 'Leaving out');
+  const known = choices.map(setting => setting.key + setting.text).join();
+  if (chooser.known !== known) {
+    chooser.known = known;
+    chooser.replaceChildren(element('option', { value: '', textContent: 'nothing' }), ...choices.map(setting =>
+      element('optgroup', { label: setting.label }, ...setting.choices.filter(choice => choice !== setting.text)
+        .map(choice => element('option', { value: `${setting.key}=${choice}`, textContent: `${setting.label}: ${choice}` })))));
+  }
+  chooser.value = view.compare;
+  if (chooser.value !== view.compare) view.compare = chooser.value = '', core.ask('compare', '');
+}
+
+function startSettings() {
+  one('#putback').addEventListener('click', () => guarded(() => openPage(view.page, view.then)));
+  one('#compare').addEventListener('change', event => guarded(() => {
+    view.compare = event.target.value;
+    core.ask('compare', view.compare);
+    draw();
+    say(view.compare ? `The second picture shows B, with ${view.compare}.` : 'The second picture shows a buffer.');
+  }));
+}

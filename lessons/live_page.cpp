@@ -1,0 +1,288 @@
+#include "lessons/live_page.h"
+
+#include <array>
+#include <map>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "lessons/handout.h"
+#include "lessons/library.h"
+#include "lessons/live_text.h"
+#include "lessons/misconceptions.h"
+#include "lessons/prose_html.h"
+#include "pipeline/core/printable.h"
+#include "pipeline/core/text.h"
+#include "pipeline/core/version.h"
+#include "pipeline/export/file_hash.h"
+#include "pipeline/export/html_text.h"
+#include "pipeline/export/json.h"
+#include "pipeline/formats/built_in_scenes.h"
+#include "pipeline/formats/scene_folder.h"
+#include "pipeline/formats/toml_writer.h"
+#include "pipeline/run/runner.h"
+#include "pipeline/scene/key_places.h"
+
+namespace lessons {
+
+namespace {
+
+using pipeline::Error;
+using pipeline::Errors;
+using pipeline::Json;
+using pipeline::Result;
+namespace fs = std::filesystem;
+
+constexpr std::string_view kCoreName = "shadescope_core.wasm.gz";
+
+// The installed program has both in one folder, the source tree has the page's files apart from what is built.
+std::vector<fs::path> liveFolders() {
+    const fs::path resources = pipeline::resourceFolder();
+    return {resources / "web", resources.parent_path() / "build" / "web",
+            resources.parent_path() / "app" / "web" / "page"};
+}
+
+Result<std::string> readLive(std::string_view name) {
+    std::error_code ignored;
+    for (const fs::path& folder : liveFolders())
+        if (fs::exists(folder / name, ignored)) return pipeline::readFile(folder / name);
+    return Error{{std::string(name), 0, 0}, "no such file", {}};
+}
+
+// What a page's policy calls a script or a style.
+std::string policyHash(std::string_view text) {
+    const std::string hex = pipeline::sha256Of(text);
+    const auto half = [&](std::size_t i) { return hex[i] <= '9' ? hex[i] - '0' : hex[i] - 'a' + 10; };
+    std::string bytes;
+    for (std::size_t i = 0; i + 1 < hex.size(); i += 2) bytes += char(16 * half(i) + half(i + 1));
+    return "sha256-" + pipeline::base64(bytes);
+}
+
+// JSON for a data block: no "<" in it begins or ends an element or a comment.
+std::string blockText(const Json& json) {
+    std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace), out;
+    for (const char c : text) {
+        if (c == '<')
+            out += "\\u003c";
+        else
+            out += c;
+    }
+    return out;
+}
+
+// Each hole @NAME@ of the page filled once: what is put in is not looked through again.
+std::string withHolesFilled(std::string_view page, const std::map<std::string, std::string, std::less<>>& values) {
+    std::string out;
+    while (!page.empty()) {
+        const std::size_t at = page.find('@'), end = at == page.npos ? at : page.find('@', at + 1);
+        const auto value = end == page.npos ? values.end() : values.find(page.substr(at + 1, end - at - 1));
+        if (value == values.end()) {
+            const std::size_t length = at == page.npos ? page.size() : at + 1;
+            out += page.substr(0, length);
+            page.remove_prefix(length);
+            continue;
+        }
+        out.append(page.substr(0, at)).append(value->second);
+        page.remove_prefix(end + 1);
+    }
+    return out;
+}
+
+// The rows of the table that the page's engine names; their sources stay in the program.
+std::string misconceptionRows() {
+    std::string text = "| id | name | stage | defect | source |\n|---|---|---|---|---|\n";
+    for (const Misconception& row : misconceptions().rows)
+        text += fmt::format("| {} | {} | {} |  |  |\n", row.id, row.name, row.stage);
+    return text;
+}
+
+// What stands between <main> and </main>: the lesson on paper, for a browser without scripts. Words stand for the pictures,
+// which the page makes itself otherwise.
+std::string paperOf(const std::string& handout) {
+    constexpr std::string_view kStart = "<main>", kEnd = "</main>", kPicture = "<img src=\"data:", kWords = " alt=\"";
+    const std::size_t start = handout.find(kStart), end = handout.rfind(kEnd);
+    if (start == handout.npos || end == handout.npos) return {};
+    std::string_view rest = std::string_view(handout).substr(start + kStart.size(), end - start - kStart.size());
+    std::string paper;
+    for (std::size_t at; (at = rest.find(kPicture)) != rest.npos;) {
+        paper += rest.substr(0, at);
+        const std::string_view picture = rest.substr(at, rest.find('>', at) + 1 - at);
+        if (const std::size_t words = picture.find(kWords); words != picture.npos) {
+            const std::string_view alt = picture.substr(words + kWords.size());
+            paper.append("<em>").append(alt.substr(0, alt.find('"'))).append("</em>");
+        }
+        rest.remove_prefix(at + picture.size());
+    }
+    return paper.append(rest);
+}
+
+// lesson: read from `text` with the scenes of `sceneNamed`.
+Result<LivePage> makePage(const std::string& text, const fs::path& folder, const std::string& file,
+                          const SceneSource& sceneNamed, const LiveParts& parts, const pipeline::Stop& stop) {
+    Json files = Json::object();
+    Errors errors;
+    const auto kept = [&](std::string_view name) {
+        Result<pipeline::Scene> scene = sceneNamed(name);
+        if (!scene) return scene;
+        const auto toml = pipeline::toTomlScene(*scene);
+        if (!toml) return Result<pipeline::Scene>(toml.errors());
+        files[std::string(name) + ".toml"] = *toml;
+        return scene;
+    };
+    auto read = parseLesson(text, file, kept);
+    if (!read) return read.errors();
+    Lesson lesson = std::move(read).value();
+    lesson.folder = folder;
+    files["misconceptions.md"] = misconceptionRows();
+
+    auto handout = makeHandout(lesson, stop);
+    if (!handout) return handout.errors();
+    LivePage page{{}, handout->leftOut};
+
+    Json texts = Json::array();
+    Pictures pictures(folder);
+    for (Prose* prose : liveTexts(lesson)) {
+        Errors leftOut;  // the handout has told of them
+        const std::string html = proseHtml(withHoleWords(*prose), pictures, leftOut);
+        if (!dress(*prose, html))
+            return Error{{file, 0, 0}, "a text has a hole inside of a link or a picture", "holes in the text alone"};
+        texts.push_back(html);
+    }
+    const Json data{{"title", lesson.title},
+                    {"lecture", lesson.lecture},
+                    {"summary", lesson.summary},
+                    {"name", lesson.name},
+                    {"version", pipeline::programVersion()},
+                    {"lesson", text},
+                    {"texts", texts},
+                    {"files", files}};
+    page.html = withHolesFilled(parts.page, {{"TITLE", pipeline::escapedHtml(lesson.title)},
+                                             {"VERSION", pipeline::escapedHtml(pipeline::programVersion())},
+                                             {"COREHASH", pipeline::sha256Of(parts.core)},
+                                             {"SCRIPTHASH", policyHash(parts.script)},
+                                             {"STYLEHASH", policyHash(parts.style)},
+                                             {"STYLE", parts.style},
+                                             {"SCRIPT", parts.script},
+                                             {"PAPER", paperOf(handout->pages)},
+                                             {"DATA", blockText(data)},
+                                             {"CORE", pipeline::base64(parts.core)}});
+    return page;
+}
+
+// Plain text as a line of a lesson: no sign of it is Markdown's or begins a hole.
+std::string asProse(std::string_view text) {
+    constexpr std::string_view kSigns = "\\`*_[]<>()#+-!|~&^\"'$.:";
+    std::string out;
+    for (const char c : text) {
+        if (c == '\n' || c == '\r' || c == '\t')
+            out += ' ';
+        else if (c == '{')
+            out += "\\{";
+        else if (kSigns.find(c) != kSigns.npos)
+            out.append({'\\', c});
+        else
+            out += c;
+    }
+    return out;
+}
+std::string oneLine(std::string_view text) {
+    std::string out(text);
+    for (char& c : out)
+        if (c == '\n' || c == '\r' || c == '\t') c = ' ';
+    return out;
+}
+
+// The drawn pixel that is nearest to the middle of all that are drawn.
+std::optional<glm::ivec2> middlePixel(const pipeline::Scene& scene, const pipeline::Stop& stop) {
+    pipeline::FrameRequest request;
+    request.wanted = pipeline::setOf({pipeline::BufferId::PolygonId});
+    request.stop = stop;
+    const auto frame = runFrame(std::make_shared<const pipeline::Scene>(scene), request, nullptr);
+    const auto ids = frame ? frame->buffer({pipeline::BufferId::PolygonId}) : std::nullopt;
+    if (!ids) return {};
+    glm::dvec2 sum(0);
+    double count = 0;
+    const auto eachDrawn = [&](auto visit) {
+        for (std::size_t y = 0; y < ids->rows(); ++y)
+            for (std::size_t x = 0; x < ids->columns(); ++x)
+                if (ids->value(x, y) >= 0) visit(glm::dvec2(double(x), double(y)));
+    };
+    eachDrawn([&](glm::dvec2 at) { sum += at, count += 1; });
+    std::optional<glm::dvec2> best;
+    eachDrawn([&](glm::dvec2 at) {
+        const auto off = [&](glm::dvec2 from) { return glm::dot(from - sum / count, from - sum / count); };
+        if (!best || off(at) < off(*best)) best = at;
+    });
+    return best ? std::optional(glm::ivec2(*best)) : std::nullopt;
+}
+
+// lesson.md of a scene.
+std::string sceneLesson(const pipeline::Scene& scene, std::string_view title, std::string_view look,
+                        const std::optional<WindowState>& shown, const pipeline::Stop& stop) {
+    std::vector<std::string> buffers{"color"};
+    std::optional<glm::ivec2> pixel;
+    std::string more;
+    if (shown) {
+        buffers.clear();
+        for (const BufferShown& view : shown->views) buffers.push_back(view.buffer);
+        if (shown->pixel) pixel = {(*shown->pixel)[0], (*shown->pixel)[1]};
+        if (shown->place) more += fmt::format("place: {}\n", pipeline::text(*shown->place));
+        more += fmt::format("channel: {}\n", "rgb"[shown->channel]);
+    } else {
+        pixel = middlePixel(scene, stop);
+        if (!scene.lights.empty()) buffers.emplace_back("n_dot_l.0");
+    }
+    if (pixel) more += fmt::format("pixel: {}, {}\n", pixel->x, pixel->y);
+    const std::string given = oneLine(title.empty() ? scene.name : title);
+    const std::string name = given.find_first_not_of(' ') == given.npos ? "Scene" : given;
+    return fmt::format("title: {}\nlecture: Scene\nsummary: {}\nscene: scene\n\n# {}\nbuffers: {}\n{}\n{}\n", name,
+                       oneLine(look).find_first_not_of(' ') == std::string::npos ? name : oneLine(look), name,
+                       fmt::join(buffers, ", "), more,
+                       asProse(look.empty() ? "Click a pixel to see why it has its colour." : look));
+}
+
+}  // namespace
+
+Result<LiveParts> liveParts() {
+    LiveParts parts;
+    // The script's files in their order, one after the other.
+    static constexpr std::array<std::string_view, 9> kScripts{"core.js",   "view.js",  "pictures.js",
+                                                              "stages.js", "pixel.js", "settings.js",
+                                                              "lesson.js", "space.js", "page.js"};
+    std::vector<std::pair<std::string_view, std::string*>> files{{"page.html", &parts.page},
+                                                                 {"page.css", &parts.style}};
+    parts.script = "'use strict';\n";
+    for (const std::string_view name : kScripts) files.emplace_back(name, &parts.script);
+    for (const auto& [name, text] : files) {
+        const auto read = readLive(name);
+        if (!read) return read.errors();
+        *text += *read;
+    }
+    auto core = readLive(kCoreName);
+    if (!core)
+        return Error{{},
+                     "the core of live pages is not built: install the packages under [web] of resources/packages.txt, "
+                     "then cmake --preset web && ninja -C build/web",
+                     {}};
+    parts.core = std::move(core).value();
+    return parts;
+}
+
+Result<LivePage> makeLivePage(const Lesson& lesson, const LiveParts& parts, const pipeline::Stop& stop) {
+    const fs::path file = lesson.folder / "lesson.md";
+    const auto text = pipeline::readFile(file);
+    if (!text) return pipeline::namedAt({file.string()}, text.errors());
+    return makePage(
+        pipeline::escapedControls(*text), lesson.folder, file.string(),
+        [&](std::string_view name) { return sceneOfLesson(name, lesson.folder, stop); }, parts, stop);
+}
+
+Result<LivePage> makeLivePage(const pipeline::Scene& scene, std::string_view title, std::string_view look,
+                              const std::optional<WindowState>& shown, const LiveParts& parts,
+                              const pipeline::Stop& stop) {
+    return makePage(
+        pipeline::escapedControls(sceneLesson(scene, title, look, shown, stop)), {}, "scene",
+        [&](std::string_view) { return scene; }, parts, stop);
+}
+
+}  // namespace lessons

@@ -1,0 +1,38 @@
+#pragma once
+#include <optional>
+#include <string>
+
+#include "lessons/lesson.h"
+#include "lessons/state/window_state.h"
+#include "pipeline/core/stop.h"
+
+// A lesson or a scene as one HTML file with the pipeline in it, compiled to WebAssembly: it works without network, server
+// and installation. app/web/ has the page and the core's calls.
+
+namespace lessons {
+
+// What every page has in common: the core, and the page's own files.
+struct LiveParts {
+    std::string core;                 // WebAssembly, packed by gzip
+    std::string page, style, script;  // page.html with holes @NAME@, page.css, page.js
+};
+// Found beside the installed program's resources, or in the source tree and its folder build/web. An error says how to
+// build the core where it is not there.
+pipeline::Result<LiveParts> liveParts();
+
+struct LivePage {
+    std::string html;
+    pipeline::Errors leftOut = {};  // pictures that no lesson may bring along, with the place of their page
+};
+
+// The lesson in a folder, or in the text of a lesson.md whose scenes `sceneNamed` finds. Errors: what is wrong with it,
+// FILE:LINE:COLUMN; "stopped".
+pipeline::Result<LivePage> makeLivePage(const Lesson& lesson, const LiveParts& parts, const pipeline::Stop& stop = {});
+
+// A lesson of one page made of a scene: its title, what to look at, and every setting. shown: the buffers, pixel, place
+// and channel that the page begins with; nothing: the picture, and a pixel in the middle of what is drawn.
+pipeline::Result<LivePage> makeLivePage(const pipeline::Scene& scene, std::string_view title, std::string_view look,
+                                        const std::optional<WindowState>& shown, const LiveParts& parts,
+                                        const pipeline::Stop& stop = {});
+
+}  // namespace lessons

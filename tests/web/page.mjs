@@ -1,0 +1,169 @@
+// What a live page promises, asked of one in Chromium with the network off. Arguments: the program, and the core.
+import { execFileSync } from 'node:child_process';
+import fs from 'node:fs';
+import os from 'node:os';
+import path from 'node:path';
+import { launch } from './browser.mjs';
+
+const [program] = process.argv.slice(2);
+const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'shadescope-live-'));
+let failed = 0, held = 0;
+/** @param {string} claim @param {any} true_ @param {any} [found] */
+function expect(claim, true_, found = '') {
+  if (true_) return void ++held;
+  ++failed;
+  console.log(`FAILED: ${claim}${found === '' ? '' : ': ' + JSON.stringify(found)}`);
+}
+const write = (name, ...args) => {
+  const file = path.join(folder, name);
+  execFileSync(program, [...args, '--live', '-o', file], { stdio: ['ignore', 'ignore', 'inherit'] });
+  return file;
+};
+
+const browser = await launch();
+try {
+  // The budget of a lesson is a count: 1.6 MB.
+  const pyramid = write('pyramid.html', 'lesson', 'export', 'pyramid');
+  expect('a lesson is at most 1.6 MB', fs.statSync(pyramid).size <= 1.6e6, fs.statSync(pyramid).size);
+
+  // A scene: lecture 1's pyramid, whose numbers are derived in tests/reference/lecture1_pyramid_test.cpp.
+  const scene = write('scene.html', 'export', 'pyramid');
+  const p = await browser.open('file://' + scene);
+  const text = selector => p.run(`document.querySelector(${JSON.stringify(selector)}).textContent`);
+  expect('it starts', await p.run('document.querySelector("#wrong").hidden'), await text('#wrong'));
+  await p.run('pick([268, 281])');
+  expect('the equation has the numbers of the lecture', (await text('.equation')).includes('114.739'), await text('.equation'));
+  expect('the equation is MathML', await p.run('document.querySelector(".equation math").namespaceURI.endsWith("MathML")'));
+  expect('the shadow buffer is left out, with its reason', /left out.*convex/.test(await text('#stages li:nth-child(4)')), await text('#stages li:nth-child(4)'));
+  expect('the fragments of the pixel are told', (await text('.fragments')).includes('won, stays'), await text('.fragments'));
+
+  const box = await p.run('(b => [b.x, b.y, b.width, b.height])(document.querySelector(".over").getBoundingClientRect())');
+  await p.click(box[0] + box[2] * 0.3, box[1] + box[3] * 0.55);
+  const picked = await p.run('view.pixel');
+  expect('a click picks a pixel', picked.join() !== '268,281', picked);
+  await p.key('ArrowRight');
+  expect('an arrow key moves it by one', (await p.run('view.pixel[0]')) === picked[0] + 1);
+  await p.key('ArrowDown', 8);
+  expect('with Shift by ten', (await p.run('view.pixel[1]')) === picked[1] + 10);
+  expect('and a screen reader is told', (await text('#status')).includes('Pixel'), await text('#status'));
+
+  await p.run('document.activeElement.blur()');
+  await p.key('5');
+  expect('5 goes to the end of the z-buffer', (await p.run('view.step.stage')) === 'z-buffer');
+  expect('the colour is not there yet, and why', await p.run('!document.querySelector(".absent").hidden'), await text('.absent'));
+  const bits = 'core.numbers(core.ask("buffer", "polygon_id", 0)).join()';
+  const before = await p.run(bits), place = await p.run('view.step.place');
+  await p.key(',');
+  expect(', steps back', (await p.run('view.step.done < view.step.of')) && (await p.run(bits)) !== before);
+  await p.key('.');
+  expect('. steps forth to the same place and bits', (await p.run('view.step.place')) === place && (await p.run(bits)) === before);
+  for (const level of [0, 1, 2, 3, 4]) {
+    await p.run(`view.level = ${level}`);
+    const start = await p.run('view.step.place');
+    await p.key(','), await p.key('.');
+    expect(`back is exact at level ${level}`, (await p.run('view.step ? view.step.place : "shading"')) === start);
+  }
+  await p.key('6');
+
+  await p.run('pick([268, 281])');
+  await p.run('setSetting("material.0.n", "4")');
+  expect('a setting moves the equation', (await text('.equation')).includes('115.712'), await text('.equation'));
+  expect('and the line before stays', (await text('.was')).includes('114.739'));
+  await p.run('document.querySelector("#putback").click()');
+  expect('Put back takes it away', (await p.run('settingOf("material.0.n").text')) === '8');
+  expect('a value out of range is refused with a reason', await p.run('setSetting("material.0.n", "-5"), document.querySelector("#refused").textContent !== ""'));
+  const pixels = which => `(c => c.getContext('2d').getImageData(0, 0, c.width, c.height).data.join())(document.querySelectorAll('.frame canvas[role=img]')[${which}])`;
+  await p.run('(c => { c.value = "shading=phong"; c.dispatchEvent(new Event("change")); })(document.querySelector("#compare"))');
+  expect('B is another picture of the same buffer', (await p.run(pixels(0))) !== (await p.run(pixels(1))));
+  expect('and A stays', (await text('.side')) === 'A');
+
+  expect('eval is refused', await p.run('(() => { try { (0, eval)("1"); return false; } catch { return true; } })()'));
+  expect('fetch is refused', await p.run('fetch("https://example.org/").then(() => false, () => true)'));
+  expect('an inline handler is refused', await p.run(`new Promise(done => { const box = document.createElement('div'); box.innerHTML = '<img src=x onerror="window.bad = 1">'; document.body.append(box); setTimeout(() => { box.remove(); done(!window.bad); }, 50); })`));
+  const { nodes } = await p.ask('Accessibility.getFullAXTree');
+  const nameless = nodes.filter(node => !node.ignored && ['button', 'slider', 'combobox', 'textbox', 'checkbox', 'radio', 'image'].includes(node.role?.value) && !node.name?.value);
+  expect('every control has a name', nameless.length === 0, nameless.map(node => node.role.value));
+  expect('nothing was asked of the network', p.requests.every(url => url.startsWith('file:') || url.startsWith('data:') || url.startsWith('blob:') || url === 'https://example.org/'), p.requests);
+  expect('no error was written', p.log.filter(line => !line.includes('Content Security Policy')).length === 0, p.log);
+  await p.close();
+
+  // A lesson: its questions are judged as in the window.
+  const q = await browser.open('file://' + pyramid + '?page=2');
+  expect('?page=2 opens the second page', (await q.run('page.number')) === 1);
+  expect('numbers stand in the text', await q.run('!/[{}]/.test(document.querySelector("#text").textContent)'));
+  let asked = 0, right = 0;
+  const count = await q.run('data.pages');
+  for (let i = 0; i < count; ++i) {
+    await q.run(`openPage(${i})`);
+    if (!(await q.run('page.question'))) continue;
+    ++asked;
+    const hidden = await q.run('page.hidden.count');
+    await q.run('core.ask("show"), readAgain()');
+    expect(`page ${i + 1} shows its answer`, (await q.run('document.querySelector("#solved").textContent')) !== '');
+    expect(`page ${i + 1} hides nothing afterwards`, (await q.run('page.hidden.count')) === 0, hidden);
+    if (await q.run('page.has_then')) {
+      await q.run('document.querySelector("#goon").click()');
+      expect(`page ${i + 1} goes on to its second half`, await q.run('page.then'));
+    }
+    right += (await q.run('document.querySelector("#wrong").hidden')) ? 1 : 0;
+  }
+  expect('every page of the lesson opens', asked > 0 && right === asked, [asked, right]);
+  expect('no error was written by the lesson', q.log.length === 0, q.log);
+  await q.close();
+
+  // The pyramid's first number question: its answer, a hint, and something that is none.
+  const r = await browser.open('file://' + pyramid);
+  const number = await r.run('(() => { for (let i = 0; i < data.pages; ++i) { openPage(i); if (page.question?.kind === "number") return i; } return -1; })()');
+  const answer = async typed => {
+    await r.run(`document.querySelector('#typed').value = ${JSON.stringify(typed)}, document.querySelector('#answer').requestSubmit()`);
+    return r.run('verdict.mark');
+  };
+  expect('a word is no answer and costs nothing', (await answer('<img src=x onerror=alert(1)>')) === 'again');
+  expect('and is shown as it was typed', await r.run('document.querySelector("#said img") === null'));
+  expect('a wrong number is wrong', ['not yet', 'known'].includes(await answer('123456')));
+  const hints = await r.run('page.question.hint_count');
+  await r.run('document.querySelector("#hint").click()');
+  expect('a hint is shown', hints > 0 && (await r.run('document.querySelectorAll(".hint").length')) === 1);
+  const solution = await r.run(`(() => { core.ask('show'); readAgain(); const text = document.querySelector('#solved').textContent; openPage(${number}); return text; })()`);
+  expect('the answer has a number', /\d/.test(solution), solution);
+  await r.close();
+
+  // Text of a scene is text.
+  const evil = path.join(folder, 'evil.toml');
+  execFileSync(program, ['export', 'lambert', '-o', path.join(folder, 'scene'), '--format', 'scene'], { stdio: 'ignore' });
+  const toml = fs.readdirSync(path.join(folder, 'scene')).find(name => name.endsWith('.toml'));
+  fs.writeFileSync(evil, fs.readFileSync(path.join(folder, 'scene', toml), 'utf8').replace(/^title = .*$/m, '').replace(/^/, 'title = "<img src=x onerror=\'window.bad=1\'></script>"\n'));
+  const e = await browser.open('file://' + write('evil.html', 'export', evil));
+  expect('a title is no markup', await e.run('!window.bad && document.querySelector("img") === null && document.querySelector("#title").textContent.includes("<img")'), await e.run('document.querySelector("#title").textContent + document.querySelector("#wrong").textContent'));
+  await e.close();
+
+  // Narrow and wide, light and dark, projector, no scripts.
+  for (const [width, height, mobile] of [[320, 640, true], [390, 844, true], [640, 400, false], [1280, 800, false]])
+    for (const query of ['', '?projector=1']) {
+      const n = await browser.open('file://' + pyramid + query, { width, height, mobile, dark: width === 390 });
+      expect(`no scrolling sideways at ${width} ${query}`, await n.run('document.documentElement.scrollWidth <= innerWidth'), await n.run('document.documentElement.scrollWidth'));
+      if (mobile && query === '') {
+        const small = await n.run(`[...document.querySelectorAll('button, select')].filter(b => b.offsetParent && b.getBoundingClientRect().height < 40).map(b => b.id || b.textContent)`);
+        expect(`targets are large at ${width}`, small.length === 0, small);
+      }
+      await n.close();
+    }
+  const without = await browser.open('file://' + pyramid, { scripts: false });
+  const { root } = await without.ask('DOM.getDocument');
+  const { nodeId } = await without.ask('DOM.querySelector', { nodeId: root.nodeId, selector: '.paper h2' });
+  expect('without scripts the lesson is there on paper', nodeId > 0);
+  await without.close();
+
+  // Memory does not grow from scene to scene.
+  const m = await browser.open('file://' + pyramid);
+  const memory = async () => { for (let i = 0; i < count; ++i) await m.run(`openPage(${i})`); return m.run('core.memory.byteLength'); };
+  await memory();
+  const first = await memory(), later = await (memory(), memory());
+  expect('memory does not grow from page to page', later <= first && later <= 128 * 2 ** 20, [first, later]);
+  await m.close();
+} finally {
+  await browser.close();
+  fs.rmSync(folder, { recursive: true, force: true });
+}
+console.log(`${held} claims hold, ${failed} do not`);
+process.exitCode = failed === 0 ? 0 : 1;
