@@ -4,6 +4,9 @@ import fs from 'node:fs';
 import os from 'node:os';
 import path from 'node:path';
 
+// When a live page is ready: it has started, or says why it has not.
+const kReady = 'document.documentElement.dataset.ready === "1" || !document.querySelector("#wrong").hidden';
+
 export async function launch(program = process.env.CHROMIUM || 'chromium') {
   const profile = fs.mkdtempSync(path.join(os.tmpdir(), 'shadescope-chromium-'));
   const child = spawn(program, ['--headless=new', '--no-sandbox', '--disable-gpu', '--hide-scrollbars', '--no-first-run',
@@ -29,7 +32,7 @@ export async function launch(program = process.env.CHROMIUM || 'chromium') {
   });
 
   /** A page at an address, when it is ready. */
-  async function open(url, { width = 1280, height = 800, dark = false, mobile = false, scale = 1, scripts = true } = {}) {
+  async function open(url, { width = 1280, height = 800, dark = false, mobile = false, scale = 1, scripts = true, ready = kReady } = {}) {
     const { targetId } = await send('Target.createTarget', { url: 'about:blank' });
     const { sessionId } = await send('Target.attachToTarget', { targetId, flatten: true });
     const ask = (method, params = {}) => send(method, params, sessionId);
@@ -72,7 +75,7 @@ export async function launch(program = process.env.CHROMIUM || 'chromium') {
       const { data } = await ask('Page.captureScreenshot', { format: 'png' });
       fs.writeFileSync(file, Buffer.from(data, 'base64'));
     };
-    if (scripts) await until('document.documentElement.dataset.ready === "1" || !document.querySelector("#wrong").hidden');
+    if (scripts) await until(ready);
     return { ask, run, until, key, click, shot, log, requests, close: () => send('Target.closeTarget', { targetId }) };
   }
 
