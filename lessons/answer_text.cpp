@@ -47,7 +47,9 @@ Result<bool> holdsAt(const Expression& condition, Context context, glm::ivec2 pi
 
 // A pixel at which a condition holds, and around which it does, so that a finger hits it: on a coarse grid, then on
 // finer ones. Nothing where there is none so large.
-Result<std::optional<glm::ivec2>> exampleOf(const Expression& condition, const Context& context) {
+Result<std::optional<glm::ivec2>> exampleOf(const Expression& condition, Context context) {
+    KeptValues kept;
+    context.kept = &kept;
     const glm::ivec2 size(context.frame.scene().settings.width, context.frame.scene().settings.height);
     for (const auto& [step, around] : {std::pair{24, 6}, std::pair{8, 3}, std::pair{3, 1}})
         for (int y = step; y < size.y - step; y += step)

@@ -132,9 +132,10 @@ private:
     void check(const ClickQuestion& kind) {
         std::size_t all = 0, right = 0;
         std::vector<std::size_t> named(kind.mistakes.size());
+        KeptValues kept;
         for (const Pick& pick : picksOf(kind.kind)) {
             Context context = m_context;
-            context.pick = &pick;
+            context.pick = &pick, context.kept = &kept;
             const auto holds = number(kind.holds, context);
             if (!holds) return;
             ++all;

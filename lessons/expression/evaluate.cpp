@@ -51,6 +51,19 @@ Result<Value> called(const Node& node, const Context& context) {
     return node.function->calculate ? calculated(node, values) : node.function->read(node, numbers, context);
 }
 
+bool dependsOnPick(const Node& node) {
+    return node.kind == Kind::Picked || std::ranges::any_of(node.operands, dependsOnPick);
+}
+
+Result<Value> calledOnce(const Node& node, const Context& context) {
+    if (!context.kept || dependsOnPick(node)) return called(node, context);
+    const std::pair key(&node, &context.frame);
+    if (const auto known = context.kept->of.find(key); known != context.kept->of.end()) return known->second;
+    auto value = called(node, context);
+    if (value) context.kept->of.emplace(key, *value);
+    return value;
+}
+
 Result<Value> operated(const Node& node, const Context& context) {
     const auto left = evaluate(node.operands[0], context);
     if (!left) return left;
@@ -99,7 +112,7 @@ Result<Value> evaluate(const Node& node, const Context& context) {
             }
             return vector;
         }
-        case Kind::Call: return called(node, context);
+        case Kind::Call: return calledOnce(node, context);
         default: return operated(node, context);
     }
 }

@@ -121,12 +121,19 @@ pipeline::Result<Expression> parseNumbers(std::string_view text, const pipeline:
 
 class ChangedFrames;
 
+// Values of calls that do not depend on what is picked, by call and frame: kept while many picks are tried on one frame,
+// which lives as long as this.
+struct KeptValues {
+    std::map<std::pair<const Node*, const pipeline::Frame*>, Value> of;
+};
+
 // What an expression is evaluated with.
 struct Context {
     const pipeline::Frame& frame;
     ChangedFrames* changed = nullptr;  // remembers the frames of with(); without it each call computes its own
     const Pick* pick = nullptr;
     pipeline::Stop stop{};
+    KeptValues* kept = nullptr;
 };
 
 // The value in a frame. Errors name what the frame lacks, say that a result is not finite, or say "stopped".
