@@ -55,7 +55,8 @@ std::string figure(const pipeline::Frame& frame, const pipeline::BufferName& nam
 std::vector<pipeline::BufferName> printedBuffers(const WrongPicture& game) {
     std::vector<pipeline::BufferName> names{
         {BufferId::VerticesScreen}, {BufferId::PolygonsVerdict}, {BufferId::PolygonsNormal}, {BufferId::ZView}};
-    if (!game.wrong()->scene().lights.empty()) names.push_back({BufferId::NDotL, 0});
+    if (!game.wrong()->scene().lights.empty())
+        for (const BufferId id : {BufferId::NDotL, BufferId::Shadow, BufferId::Specular}) names.push_back({id, 0});
     const BufferId first = game.row().first;
     const bool isThere =
         first == BufferId::Color || std::ranges::any_of(names, [&](const auto& name) { return name.id == first; });

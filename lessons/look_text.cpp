@@ -13,6 +13,12 @@
 #include "pipeline/inspect/pixel_report.h"
 
 namespace lessons {
+
+std::string numberText(double value) {
+    if (std::isinf(value)) return value > 0 ? "+∞" : "−∞";
+    return fmt::format("{:.4g}", value);
+}
+
 namespace {
 
 using pipeline::AnyBuffer;
@@ -20,11 +26,6 @@ using pipeline::BufferId;
 using pipeline::Domain;
 
 constexpr std::size_t kMostRows = 12;
-
-std::string numberText(double value) {
-    if (std::isinf(value)) return value > 0 ? "+∞" : "−∞";
-    return fmt::format("{:.4g}", value);
-}
 
 // The numbers of an element, "(0.3, 0.1, 0.9)"; of a verdict its name.
 std::string valueText(const AnyBuffer& buffer, std::size_t x, std::size_t y) {

@@ -13,4 +13,6 @@ std::string lookText(const pipeline::Frame& frame, const pipeline::BufferName& n
 // What the inspector says of a pixel, without its remarks on what may be wrong there.
 std::string lookText(const pipeline::Frame& frame, glm::ivec2 pixel);
 
+std::string numberText(double value);  // in four digits, "+∞"
+
 }  // namespace lessons

@@ -101,6 +101,15 @@ std::string ownRun(const pipeline::FramePtr& wrong, StageId stage) {
 
 std::string lineList(const std::string& what, const std::string& text) { return what + '\n' + text; }
 
+// The fragments of a pixel, each with the depths compared.
+std::string fragmentsOf(const pipeline::Frame& frame, glm::ivec2 pixel) {
+    std::string text;
+    for (const pipeline::FragmentReport& fragment : inspectPixel(frame, pixel).fragments)
+        text += fmt::format("  polygon {}: {}, {}\n", fragment.polygon, comparisonText(fragment).whole(),
+                            name(fragment.verdict));
+    return text;
+}
+
 std::string equationOf(const pipeline::Frame& frame, glm::ivec2 pixel, int channel) {
     const pipeline::PixelReport report = inspectPixel(frame, pixel);
     if (!report.covered || report.outline) return "  nothing is drawn there\n";
@@ -130,7 +139,7 @@ std::string numbersAt(const pipeline::AnyBuffer& buffer, std::size_t element) {
     std::string text;
     const auto channels = std::size_t(buffer.channels());
     for (std::size_t c = 0; c < channels; ++c)
-        text += fmt::format("{}{:.4g}", c == 0 ? "" : ", ", buffer.flat(element * channels + c));
+        text += (c == 0 ? "" : ", ") + numberText(buffer.flat(element * channels + c));
     return text;
 }
 
@@ -277,6 +286,9 @@ std::string WrongPicture::reveal() const {
         };
         for (int c = 1; c < 3; ++c)
             if (differenceOf(c) > differenceOf(channel)) channel = c;
+        if (row().stage == StageId::ZBuffer)
+            text += fmt::format("\nPixel {}, {}, fragments, wrong:\n{}right:\n{}", pixel->x, pixel->y,
+                                fragmentsOf(*m_wrong, *pixel), fragmentsOf(*m_right, *pixel));
         text += lineList(fmt::format("\nPixel {}, {}, {}, wrong:", pixel->x, pixel->y,
                                      std::array{"red", "green", "blue"}[std::size_t(channel)]),
                          equationOf(*m_wrong, *pixel, channel));

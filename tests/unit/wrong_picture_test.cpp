@@ -157,6 +157,13 @@ TEST(WrongPicture, TheRevealHasBothValuesBothEquationsAndTheFix) {
         EXPECT_NE(text.find(part), std::string::npos) << part << " in\n" << text;
 }
 
+TEST(WrongPicture, TheRevealOfADepthTestHasItsFragments) {
+    const auto game = gameOf(Defect::ZFlip);
+    const std::string text = game->reveal();
+    EXPECT_NE(text.find("fragments, wrong:\n  polygon"), std::string::npos) << text;
+    EXPECT_NE(text.find("won, stays"), std::string::npos) << text;
+}
+
 TEST(WrongPicture, TheLessonsAndPagesThatRowsNameAreThere) {
     const Library library = allLessons();
     for (const DefectRow& row : pipeline::defectTable()) {
