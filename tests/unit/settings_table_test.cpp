@@ -99,9 +99,9 @@ TEST(SettingsTable, AMeshHasNoTessellation) {
 
 TEST(SettingsTable, ACompleteSceneValueIsCovered) {
     // All that a scene holds beside names, meshes, turns and back materials.
-    // Settings 23, sub-pixel bits, pattern of samples and 6 forms; camera 2 + 5 + 9 + 2 + near, far; ambient 4; light 9, its area 6, of OpenGL's model 15 more;
+    // Settings 23, sub-pixel bits, pattern of samples, 6 forms, planted defect and its way; camera 2 + 5 + 9 + 2 + near, far; ambient 4; light 9, its area 6, of OpenGL's model 15 more;
     // object 10, for its mesh has no tessellation; material: k_d 3, k_s 1 + 3, n, k_a 3, emission 3, alpha, highlight; one switch a rule.
-    const std::size_t expected = 23 + 8 + 20 + 4 + 2 * (9 + 6 + 15) + 10 + 16 + kRuleCount;
+    const std::size_t expected = 23 + 8 + 2 + 20 + 4 + 2 * (9 + 6 + 15) + 10 + 16 + kRuleCount;
     EXPECT_EQ(settingsOf(twoLights()).size(), expected);
 }
 
