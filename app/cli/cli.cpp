@@ -27,10 +27,10 @@ void declarePresent(CLI::App& program, const CliHost&, int&) {
 }
 
 constexpr std::array kCommands{
-    Command{"export", declareExport},   Command{"plan", declarePlan},     Command{"inspect", declareInspect},
-    Command{"study", declareStudy},     Command{"check", declareCheck},   Command{"bench", declareBench},
-    Command{"film", declareFilm},       Command{"lesson", declareLesson}, Command{"bug", declareBug},
-    Command{"present", declarePresent},
+    Command{"export", declareExport},   Command{"plan", declarePlan},       Command{"inspect", declareInspect},
+    Command{"study", declareStudy},     Command{"check", declareCheck},     Command{"bench", declareBench},
+    Command{"film", declareFilm},       Command{"lesson", declareLesson},   Command{"bug", declareBug},
+    Command{"compare", declareCompare}, Command{"present", declarePresent},
 };
 
 constexpr std::array<std::string_view, 4> kOptions{"-h", "--help", "--version", "--help-all"};

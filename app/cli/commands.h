@@ -27,6 +27,7 @@ void declareBench(CLI::App& program, const CliHost& host, int& status);
 void declareCheck(CLI::App& program, const CliHost& host, int& status);
 void declareFilm(CLI::App& program, const CliHost& host, int& status);
 void declareBug(CLI::App& program, const CliHost& host, int& status);
+void declareCompare(CLI::App& program, const CliHost& host, int& status);
 void declareLesson(CLI::App& program, const CliHost& host, int& status);
 
 }  // namespace app

@@ -22,6 +22,12 @@ void sayText(std::string_view text) {
     if (std::ferror(stdout) != 0) throw std::system_error(errno != 0 ? errno : EIO, std::generic_category());
 }
 
+void sayBold(std::string_view text) {
+    std::fputs("\x1b[1m", stdout);
+    writeEscaped(text, stdout);
+    std::fputs("\x1b[0m", stdout);
+}
+
 void clearLine() { std::fputs("\r\x1b[K", stderr); }
 
 void keepStandardFiles() {

@@ -26,6 +26,9 @@ void say(fmt::format_string<Args...> text, Args&&... args) {
     sayText(fmt::format(text, std::forward<Args>(args)...));
 }
 
+// The same in bold, for a terminal.
+void sayBold(std::string_view text);
+
 // Empties the line of a terminal that the cursor is in.
 void clearLine();
 

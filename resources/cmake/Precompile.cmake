@@ -29,7 +29,7 @@ find_package(CLI11 REQUIRED)
 precompiled(precompiled_library
   HEADERS [["pipeline/scene/scene.h"]]
   OPTIONS project_options
-  USED_BY pipeline pipeline_io pipeline_check lessons lessons_state)
+  USED_BY pipeline pipeline_io pipeline_check pipeline_compare lessons lessons_state)
 precompiled(precompiled_cli
   HEADERS [["pipeline/run/frame.h"]] <filesystem> <CLI/CLI.hpp>
   OPTIONS app_options CLI11::CLI11
@@ -41,7 +41,7 @@ precompiled(precompiled_cli
 function(compiled_together files)
   set_target_properties(${ARGN} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${files})
 endfunction()
-compiled_together(8 pipeline pipeline_check lessons_state)
+compiled_together(8 pipeline pipeline_check pipeline_compare lessons_state)
 compiled_together(10 pipeline_io app_cli)
 # But not what a frame's time goes into: how much of a function is put into another depends on what stands beside it.
 # Nor tables, whose columns have names of a letter, and rays.

@@ -239,7 +239,7 @@ Breaches functionsOfALibrary(const SourceTree& tree) {
             if (path.starts_with("pipeline/core/elementary.") || path.starts_with("pipeline/core/quad.")) return false;
             if (!path.starts_with("pipeline/")) return false;
             // What measures frames and writes reports makes no buffer.
-            return std::ranges::none_of(std::array{"check/", "export/", "inspect/", "study/"}, [&](const char* folder) {
+            return std::ranges::none_of(std::array{"check/", "compare/", "export/", "inspect/", "study/"}, [&](const char* folder) {
                 return path.starts_with(std::string("pipeline/") + folder);
             });
         },

@@ -1,0 +1,292 @@
+#include "pipeline/compare/conventions.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "pipeline/formats/toml_values.h"
+
+namespace pipeline::foreign {
+
+namespace {
+
+constexpr double kClear = 3;      // times as close
+constexpr double kFloor = 0.02;   // tolerances: below that two readings are equally good
+constexpr double kFarthest = 20;  // tolerances: one element counts no more
+constexpr double kMissing = 200;  // tolerances: of an element that is drawn in one alone
+constexpr double kTrimmed = 0.8;  // of the elements, the nearest
+
+struct PossibleReading {
+    Reading reading;
+    double cost;
+};
+
+// What is chosen by itself: rows, columns, channels, coding.
+enum Axis { Rows, Columns, Channels, Code, kAxes };
+int valueOn(Axis axis, const Reading& reading) {
+    switch (axis) {
+        case Rows: return reading.bottomUp;
+        case Columns: return reading.mirrored;
+        case Channels: return reading.bgr;
+        default: return int(reading.coding);
+    }
+}
+// One file with all that it may mean.
+struct Sounding {
+    const HandedFile* file;
+    std::vector<PossibleReading> candidates;
+    bool isPicture = false;
+
+    const PossibleReading& best() const { return *std::ranges::min_element(candidates, {}, &PossibleReading::cost); }
+    double costWith(Axis axis, int value) const {
+        double least = std::numeric_limits<double>::infinity();
+        for (const PossibleReading& candidate : candidates)
+            if (valueOn(axis, candidate.reading) == value) least = std::min(least, candidate.cost);
+        return least;
+    }
+    void keep(Axis axis, int value) {
+        std::erase_if(candidates, [&](const PossibleReading& c) { return valueOn(axis, c.reading) != value; });
+    }
+    std::vector<int> valuesOn(Axis axis) const {
+        std::vector<int> values;
+        for (const PossibleReading& c : candidates)
+            if (std::ranges::find(values, valueOn(axis, c.reading)) == values.end())
+                values.push_back(valueOn(axis, c.reading));
+        return values;
+    }
+};
+
+double ratio(double next, double best) {
+    return next == std::numeric_limits<double>::infinity() ? next : (next + kFloor) / (best + kFloor);
+}
+
+Convention said(const HandedFile& file, Axis axis, int value, Certainty certainty, double margin, bool own) {
+    Convention out{file.name.text(), {}, {}, {}, certainty, margin, own};
+    switch (axis) {
+        case Rows:
+            out.words = value ? "rows bottom-up" : "rows top-down";
+            out.key = "rows", out.value = value ? "bottom-up" : "top-down";
+            break;
+        case Columns:
+            out.words = value ? "columns right to left" : "columns left to right";
+            out.key = "columns", out.value = value ? "right-to-left" : "left-to-right";
+            break;
+        case Channels:
+            out.words = value ? "channels BGR" : "channels RGB";
+            out.key = "channels", out.value = value ? "bgr" : "rgb";
+            break;
+        default: {
+            const CodingInfo& info = codingInfo(Coding(value));
+            out.words = info.words, out.key = info.key, out.value = info.value;
+        }
+    }
+    return out;
+}
+
+class Choosing {
+public:
+    Choosing(std::vector<Sounding> soundings, const StatedConventions& stated, Conventions& out)
+        : m_soundings(std::move(soundings)), m_stated(stated), m_out(out) {}
+
+    void chooseAll() {
+        state();
+        for (const Axis axis : {Rows, Columns}) chooseTogether(axis);
+        for (Sounding& sounding : m_soundings)
+            for (const Axis axis : {Channels, Code}) chooseAlone(sounding, axis);
+    }
+    const std::vector<Sounding>& soundings() const { return m_soundings; }
+
+private:
+    void state() {
+        for (Sounding& sounding : m_soundings) {
+            const auto fix = [&](Axis axis, std::optional<bool> value) {
+                if (!value || sounding.valuesOn(axis).size() < 2) return;
+                sounding.keep(axis, *value);
+                m_out.said.push_back(said(*sounding.file, axis, *value, Certainty::Stated, 1, !*value));
+            };
+            fix(Rows, m_stated.bottomUp);
+            fix(Columns, m_stated.mirrored);
+            fix(Channels, m_stated.bgr);
+            for (const Coding coding : m_stated.codings) {
+                const auto values = sounding.valuesOn(Code);
+                if (values.size() < 2 || std::ranges::find(values, int(coding)) == values.end()) continue;
+                sounding.keep(Code, int(coding));
+                m_out.said.push_back(said(*sounding.file, Code, int(coding), Certainty::Stated, 1, false));
+            }
+        }
+        m_out.geometryIsStated = m_stated.bottomUp.has_value();
+    }
+
+    // Rows and columns: a file that cannot tell follows the others.
+    void chooseTogether(Axis axis) {
+        double total[2] = {0, 0};
+        std::vector<Sounding*> open;
+        for (Sounding& sounding : m_soundings) {
+            if (!sounding.isPicture || sounding.valuesOn(axis).size() < 2) continue;
+            const double cost[2] = {sounding.costWith(axis, 0), sounding.costWith(axis, 1)};
+            const int value = cost[1] < cost[0];
+            const double margin = ratio(cost[!value], cost[value]);
+            total[0] += cost[0], total[1] += cost[1];
+            if (margin < kClear) {
+                open.push_back(&sounding);
+                continue;
+            }
+            sounding.keep(axis, value);
+            if (value) m_out.said.push_back(said(*sounding.file, axis, value, Certainty::Clear, margin, false));
+        }
+        const int value = total[1] < total[0];
+        const double margin = ratio(total[!value], total[value]);
+        for (Sounding* sounding : open) {
+            const bool agreed = margin >= kClear;
+            const bool alike = sounding->costWith(axis, 0) == sounding->costWith(axis, 1);
+            sounding->keep(axis, agreed ? value : 0);
+            if (agreed ? value != 0 : (axis == Rows || alike))
+                m_out.said.push_back(said(*sounding->file, axis, agreed ? value : 0,
+                                          agreed ? Certainty::Agreed : Certainty::CannotTell, margin, !agreed));
+        }
+    }
+
+    void chooseAlone(Sounding& sounding, Axis axis) {
+        const std::vector<int> values = sounding.valuesOn(axis);
+        if (values.size() < 2) {
+            return;
+        }
+        const int value = valueOn(axis, sounding.best().reading);
+        double next = std::numeric_limits<double>::infinity();
+        for (const int other : values)
+            if (other != value) next = std::min(next, sounding.costWith(axis, other));
+        const double margin = ratio(next, sounding.best().cost);
+        const bool clear = margin >= kClear;
+        // Of depths in levels none is the program's own: the closest is taken.
+        const bool hasOwn = axis != Code || values[0] == int(Coding::AsIs) || values[0] == int(Coding::Codes);
+        const int taken = clear || !hasOwn ? value : values[0];
+        const bool own = taken == values[0] && hasOwn;
+        sounding.keep(axis, taken);
+        if (!own)
+            m_out.said.push_back(
+                said(*sounding.file, axis, taken, clear ? Certainty::Clear : Certainty::CannotTell, margin, false));
+    }
+
+    std::vector<Sounding> m_soundings;
+    const StatedConventions& m_stated;
+    Conventions& m_out;
+};
+
+}  // namespace
+
+bool StatedConventions::states(const HandedFile& file, Coding coding) const {
+    const auto readings = readingsOf(file);
+    return std::ranges::find(codings, coding) != codings.end() &&
+           std::ranges::any_of(readings, [&](const Reading& r) { return r.coding == coding; });
+}
+
+std::vector<std::uint8_t> drawnIn(const HandedName& name, const Values& mine) {
+    using enum BufferId;
+    switch (name.buffer.id) {
+        case Color: {
+            std::vector<std::uint8_t> drawn(mine.count());
+            for (std::size_t i = 0; i < mine.count(); ++i)
+                drawn[i] = mine.at(i)[0] > 0.5 || mine.at(i)[1] > 0.5 || mine.at(i)[2] > 0.5;
+            return drawn;
+        }
+        case ZView:
+        case Normal:
+        case ObjectId:
+        case PolygonId: return mine.there;
+        default: return {};
+    }
+}
+
+double readingCost(const HandedFile& file, const Values& mine, const Values& reference, const ReadingContext& context,
+                   double tolerance) {
+    const Measure measure = toleranceOf(file.name.buffer.id)->measure;
+    const std::vector<std::uint8_t> drawn = drawnIn(file.name, mine);
+    const std::vector<std::uint8_t>& covered = reference.domain == Domain::Pixel ? context.covered : reference.there;
+    std::vector<double> differences;
+    std::size_t alone = 0, either = 0;
+    for (std::size_t i = 0; i < mine.count(); ++i) {
+        const bool here = drawn.empty() ? mine.there[i] != 0 : drawn[i] != 0, there = covered[i] != 0;
+        either += here || there;
+        if (!drawn.empty() && here != there) ++alone;
+        if (!here || !there) continue;
+        const double d = differenceAt(measure, mine, reference, i);
+        if (std::isnan(d)) continue;
+        const double slack = mine.slack.empty() ? 0 : mine.slack[i];
+        differences.push_back(std::min(kFarthest, measure == Measure::Same ? kFarthest * d : d / (tolerance + slack)));
+    }
+    double mean = kFarthest;
+    if (!differences.empty()) {
+        std::ranges::sort(differences);
+        const std::size_t kept = std::max<std::size_t>(1, std::size_t(kTrimmed * double(differences.size())));
+        mean = 0;
+        for (std::size_t i = 0; i < kept; ++i) mean += differences[i];
+        mean /= double(kept);
+    }
+    return mean + (either ? kMissing * double(alone) / double(either) : 0);
+}
+
+Conventions findConventions(const HandedIn& in, const ReferenceValues& reference, const ReadingContext& context,
+                            const std::map<std::string, double>& tolerances, const StatedConventions& stated) {
+    Conventions out;
+    std::vector<Sounding> soundings;
+    for (const HandedFile& file : in.files) {
+        const std::string name = file.name.buffer.text();
+        const Values& right = reference.at(name);
+        Sounding sounding{&file, {}, right.domain == Domain::Pixel};
+        for (const Reading& reading : readingsOf(file)) {
+            const Values mine = read(file, reading, context, right);
+            sounding.candidates.push_back({reading, readingCost(file, mine, right, context, tolerances.at(name))});
+        }
+        soundings.push_back(std::move(sounding));
+    }
+    Choosing choosing(std::move(soundings), stated, out);
+    choosing.chooseAll();
+    for (const Sounding& sounding : choosing.soundings()) {
+        const Reading reading = sounding.best().reading;
+        out.files.push_back({sounding.file, reading,
+                             read(*sounding.file, reading, context, reference.at(sounding.file->name.buffer.text()))});
+    }
+    return out;
+}
+
+Result<StatedConventions> readStated(const std::string& text, const std::string& name) {
+    StatedConventions out;
+    if (text.empty()) return out;
+    auto table = parseToml({text, name});
+    if (!table) return table.errors();
+    TomlValues values(name);
+    std::vector<std::string> known{"rows", "columns", "channels"};
+    for (const CodingInfo& info : codingTable())
+        if (!info.key.empty() && std::ranges::find(known, info.key) == known.end()) known.emplace_back(info.key);
+    for (const TomlEntry& entry : inFileOrder(*table)) {
+        const std::string key(entry.key->str());
+        constexpr std::array<std::string_view, 2> kRows{"top-down", "bottom-up"};
+        constexpr std::array<std::string_view, 2> kColumns{"left-to-right", "right-to-left"};
+        constexpr std::array<std::string_view, 2> kChannels{"rgb", "bgr"};
+        const auto flag = [&](std::optional<bool>& to, std::span<const std::string_view> choices) {
+            if (const auto choice = values.choice(*entry.node, key, choices)) to = *choice == 1;
+        };
+        if (key == "rows")
+            flag(out.bottomUp, kRows);
+        else if (key == "columns")
+            flag(out.mirrored, kColumns);
+        else if (key == "channels")
+            flag(out.bgr, kChannels);
+        else {
+            std::vector<std::string_view> choices{"own"};
+            std::vector<Coding> codings{Coding::AsIs};
+            for (const CodingInfo& info : codingTable())
+                if (info.key == key) choices.push_back(info.value), codings.push_back(info.id);
+            if (choices.size() == 1)
+                values.unknown(*entry.key, key, known);
+            else if (const auto choice = values.choice(*entry.node, key, choices))
+                out.codings.push_back(codings[*choice]);
+        }
+    }
+    if (const Errors errors = values.errors(); !errors.empty()) return errors;
+    return out;
+}
+
+}  // namespace pipeline::foreign

@@ -1,0 +1,60 @@
+#pragma once
+#include <map>
+
+#include "pipeline/compare/reading.h"
+
+namespace pipeline::foreign {
+
+// What somebody has said of the files: of mine.toml.
+struct StatedConventions {
+    std::optional<bool> bottomUp, mirrored, bgr;
+    std::vector<Coding> codings;  // each counts for the buffers that can have it
+    bool states(const HandedFile& file, Coding coding) const;
+};
+// rows = "top-down", columns = "left-to-right", channels = "rgb", and the keys of the table of codings. An unknown key or
+// value is an error with line and column.
+Result<StatedConventions> readStated(const std::string& text, const std::string& name);
+
+// How sure a convention is.
+enum class Certainty : std::uint8_t {
+    Clear,      // at least three times as close as the next reading
+    Agreed,     // this file cannot tell, the others can
+    Stated,     // in mine.toml
+    CannotTell  // no reading is clearly better: the program's own is taken
+};
+struct Convention {
+    std::string buffer;
+    std::string words;       // "rows bottom-up"
+    std::string key, value;  // for mine.toml
+    Certainty certainty = Certainty::Clear;
+    double margin = 1;  // how many times as close as the next reading; infinite where that one explains nothing
+    bool own = false;   // the program's own: said only where nobody can tell
+};
+
+// A file with the reading that is taken for it, and the others that could be meant.
+struct ReadFile {
+    const HandedFile* file = nullptr;
+    Reading reading;
+    Values mine;
+};
+
+struct Conventions {
+    std::vector<ReadFile> files;
+    std::vector<Convention> said;
+    bool geometryIsStated = false;  // rows and columns
+};
+
+using ReferenceValues = std::map<std::string, Values>;  // by the buffer's name
+
+// How far a reading is from the reference: the trimmed mean of the differences, in tolerances, and a penalty for what is
+// drawn in one alone.
+double readingCost(const HandedFile& file, const Values& mine, const Values& reference, const ReadingContext& context,
+                   double tolerance);
+
+Conventions findConventions(const HandedIn& in, const ReferenceValues& reference, const ReadingContext& context,
+                            const std::map<std::string, double>& tolerances, const StatedConventions& stated);
+
+// Which elements are drawn, by what a file itself says; empty where it does not say.
+std::vector<std::uint8_t> drawnIn(const HandedName& name, const Values& mine);
+
+}  // namespace pipeline::foreign

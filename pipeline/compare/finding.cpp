@@ -1,0 +1,242 @@
+#include "pipeline/compare/finding.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "pipeline/buffers/verdict.h"
+
+namespace pipeline::foreign {
+
+namespace {
+
+using enum BufferId;
+
+bool isLit(BufferId id) { return id == Color || id == Intensity || id == Diffuse || id == Specular || id == Shadow; }
+
+// Whether a value stands between those of the neighbours, as it does where an edge has moved by a pixel.
+class Neighbours {
+public:
+    Neighbours(const Values& mine, const Values& right, Measure measure, double tolerance)
+        : m_mine(mine), m_right(right), m_measure(measure), m_tolerance(tolerance) {}
+
+    // one(other): about each pixel next to it.
+    template <class Function>
+    bool any(std::size_t i, Function one) const {
+        const int x = int(i % m_right.columns), y = int(i / m_right.columns);
+        for (int v = std::max(0, y - 1); v <= std::min(int(m_right.rows) - 1, y + 1); ++v)
+            for (int u = std::max(0, x - 1); u <= std::min(int(m_right.columns) - 1, x + 1); ++u)
+                if (one(std::size_t(v) * m_right.columns + std::size_t(u))) return true;
+        return false;
+    }
+    bool explain(std::size_t i) const {
+        if (any(i, [&](std::size_t other) { return isLike(i, other); })) return true;
+        if (m_measure != Measure::Largest) return false;
+        for (int c = 0; c < m_right.channels; ++c) {  // between the least and the largest
+            double low = HUGE_VAL, high = -HUGE_VAL;
+            any(i, [&](std::size_t other) {
+                if (m_right.there[other])
+                    low = std::min(low, m_right.at(other)[c]), high = std::max(high, m_right.at(other)[c]);
+                return false;
+            });
+            const double room = m_tolerance + 0.25 * std::max(0.0, high - low);  // planes go on beyond their samples
+            const double v = m_mine.at(i)[c];
+            if (!(v >= low - room && v <= high + room)) return false;
+        }
+        return true;
+    }
+
+private:
+    bool isLike(std::size_t i, std::size_t other) const {
+        if (!m_mine.there[i] || !m_right.there[other]) return m_mine.there[i] == m_right.there[other];
+        const double *a = m_mine.at(i), *b = m_right.at(other);
+        if (m_measure == Measure::Same) return a[0] == b[0];
+        double largest = 0;
+        for (int c = 0; c < m_right.channels; ++c) largest = std::max(largest, std::abs(a[c] - b[c]));
+        return largest <= (m_measure == Measure::Angle ? 0.05 : 2 * m_tolerance);
+    }
+    const Values& m_mine;
+    const Values& m_right;
+    Measure m_measure;
+    double m_tolerance;
+};
+
+bool isBlack(const Values& values, std::size_t i) {
+    return values.at(i)[0] < 0.5 && values.at(i)[1] < 0.5 && values.at(i)[2] < 0.5;
+}
+
+// Whether what is open in S explains the value.
+bool shadowExplains(const ReadFile& file, const Reference& reference, std::size_t i, double tolerance) {
+    const BufferId id = file.file->name.buffer.id;
+    if (reference.shadowOpen.empty() || !isLit(id)) return false;
+    if (id == Color || id == Intensity) {
+        const Values& low = id == Color ? reference.colorLow : reference.intensityLow;
+        const Values& high = id == Color ? reference.colorHigh : reference.intensityHigh;
+        if (low.numbers.empty()) return false;
+        for (int c = 0; c < 3; ++c)
+            if (file.mine.at(i)[c] < low.at(i)[c] - tolerance || file.mine.at(i)[c] > high.at(i)[c] + tolerance)
+                return false;
+        return true;
+    }
+    const auto& open = reference.shadowOpen[std::size_t(file.file->name.buffer.light)];
+    return !open.empty() && open[i] != 0;
+}
+
+// Elements that right renderers need not agree on.
+bool isLeft(const ReadFile& file, const Reference& reference, std::size_t i) {
+    const BufferName& name = file.file->name.buffer;
+    if (name.id == PolygonsVerdict) {
+        const auto verdicts = reference.frame->buffer({PolygonsVerdict});
+        const auto verdict = Verdict(int(verdicts->flat(i)));
+        return !goesOn(verdict) && verdict != Verdict::BackFacing;
+    }
+    if (name.id == Shadow) {
+        const auto nDotL = reference.values.find("n_dot_l." + std::to_string(name.light));
+        if (nDotL != reference.values.end() && nDotL->second.numbers[i] <= 0) return true;
+    }
+    if (bufferInfo(name.id).domain != Domain::Pixel) return !reference.values.at(name.text()).there[i];
+    // Where nothing is drawn these have no value.
+    return drawnIn(file.file->name, file.mine).empty() && !reference.context.covered[i];
+}
+
+}  // namespace
+
+std::string_view name(Class of) {
+    switch (of) {
+        case Class::Equal: return "equal";
+        case Class::Tolerated: return "within tolerance";
+        case Class::Allowed: return "allowed";
+        case Class::Wrong: return "wrong";
+        case Class::Missing: return "missing";
+        case Class::Extra: return "extra";
+        case Class::Left: return "not compared";
+    }
+    return {};
+}
+
+Finding compareValues(const ReadFile& file, const Reference& reference) {
+    return compareValues(file, reference.values.at(file.file->name.buffer.text()), reference);
+}
+
+Finding compareValues(const ReadFile& file, const Values& right, const Reference& reference) {
+    const BufferName& buffer = file.file->name.buffer;
+    const Tolerance& row = *toleranceOf(buffer.id);
+    Finding out;
+    out.name = file.file->name, out.file = file.file->path.filename().string();
+    out.stage = bufferInfo(buffer.id).stage, out.reading = file.reading;
+    out.tolerance = reference.tolerances.at(buffer.text()), out.unit = row.unit;
+    out.columns = right.columns;
+    out.nan = file.file->numbers.nan, out.infinite = file.file->numbers.infinite;
+    out.classes.assign(right.count(), Class::Equal);
+    const bool picture = right.domain == Domain::Pixel;
+    const bool isColor = buffer.id == Color;
+    const Neighbours neighbours(file.mine, right, row.measure, out.tolerance);
+    double worst = -1, squares = 0;
+    std::size_t numbers = 0;
+    const auto classify = [&](std::size_t i, double& difference) {
+        const bool here = file.mine.there[i] != 0, there = right.there[i] != 0;
+        difference = 0;
+        if (isLeft(file, reference, i)) return Class::Left;
+        if (!here && !there) return Class::Equal;
+        const double slack = file.mine.slack.empty() ? 0 : file.mine.slack[i];
+        if (here && there) {
+            difference = differenceAt(row.measure, file.mine, right, i);
+            if (difference == 0) return Class::Equal;
+            if (difference <= out.tolerance + slack) return Class::Tolerated;
+        } else {
+            difference = HUGE_VAL;
+        }
+        if (picture && !reference.outline.empty() && reference.outline[i] && neighbours.explain(i))
+            return Class::Allowed;
+        if (shadowExplains(file, reference, i, out.tolerance + slack)) return Class::Allowed;
+        if (isColor && isBlack(file.mine, i) && reference.context.covered[i]) return Class::Missing;
+        if (isColor && !reference.context.covered[i]) return Class::Extra;
+        if (!picture && !here) return Class::Left;  // a vertex without a place of theirs
+        return here && there ? Class::Wrong : here ? Class::Extra : Class::Missing;
+    };
+    for (std::size_t i = 0; i < right.count(); ++i) {
+        double difference = 0;
+        const Class of = out.classes[i] = classify(i, difference);
+        ++out.counts[std::size_t(of)];
+        const bool nothing = of == Class::Equal &&
+                             (isColor ? !reference.context.covered[i] && isBlack(file.mine, i) : !file.mine.there[i]);
+        if (nothing) --out.counts[std::size_t(of)];
+        if (of == Class::Left || nothing) continue;
+        ++out.compared;
+        if (std::isfinite(difference) && of != Class::Allowed) {
+            out.largest = std::max(out.largest, difference);
+            squares += difference * difference, ++numbers;
+        }
+        const bool bad = of == Class::Wrong || of == Class::Missing || of == Class::Extra;
+        const double weight = std::isfinite(difference) ? difference : 0;
+        if (bad && weight > worst) worst = weight, out.worst = i;
+    }
+    if (numbers > 0) out.rms = std::sqrt(squares / double(numbers));
+    out.agrees = double(out.bad()) <= (picture ? kStrayPixels * double(out.compared) : 0);
+    return out;
+}
+
+std::string shortNumber(double value) {
+    if (value == 0) return "0";
+    const double magnitude = std::abs(value);
+    if (magnitude >= 1e6 || magnitude < 1e-3) return fmt::format("{:.2g}", value);
+    return fmt::format("{:.3g}", value);
+}
+
+std::string placeText(const Finding& finding, std::size_t element) {
+    const BufferInfo& info = bufferInfo(finding.name.buffer.id);
+    if (info.domain == Domain::Vertex) return fmt::format("vertex {}", element);
+    if (info.domain == Domain::Polygon) return fmt::format("polygon {}", element);
+    return fmt::format("pixel {}, {}", element % finding.columns, element / finding.columns);
+}
+
+std::string valueText(const Finding& finding, const Values& values, std::size_t element) {
+    if (!values.there[element]) return "nothing";
+    const double* const v = values.at(element);
+    const BufferId id = finding.name.buffer.id;
+    if (id == Color) return fmt::format("{:.0f} {:.0f} {:.0f}", v[0], v[1], v[2]);
+    if (id == PolygonsVerdict) return v[0] != 0 ? "kept" : "dropped";
+    if (id == VerticesScreen) return fmt::format("({}, {})", shortNumber(v[0]), shortNumber(v[1]));
+    if (values.channels == 1) return fmt::format("{:.6g}", v[0]);
+    return fmt::format("({:.4g}, {:.4g}, {:.4g})", v[0], v[1], v[2]);
+}
+
+std::string toleranceText(const Finding& finding) {
+    if (finding.tolerance == 0) return {};
+    const std::string_view unit = finding.unit;
+    return fmt::format("{}{}{}", shortNumber(finding.tolerance), unit.empty() || unit == "\u00b0" ? "" : " ", unit);
+}
+
+std::string findingText(const Finding& finding) {
+    const Measure measure = toleranceOf(finding.name.buffer.id)->measure;
+    const std::string_view unit = finding.unit, space = unit.empty() || unit == "\u00b0" ? "" : " ";
+    const std::string px = finding.isPicture() ? " px" : "";
+    if (finding.bad() > 0 && !finding.agrees) {
+        std::string parts;
+        const auto add = [&](Class of) {
+            if (finding.count(of) > 0)
+                parts += fmt::format("{}{}{} {}", parts.empty() ? "" : ", ", finding.count(of), px, name(of));
+        };
+        if (finding.isPicture()) {
+            for (const Class of : {Class::Wrong, Class::Missing, Class::Extra}) add(of);
+            parts += fmt::format(" of {}", finding.compared);
+        } else {
+            parts = fmt::format("{} of {} differ", finding.bad(), finding.compared);
+        }
+        return measure == Measure::Same || finding.largest == 0
+                   ? parts
+                   : fmt::format("{}, up to {}{}{}", parts, shortNumber(finding.largest), space, unit);
+    }
+    std::string text =
+        measure == Measure::Same
+            ? fmt::format("{} of {} equal", finding.compared - finding.count(Class::Allowed) - finding.bad(),
+                          finding.compared)
+            : fmt::format("{}{}{}", shortNumber(finding.largest), space, unit);
+    if (finding.count(Class::Allowed) > 0)
+        text += fmt::format("; {}{} at edges, allowed", finding.count(Class::Allowed), px);
+    if (finding.bad() > 0) text += fmt::format("; {}{} stray", finding.bad(), px);
+    return text;
+}
+
+}  // namespace pipeline::foreign

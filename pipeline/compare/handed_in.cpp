@@ -1,0 +1,199 @@
+#include "pipeline/compare/handed_in.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "pipeline/compare/values.h"
+#include "pipeline/core/text.h"
+#include "pipeline/formats/scene_folder.h"
+
+namespace pipeline::foreign {
+
+namespace {
+
+struct Alias {
+    std::string_view name, buffer;
+    Form form = Form::AsTable;
+};
+// What others call a buffer.
+constexpr std::array kAliases{
+    Alias{"colour", "color"},
+    Alias{"image", "color"},
+    Alias{"picture", "color"},
+    Alias{"framebuffer", "color"},
+    Alias{"depth", "z_view"},
+    Alias{"z", "z_view"},
+    Alias{"normals", "normal"},
+    Alias{"vertices.clip", "vertices.screen", Form::Clip},
+    Alias{"clip", "vertices.screen", Form::Clip},
+    Alias{"vertices.ndc", "vertices.screen", Form::Ndc},
+    Alias{"ndc", "vertices.screen", Form::Ndc},
+    Alias{"polygons.visible", "polygons.verdict", Form::Visible},
+    Alias{"visible", "polygons.verdict", Form::Visible},
+};
+
+std::vector<std::string> handedNames() {
+    std::vector<std::string> names;
+    for (const BufferName& name : allBuffers(1))
+        if (toleranceOf(name.id)) names.push_back(name.text());
+    for (const Alias& alias : kAliases) names.emplace_back(alias.name);
+    return names;
+}
+
+// Why an array cannot be this buffer, or empty.
+std::optional<Error> wrongSize(const HandedFile& file, const Frame& reference) {
+    const auto right = reference.buffer(file.name.buffer);
+    if (!right)
+        return Error{{file.path.string()}, "a buffer that the scene has not", reference.whyAbsent(file.name.buffer)};
+    std::vector<std::size_t> expected{right->rows()};
+    const bool picture = right->info->domain == Domain::Pixel || right->info->domain == Domain::Texel;
+    if (picture) expected.push_back(right->columns());
+    int channels = file.name.form == Form::Clip ? 4 : right->channels();
+    if (right->info->domain == Domain::Texel) expected = file.numbers.shape, channels = 1;  // any resolution
+    if (channels > 1) expected.push_back(std::size_t(channels));
+    std::vector<std::size_t> found = file.numbers.shape;
+    if (found.empty()) found.push_back(1);
+    while (found.size() > expected.size() && found.back() == 1) found.pop_back();
+    if (found == expected) return {};
+    // Pictures with one channel written as colours, normals of a picture; x and y without a depth.
+    const bool grey = picture && channels == 1 && found.size() == 3 && found[2] == 3;
+    const bool plane = file.name.buffer.id == BufferId::VerticesScreen && found.size() == 2 && found[1] == 2;
+    const bool four = channels == 3 && found.size() == expected.size() && found.back() == 4;
+    if (found[0] == expected[0] && (plane || four || (grey && found[1] == expected[1]))) return {};
+    NumberFile wanted;
+    wanted.shape = expected;
+    return Error{{file.path.string()},
+                 "found an array of " + file.numbers.sizeText(),
+                 fmt::format("{} as {} of this scene has", wanted.sizeText(), file.name.text())};
+}
+
+// How exactly a file can hold a buffer.
+int rank(const HandedFile& file) {
+    switch (file.numbers.kind) {
+        case NumberKind::Real: return file.numbers.digits;
+        case NumberKind::Whole: return 60;
+        case NumberKind::Levels16: return 16;
+        case NumberKind::Levels8: return 8;
+    }
+    return 0;
+}
+
+class Gathering {
+public:
+    Gathering(const Frame& reference, HandedIn& in) : m_reference(reference), m_in(in) {
+        // What the largest buffer of the scene holds, with room for a fourth channel.
+        const auto& settings = reference.scene().settings;
+        const std::size_t pixels = std::size_t(settings.width) * std::size_t(settings.height);
+        const std::size_t texels = std::size_t(settings.shadowSize) * std::size_t(settings.shadowSize);
+        std::size_t vertices = 0;
+        for (const Object& object : reference.scene().objects)
+            vertices += object.mesh->positions.size() + object.mesh->polygons.size();
+        // A picture of twice the size is still read, to say so.
+        m_most = 16 * std::max({pixels, texels * 6, vertices, std::size_t{1024}});
+    }
+
+    void add(const std::filesystem::path& path, bool asked) {
+        const std::string file = path.filename().string();
+        const auto dot = file.rfind('.');
+        if (dot == file.npos || dot == 0) return;
+        const std::string stem = file.substr(0, dot), ending = file.substr(dot + 1);
+        if (file == "mine.toml") {
+            auto text = readFile(path, 1u << 16);
+            if (!text) return report(text.errors());
+            m_in.conventions = std::move(text).value(), m_in.conventionsName = path.string();
+            return;
+        }
+        if (!readsNumbers(ending)) {
+            if (asked) report({{{path.string()}, "the ending is none of a file of numbers", numberFormats()}});
+            return;
+        }
+        const auto name = findHanded(stem, m_reference.scene().lights.size());
+        if (!name) {
+            m_in.others.push_back(fmt::format("{} is not known; {}", inQuotes(file), insteadOfHanded(stem)));
+            return;
+        }
+        auto bytes = readFile(path);
+        if (!bytes) return report(bytes.errors());
+        auto numbers = readNumbers(*bytes, path.string(), m_most);
+        if (!numbers) return report(numbers.errors());
+        HandedFile handed{*name, path, std::move(numbers).value()};
+        if (const auto wrong = wrongSize(handed, m_reference)) return report({*wrong});
+        const auto before = std::ranges::find(m_in.files, handed.name, &HandedFile::name);
+        if (before == m_in.files.end()) {
+            m_in.files.push_back(std::move(handed));
+            return;
+        }
+        if (rank(*before) < rank(handed)) std::swap(*before, handed);
+        m_in.others.push_back(fmt::format("{} is not read: {} holds more digits",
+                                          inQuotes(handed.path.filename().string()),
+                                          inQuotes(before->path.filename().string())));
+    }
+
+private:
+    void report(const Errors& errors) { m_in.errors.insert(m_in.errors.end(), errors.begin(), errors.end()); }
+    const Frame& m_reference;
+    HandedIn& m_in;
+    std::size_t m_most = 0;
+};
+
+}  // namespace
+
+std::string HandedName::text() const {
+    switch (form) {
+        case Form::AsTable: return buffer.text();
+        case Form::Visible: return "polygons.visible";
+        case Form::Clip: return "vertices.clip";
+        case Form::Ndc: return "vertices.ndc";
+    }
+    return {};
+}
+
+std::optional<HandedName> findHanded(std::string_view stem, std::size_t lights) {
+    HandedName found;
+    std::string_view name = stem;
+    for (const Alias& alias : kAliases)
+        if (sameLetters(stem, alias.name)) name = alias.buffer, found.form = alias.form;
+    auto buffer = findBuffer(name);
+    if (!buffer && lights == 1) buffer = findBuffer(std::string(name) + ".0");  // of the only light
+    if (!buffer || !toleranceOf(buffer->id)) return {};
+    if (buffer->light >= int(lights)) return {};
+    found.buffer = *buffer;
+    return found;
+}
+
+std::string insteadOfHanded(std::string_view stem) {
+    const std::vector<std::string> names = handedNames();
+    return fmt::format("the nearest name is {}", nearest(stem, names));
+}
+
+HandedIn readHandedIn(const std::vector<std::string>& paths, const Frame& reference, const Stop& stop) {
+    HandedIn in;
+    Gathering gathering(reference, in);
+    for (const std::string& given : paths) {
+        const std::filesystem::path path(given);
+        std::error_code failed;
+        if (!std::filesystem::exists(path, failed)) {
+            in.errors.push_back({{given}, "there is no such file or folder", {}});
+            continue;
+        }
+        if (!std::filesystem::is_directory(path, failed)) {
+            gathering.add(path, true);
+            continue;
+        }
+        constexpr std::size_t kMostEntries = 10000;
+        std::vector<std::filesystem::path> entries;
+        for (std::filesystem::directory_iterator at(path, failed), end;
+             !failed && at != end && entries.size() < kMostEntries; at.increment(failed))
+            if (at->is_regular_file(failed)) entries.push_back(at->path());
+        if (failed) in.errors.push_back({{given}, "the folder cannot be read: " + failed.message(), {}});
+        std::ranges::sort(entries);
+        for (const auto& entry : entries)
+            if (!stop.stop_requested()) gathering.add(entry, false);
+    }
+    std::ranges::stable_sort(in.files, {}, [](const HandedFile& file) { return index(file.name.buffer.id); });
+    return in;
+}
+
+}  // namespace pipeline::foreign

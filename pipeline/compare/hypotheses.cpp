@@ -1,0 +1,258 @@
+#include "pipeline/compare/hypotheses.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "pipeline/run/runner.h"
+
+namespace pipeline::foreign {
+
+namespace {
+
+constexpr double kPixels = 320 * 240;    // of the picture that hypotheses are ranked in
+constexpr std::size_t kConfirmed = 5;    // in the picture's own size
+constexpr double kSameFloor = 0.35;      // tolerances: what rounding to bytes leaves
+constexpr double kClearlyBetter = 2;     // times as close as the next
+constexpr double kExplains = 4;          // times as close as the right renderer
+constexpr double kMissingCost = 100;     // tolerances
+constexpr double kTrimmedShare = 0.002;  // of the pixels, the farthest: rasterizers differ
+
+// A picture of fewer pixels: blocks of factor × factor as one, their mean.
+Values smaller(const Values& of, std::size_t factor, bool names) {
+    if (factor == 1 || of.domain != Domain::Pixel) return of;
+    Values out{of.domain, of.rows / factor, of.columns / factor, of.channels, {}, {}};
+    out.numbers.assign(out.count() * std::size_t(out.channels), 0);
+    out.there.assign(out.count(), 1);
+    if (!of.slack.empty()) out.slack.assign(out.count(), 0);
+    const double share = 1.0 / double(factor * factor);
+    for (std::size_t i = 0; i < out.count(); ++i) {
+        const std::size_t x = i % out.columns * factor, y = i / out.columns * factor, first = y * of.columns + x;
+        for (std::size_t v = 0; v < factor; ++v)
+            for (std::size_t u = 0; u < factor; ++u) {
+                const std::size_t from = first + v * of.columns + u;
+                if (!of.there[from] || (names && of.at(from)[0] != of.at(first)[0])) out.there[i] = 0;
+                for (int c = 0; c < of.channels; ++c) out.at(i)[c] += names ? 0 : share * of.at(from)[c];
+                if (!of.slack.empty()) out.slack[i] = std::max(out.slack[i], of.slack[from]);
+            }
+        if (names) out.at(i)[0] = of.at(first)[0];
+    }
+    return out;
+}
+
+Scene smaller(Scene scene, std::size_t factor) {
+    const double f = double(factor);
+    scene.settings.width = std::max(1, scene.settings.width / int(factor));
+    scene.settings.height = std::max(1, scene.settings.height / int(factor));
+    scene.camera.pixelsPerUnit /= f;
+    scene.settings.shadowSize = std::min(scene.settings.shadowSize, 512);
+    return scene;
+}
+
+bool isNames(BufferId id) { return toleranceOf(id)->measure == Measure::Same; }
+
+// Pixels next to another polygon, or at the edge of a shadow: right renderers differ there.
+std::vector<std::uint8_t> openPixels(const Frame& frame) {
+    std::vector<std::uint8_t> open;
+    const auto mark = [&](const Values& values) {
+        open.resize(values.count(), 0);
+        const std::size_t w = values.columns;
+        for (std::size_t i = 0; i < values.count(); ++i) {
+            const bool right = i % w + 1 < w && values.numbers[i] != values.numbers[i + 1];
+            const bool down = i + w < values.count() && values.numbers[i] != values.numbers[i + w];
+            if (right) open[i] = open[i + 1] = 1;
+            if (down) open[i] = open[i + w] = 1;
+        }
+    };
+    if (const auto ids = valuesIn(frame, {BufferId::PolygonId})) mark(*ids);
+    const std::size_t outlined = std::size_t(std::ranges::count(open, 1));
+    if (outlined * 2 > open.size()) std::ranges::fill(open, 0);  // small polygons everywhere
+    for (std::size_t k = 0; k < frame.scene().lights.size(); ++k)
+        if (frame.scene().lights[k].castsShadow)
+            if (const auto s = valuesIn(frame, {BufferId::Shadow, int(k)})) mark(*s);
+    return open;
+}
+
+// A file's values as they are read, and with the rows the other way round.
+struct Evidence {
+    const HandedFile* file;
+    double tolerance;
+    Values mine, turned;
+    bool canTurn;
+};
+
+class Court {
+public:
+    Court(const Reference& reference, const Conventions& conventions, std::size_t factor)
+        : m_factor(factor), m_rowsAreStated(conventions.geometryIsStated) {
+        for (const ReadFile& file : conventions.files) {
+            const BufferName& name = file.file->name.buffer;
+            const Values& right = reference.values.at(name.text());
+            Evidence one{file.file,
+                         reference.tolerances.at(name.text()),
+                         smaller(file.mine, factor, isNames(name.id)),
+                         {},
+                         right.domain == Domain::Pixel && !m_rowsAreStated};
+            if (one.canTurn) {
+                Reading turned = file.reading;
+                turned.bottomUp = !turned.bottomUp;
+                one.turned = smaller(read(*file.file, turned, reference.context, right), factor, isNames(name.id));
+            }
+            m_wanted.set(index(name.id));
+            m_evidence.push_back(std::move(one));
+        }
+        m_wanted.set(index(BufferId::PolygonId));
+        m_wanted.set(index(BufferId::Shadow));
+        m_wanted.set(index(BufferId::VerticesView));
+    }
+
+    // The distance with the rows as taken and turned; infinite where a file cannot be compared.
+    struct Distances {
+        double taken = 0, turned = 0;
+    };
+    std::optional<Distances> of(const Scene& scene, const Stop& stop, FramePtr* kept = nullptr) const {
+        const Scene sized = m_factor == 1 ? scene : smaller(scene, m_factor);
+        const FramePtr frame = runFrame(referenceScene(sized), {m_wanted, StageId::Shading, 0, stop}, nullptr);
+        if (!frame) return {};
+        if (kept) *kept = frame;
+        const std::vector<std::uint8_t> open = openPixels(*frame);
+        Distances out;
+        for (const Evidence& one : m_evidence) {
+            auto values = valuesIn(*frame, one.file->name.buffer);
+            if (!values || !values->isSameSize(one.mine)) {
+                out.taken = out.turned = HUGE_VAL;
+                continue;
+            }
+            if (one.file->name.buffer.id == BufferId::VerticesScreen)
+                for (std::size_t i = 0; i < values->count(); ++i)
+                    values->at(i)[0] *= double(m_factor), values->at(i)[1] *= double(m_factor);
+            out.taken = std::max(out.taken, distance(one, one.mine, *values, open));
+            out.turned = one.canTurn ? std::max(out.turned, distance(one, one.turned, *values, open))
+                                     : std::max(out.turned, distance(one, one.mine, *values, open));
+        }
+        if (m_rowsAreStated) out.turned = HUGE_VAL;
+        return out;
+    }
+
+private:
+    double distance(const Evidence& one, const Values& mine, const Values& right,
+                    const std::vector<std::uint8_t>& open) const {
+        const Measure measure = toleranceOf(one.file->name.buffer.id)->measure;
+        const bool picture = right.domain == Domain::Pixel;
+        const bool says = !drawnIn(one.file->name, mine).empty();
+        std::vector<double> squares;
+        for (std::size_t i = 0; i < right.count(); ++i) {
+            if (picture && open[i]) continue;
+            const bool here = mine.there[i] != 0, there = right.there[i] != 0;
+            if (!here && !there) continue;
+            double d = kMissingCost;
+            if (here && there) {
+                const double slack = mine.slack.empty() ? 0 : mine.slack[i];
+                d = differenceAt(measure, mine, right, i);
+                d = measure == Measure::Same ? d * kMissingCost : std::min(kMissingCost, d / (one.tolerance + slack));
+            } else if (!picture || !says) {
+                continue;  // nobody says whether there is something
+            }
+            squares.push_back(d * d);
+        }
+        if (squares.empty()) return picture ? kMissingCost : 0;
+        const auto trimmed = std::size_t(picture ? kTrimmedShare * double(squares.size()) : 0);
+        std::ranges::nth_element(squares, squares.end() - std::ptrdiff_t(trimmed) - 1);
+        double sum = 0;
+        for (std::size_t i = 0; i + trimmed < squares.size(); ++i) sum += squares[i];
+        return std::sqrt(sum / double(squares.size() - trimmed));
+    }
+
+    std::size_t m_factor;
+    bool m_rowsAreStated;
+    BufferSet m_wanted;
+    std::vector<Evidence> m_evidence;
+};
+
+// Where two frames differ most, in the first buffer in which they clearly do.
+std::optional<Experiment> experimentBetween(const std::vector<Candidate>& candidates, const Scene& scene,
+                                            const Reference& reference, const Stop& stop) {
+    std::vector<FramePtr> frames;
+    BufferSet wanted;
+    for (const Tolerance& row : toleranceTable()) wanted.set(index(row.buffer));
+    for (std::size_t i = 0; i < 2; ++i) {
+        frames.push_back(
+            runFrame(referenceScene(candidates[i].error.plant(scene)), {wanted, StageId::Shading, 0, stop}, nullptr));
+        if (!frames.back()) return {};
+    }
+    for (const BufferName& name : allBuffers(scene.lights.size())) {
+        const Tolerance* const row = toleranceOf(name.id);
+        if (!row || name.id == BufferId::ShadowBuffer || !reference.tolerances.contains(name.text())) continue;
+        const auto a = valuesIn(*frames[0], name), b = valuesIn(*frames[1], name);
+        if (!a || !b || !a->isSameSize(*b)) continue;
+        const double tolerance = reference.tolerances.at(name.text());
+        double largest = 0;
+        std::size_t at = 0;
+        for (std::size_t i = 0; i < a->count(); ++i) {
+            const double d = differenceAt(row->measure, *a, *b, i);
+            if (d > largest) largest = d, at = i;
+        }
+        if (!(largest > 10 * tolerance)) continue;
+        Finding shown;
+        shown.name.buffer = name, shown.columns = a->columns;
+        return Experiment{name.text(), placeText(shown, at), {valueText(shown, *a, at), valueText(shown, *b, at)}};
+    }
+    return {};
+}
+
+}  // namespace
+
+Suspects findSuspects(const Scene& scene, const Reference& reference, const Conventions& conventions, const Stop& stop,
+                      const HypothesisProgress& progress) {
+    Suspects out;
+    const double pixels = double(scene.settings.width) * scene.settings.height;
+    const auto factor = std::max<std::size_t>(1, std::size_t(std::sqrt(pixels / kPixels) + 0.01));
+    const std::vector<KnownError> errors = knownErrors(scene);
+    const Court small(reference, conventions, factor);
+    std::vector<Candidate> ranked;
+    const auto judge = [&](const Court& court, const KnownError& error) {
+        Candidate one{error};
+        const auto distances = court.of(error.plant(scene), stop);
+        if (!distances) return one.distance = HUGE_VAL, one;
+        one.otherRows = distances->turned < distances->taken / kClearlyBetter;
+        one.distance = one.otherRows ? distances->turned : distances->taken;
+        return one;
+    };
+    for (std::size_t i = 0; i < errors.size(); ++i) {
+        if (stop.stop_requested()) return out.stopped = true, out;
+        if (progress) progress(i, errors.size());
+        ranked.push_back(judge(small, errors[i]));
+        ++out.tried;
+    }
+    std::ranges::stable_sort(ranked, {}, &Candidate::distance);
+    // The best way of each error stands for it.
+    std::vector<Candidate> best;
+    for (Candidate& one : ranked)
+        if (std::ranges::none_of(best, [&](const Candidate& b) { return b.error.id == one.error.id; }))
+            best.push_back(std::move(one));
+    if (best.size() > kConfirmed) best.resize(kConfirmed);
+    const Court full(reference, conventions, 1);
+    const auto right = full.of(scene, stop);
+    if (!right) return out.stopped = true, out;
+    out.right = right->taken;
+    for (Candidate& one : best) {
+        if (factor > 1) one = judge(full, one.error);
+        if (stop.stop_requested()) return out.stopped = true, out;
+        one.explained = out.right > 0 ? 1 - (one.distance * one.distance) / (out.right * out.right) : 0;
+    }
+    std::ranges::stable_sort(best, {}, &Candidate::distance);
+    if (best.empty()) return out;
+    const double least = std::max(best[0].distance, kSameFloor);
+    const bool explains = best[0].distance <= std::max(1.0, out.right / kExplains) && best[0].distance < out.right / 2;
+    for (Candidate& one : best) {
+        if (explains && one.distance < kClearlyBetter * least && one.distance < out.right / 2)
+            out.candidates.push_back(std::move(one));
+        else if (!out.next)
+            out.next = std::move(one);
+    }
+    if (out.candidates.size() > 1) out.experiment = experimentBetween(out.candidates, scene, reference, stop);
+    return out;
+}
+
+}  // namespace pipeline::foreign

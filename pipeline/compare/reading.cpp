@@ -1,0 +1,366 @@
+#include "pipeline/compare/reading.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "pipeline/buffers/verdict.h"
+
+namespace pipeline::foreign {
+
+namespace {
+
+using C = Coding;
+
+constexpr std::array kCodings{
+    CodingInfo{C::AsIs, "", "", ""},
+    CodingInfo{C::Srgb, "encoding", "srgb", "encoded as sRGB"},
+    CodingInfo{C::Gamma22, "encoding", "gamma-2.2", "encoded with a gamma of 2.2"},
+    CodingInfo{C::MinusZ, "depth", "minus-z", "−z_view"},
+    CodingInfo{C::Distance, "depth", "distance", "distance to the eye"},
+    CodingInfo{C::Ndc, "depth", "ndc", "NDC depth −1 to 1"},
+    CodingInfo{C::Window, "depth", "window", "window depth 0 to 1"},
+    CodingInfo{C::Reversed, "depth", "reversed", "reversed depth 1 to 0"},
+    CodingInfo{C::Inverse, "depth", "inverse", "1 / z_view"},
+    CodingInfo{C::Linear, "depth", "linear", "linear from near 0 to far 1"},
+    CodingInfo{C::LinearReversed, "depth", "linear-reversed", "linear from near 1 to far 0"},
+    CodingInfo{C::Grey, "depth", "grey", "grey, near is black"},
+    CodingInfo{C::GreyReversed, "depth", "grey-reversed", "grey, near is white"},
+    CodingInfo{C::WorldRgb, "normals", "world-rgb", "world normals as colours"},
+    CodingInfo{C::View, "normals", "view", "view normals, z away"},
+    CodingInfo{C::ViewTowards, "normals", "view-towards", "view normals, z towards the viewer"},
+    CodingInfo{C::ViewRgb, "normals", "view-rgb", "view normals as colours, z away"},
+    CodingInfo{C::ViewTowardsRgb, "normals", "view-towards-rgb", "view normals as colours, z towards the viewer"},
+    CodingInfo{C::Signed, "values", "signed", "0 to 1 stands for −1 to 1"},
+    CodingInfo{C::OfIMax, "values", "of-i-max", "shares of I_max"},
+    CodingInfo{C::LitIsZero, "shadow", "lit-is-0", "0 is lit"},
+    CodingInfo{C::FromOne, "ids", "from-1", "ids from 1"},
+    CodingInfo{C::Permuted, "ids", "permuted", "ids in another order"},
+    CodingInfo{C::Codes, "verdicts", "codes", "codes, 0 is kept"},
+    CodingInfo{C::Flags, "verdicts", "kept-is-1", "1 is kept, 0 is dropped"},
+    CodingInfo{C::DroppedIsOne, "verdicts", "dropped-is-1", "1 is dropped, 0 is kept"},
+    CodingInfo{C::PixelFromCentre, "sample", "whole", "whole numbers are pixel centres"},
+};
+static_assert([] {
+    for (std::size_t i = 0; i < kCodings.size(); ++i)
+        if (std::size_t(kCodings[i].id) != i) return false;
+    return true;
+}());
+
+double toLinear(double v) { return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4); }
+
+bool isLevels(const NumberFile& file) { return file.kind == NumberKind::Levels8 || file.kind == NumberKind::Levels16; }
+double levelsOf(const NumberFile& file) { return file.kind == NumberKind::Levels16 ? 65535 : 255; }
+
+std::vector<Coding> codingsOf(const HandedFile& file) {
+    const bool levels = isLevels(file.numbers);
+    using enum BufferId;
+    switch (file.name.buffer.id) {
+        case Color: return {C::AsIs, C::Srgb, C::Gamma22};
+        case ZView:
+            if (levels)
+                return {C::Window, C::Reversed, C::Linear, C::LinearReversed, C::Inverse, C::Grey, C::GreyReversed};
+            return {C::AsIs,     C::MinusZ,  C::Distance, C::Ndc,           C::Window,
+                    C::Reversed, C::Inverse, C::Linear,   C::LinearReversed};
+        case Normal:
+            if (levels) return {C::WorldRgb, C::ViewRgb, C::ViewTowardsRgb};
+            return {C::AsIs, C::View, C::ViewTowards, C::WorldRgb, C::ViewRgb, C::ViewTowardsRgb};
+        case VerticesNormal:
+        case PolygonsNormal: return {C::AsIs, C::View, C::ViewTowards};
+        case ObjectId:
+        case PolygonId:
+            if (file.numbers.shape.size() == 3 && file.numbers.channels() >= 3) return {C::Permuted};
+            return {C::AsIs, C::FromOne, C::Permuted};
+        case PolygonsVerdict:
+            return file.name.form == Form::Visible ? std::vector{C::Flags} : std::vector{C::Codes, C::Flags};
+        case VerticesScreen:
+            return file.name.form == Form::AsTable ? std::vector{C::AsIs, C::PixelFromCentre} : std::vector{C::AsIs};
+        case NDotL:
+        case RDotV:
+        case NDotH: return levels ? std::vector{C::AsIs, C::Signed} : std::vector{C::AsIs};
+        case Shadow: return {C::AsIs, C::LitIsZero};
+        case Ambient:
+        case Diffuse:
+        case Specular:
+        case Emission:
+        case Intensity: return levels ? std::vector{C::OfIMax} : std::vector{C::AsIs, C::OfIMax};
+        default: return {C::AsIs};
+    }
+}
+
+// z_view of a depth v; infinite where it stands for nothing.
+double zOf(double v, Coding coding, const View& view, double rayLength) {
+    const double n = view.near, f = view.far;
+    const auto window = [&](double d) {
+        if (!view.perspective) return n + d * (f - n);
+        const double below = f - d * (f - n);
+        return below > 0 ? f * n / below : std::numeric_limits<double>::infinity();
+    };
+    switch (coding) {
+        case C::MinusZ: return -v;
+        case C::Distance: return v / rayLength;
+        case C::Ndc: return window((v + 1) / 2);
+        case C::Window: return window(v);
+        case C::Reversed: return window(1 - v);
+        case C::Inverse: return v > 0 ? 1 / v : std::numeric_limits<double>::infinity();
+        case C::Linear: return n + v * (f - n);
+        case C::LinearReversed: return f - v * (f - n);
+        default: return v;
+    }
+}
+
+// Whether a depth is what a z-buffer is cleared to.
+bool isCleared(double v, double z, Coding coding, const View& view) {
+    if (!std::isfinite(v) || !std::isfinite(z)) return true;
+    if (coding == C::AsIs || coding == C::MinusZ || coding == C::Distance)
+        return z == 0 || z >= view.far * (1 - 1e-12) || (view.perspective && z < 0);
+    if (coding == C::Inverse) return v == 0 || z >= view.far;
+    const double share = coding == C::Ndc ? (v + 1) / 2 : v;
+    const bool reversed = coding == C::Reversed || coding == C::LinearReversed;
+    return reversed ? share <= 0 : share >= 1;
+}
+
+// A picture's numbers in the order of the reading.
+class FilePicture {
+public:
+    FilePicture(const HandedFile& file, const Reading& reading)
+        : m_numbers(file.numbers), m_reading(reading), m_channels(file.numbers.channels()) {}
+    double at(std::size_t x, std::size_t y, std::size_t c) const {
+        if (m_reading.bottomUp) y = m_numbers.rows() - 1 - y;
+        if (m_reading.mirrored) x = m_numbers.columns() - 1 - x;
+        if (m_reading.bgr && c < 3 && m_channels >= 3) c = 2 - c;
+        return m_numbers.values[(y * m_numbers.columns() + x) * m_channels + std::min(c, m_channels - 1)];
+    }
+
+private:
+    const NumberFile& m_numbers;
+    Reading m_reading;
+    std::size_t m_channels;
+};
+
+void readColor(const HandedFile& file, const FilePicture& picture, const Reading& reading, Values& out) {
+    double scale = isLevels(file.numbers) ? 255 / levelsOf(file.numbers) : 1;
+    if (file.numbers.kind == NumberKind::Real) {  // fractions, if none is above 1 by more than rounding
+        double largest = 0;
+        for (const double v : file.numbers.values)
+            if (std::isfinite(v)) largest = std::max(largest, v);
+        if (largest <= 4) scale = 255;
+    }
+    const auto linear = [coding = reading.coding](double v) {
+        return coding == Coding::Srgb ? toLinear(v) : std::pow(v, 2.2);
+    };
+    const bool encoded = reading.coding != Coding::AsIs;
+    if (encoded) out.slack.assign(out.count(), 0);
+    for (std::size_t i = 0; i < out.count(); ++i)
+        for (int c = 0; c < 3; ++c) {
+            const double raw = picture.at(i % out.columns, i / out.columns, std::size_t(c));
+            if (!std::isfinite(raw)) out.there[i] = 0;
+            double v = std::clamp(scale * raw, 0.0, 255.0);
+            if (encoded) {
+                const double half = linear(std::min(1.0, (v + 0.5) / 255)) - linear(std::max(0.0, (v - 0.5) / 255));
+                out.slack[i] = std::max(out.slack[i], 127.5 * half);
+                v = 255 * linear(v / 255);
+            }
+            out.at(i)[c] = v;
+        }
+}
+
+void readDepth(const HandedFile& file, const FilePicture& picture, const Reading& reading,
+               const ReadingContext& context, const Values& reference, Values& out) {
+    const double top = isLevels(file.numbers) ? levelsOf(file.numbers) : 1;
+    const bool grey = reading.coding == Coding::Grey || reading.coding == Coding::GreyReversed;
+    double offset = 0, slope = 1;
+    if (grey) {  // z = offset + slope v through what is there in both, by least squares
+        double n = 0, sv = 0, sz = 0, svv = 0, svz = 0;
+        for (std::size_t i = 0; i < out.count(); ++i) {
+            const double v = picture.at(i % out.columns, i / out.columns, 0) / top;
+            if (!reference.there[i] || v <= 0 || v >= 1) continue;
+            const double z = reference.at(i)[0];
+            n += 1, sv += v, sz += z, svv += v * v, svz += v * z;
+        }
+        const double below = n * svv - sv * sv;
+        if (below > 0) slope = (n * svz - sv * sz) / below, offset = (sz - slope * sv) / n;
+        if ((slope < 0) != (reading.coding == Coding::GreyReversed)) slope = 0, offset = 0;
+    }
+    out.slack.assign(out.count(), 0);
+    for (std::size_t i = 0; i < out.count(); ++i) {
+        const std::size_t x = i % out.columns, y = i / out.columns;
+        const double v = picture.at(x, y, 0) / top;
+        double ray = 1;
+        if (reading.coding == Coding::Distance && context.view.perspective) {
+            const glm::dvec2 at =
+                (glm::dvec2(double(x) + 0.5, double(y) + 0.5) - context.view.centre) / context.view.scale;
+            ray = std::sqrt(1 + glm::dot(at, at));
+        }
+        const auto z = [&](double value) {
+            return grey ? offset + slope * value : zOf(value, reading.coding, context.view, ray);
+        };
+        const double here = z(v);
+        const bool nothing = grey ? v <= 0 || v >= 1 : isCleared(v, here, reading.coding, context.view);
+        out.there[i] = !nothing && std::isfinite(here);
+        out.at(i)[0] = out.there[i] ? here : 0;
+        if (!out.there[i]) continue;
+        const double step = isLevels(file.numbers) ? 1 / top : std::abs(v) * std::ldexp(1.0, 1 - file.numbers.digits);
+        const double low = z(v - step), high = z(v + step);
+        out.slack[i] = std::isfinite(high - low) ? std::abs(high - low) / 2 : context.view.far;
+    }
+}
+
+Vec3d normalOf(Vec3d n, Coding coding, const View& view) {
+    using enum Coding;
+    if (coding == ViewTowards || coding == ViewTowardsRgb) n.z = -n.z;
+    if (coding == View || coding == ViewRgb || coding == ViewTowards || coding == ViewTowardsRgb)
+        return n.x * view.right + n.y * view.up + n.z * view.forward;
+    return n;
+}
+
+void readNormal(const HandedFile& file, const FilePicture& picture, const Reading& reading,
+                const ReadingContext& context, Values& out) {
+    const double top = isLevels(file.numbers) ? levelsOf(file.numbers) : 1;
+    using enum Coding;
+    const bool rgb = reading.coding == WorldRgb || reading.coding == ViewRgb || reading.coding == ViewTowardsRgb;
+    const double degrees = 180 / std::acos(-1.0);
+    if (rgb) out.slack.assign(out.count(), std::sqrt(3.0) / top * degrees);
+    for (std::size_t i = 0; i < out.count(); ++i) {
+        Vec3d n;
+        for (int c = 0; c < 3; ++c) n[c] = picture.at(i % out.columns, i / out.columns, std::size_t(c)) / top;
+        out.there[i] = std::isfinite(glm::dot(n, n)) && n != Vec3d(0);
+        if (rgb) {
+            n = 2.0 * n - 1.0;
+            const double length = glm::length(n);
+            out.there[i] = out.there[i] && length > 0.1;
+            if (isLevels(file.numbers) && length > 0) n /= length;  // the steps leave no more of it
+        }
+        n = out.there[i] ? normalOf(n, reading.coding, context.view) : Vec3d(0);
+        for (int c = 0; c < 3; ++c) out.at(i)[c] = n[c];
+    }
+}
+
+void readIds(const HandedFile& file, const FilePicture& picture, const Reading& reading, const Values& reference,
+             Values& out) {
+    const bool colored = file.numbers.shape.size() == 3 && file.numbers.channels() >= 3;
+    for (std::size_t i = 0; i < out.count(); ++i) {
+        const std::size_t x = i % out.columns, y = i / out.columns;
+        double id = picture.at(x, y, 0);
+        if (colored) id += 256 * picture.at(x, y, 1) + 65536 * picture.at(x, y, 2);
+        if (reading.coding == Coding::FromOne) id -= 1;
+        out.at(i)[0] = std::isfinite(id) ? id : -1;
+    }
+    if (reading.coding == Coding::Permuted) {
+        // Each id stands for the one that it overlaps most; nothing is one of them.
+        std::map<double, std::map<double, std::size_t>> overlaps;
+        for (std::size_t i = 0; i < out.count(); ++i)
+            ++overlaps[out.at(i)[0]][reference.there[i] ? reference.at(i)[0] : -1];
+        std::map<double, double> names;
+        for (const auto& [id, over] : overlaps)
+            names[id] = std::ranges::max_element(over, {}, [](const auto& entry) { return entry.second; })->first;
+        for (double& id : out.numbers) id = names[id];
+    }
+    for (std::size_t i = 0; i < out.count(); ++i) out.there[i] = out.at(i)[0] >= 0;
+}
+
+void readVerdicts(const HandedFile& file, const Reading& reading, Values& out) {
+    for (std::size_t i = 0; i < out.count(); ++i) {
+        const double v = file.numbers.values[i];
+        const bool code = v == double(Verdict::Kept) || v == double(Verdict::Clipped);
+        const bool kept = reading.coding == Coding::Codes ? code : (v != 0) != (reading.coding == Coding::DroppedIsOne);
+        out.at(i)[0] = kept ? 1 : 0;
+        out.there[i] = std::isfinite(v);
+    }
+}
+
+void readVertices(const HandedFile& file, const Reading& reading, const ReadingContext& context, Values& out) {
+    const std::size_t width = file.numbers.columns();
+    const auto& numbers = file.numbers.values;
+    for (std::size_t i = 0; i < out.count(); ++i) {
+        Vec3d p(0);
+        for (std::size_t c = 0; c < std::min<std::size_t>(3, width); ++c) p[int(c)] = numbers[i * width + c];
+        if (file.name.form != Form::AsTable) {  // to the picture
+            const double w = file.name.form == Form::Clip && width == 4 ? numbers[i * width + 3] : 1;
+            if (!(w > 0)) p = Vec3d(std::nan(""));
+            p.x = (p.x / w + 1) / 2 * double(context.width), p.y = (1 - p.y / w) / 2 * double(context.height), p.z = 0;
+        }
+        if (file.name.buffer.id == BufferId::VerticesScreen) p.z = 0;  // the depth is the z-buffer's affair
+        if (reading.coding == Coding::PixelFromCentre) p.x += 0.5, p.y += 0.5;
+        if (reading.coding == Coding::View || reading.coding == Coding::ViewTowards)
+            p = normalOf(p, reading.coding, context.view);
+        out.there[i] = std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+        for (int c = 0; c < out.channels; ++c) out.at(i)[c] = out.there[i] ? p[c] : 0;
+    }
+}
+
+void readNumbersAsThey(const HandedFile& file, const FilePicture& picture, const Reading& reading,
+                       const ReadingContext& context, Values& out) {
+    double scale = isLevels(file.numbers) ? 1 / levelsOf(file.numbers) : 1;
+    if (file.name.buffer.id == BufferId::Overdraw) scale = 1;
+    if (reading.coding == Coding::OfIMax) scale *= context.iMax;
+    if (isLevels(file.numbers)) out.slack.assign(out.count(), scale);
+    for (std::size_t i = 0; i < out.count(); ++i) {
+        for (int c = 0; c < out.channels; ++c) {
+            double v = scale * picture.at(i % out.columns, i / out.columns, std::size_t(c));
+            if (reading.coding == Coding::Signed) v = 2 * v - 1;
+            if (reading.coding == Coding::LitIsZero) v = 1 - v;
+            if (!std::isfinite(v)) out.there[i] = 0, v = 0;
+            out.at(i)[c] = v;
+        }
+    }
+}
+
+}  // namespace
+
+const CodingInfo& codingInfo(Coding coding) { return kCodings[std::size_t(coding)]; }
+std::span<const CodingInfo> codingTable() { return kCodings; }
+
+std::string readingText(const Reading& reading) {
+    std::string text;
+    const auto add = [&](std::string_view words) {
+        if (!words.empty()) text += (text.empty() ? "" : ", ") + std::string(words);
+    };
+    if (reading.bottomUp) add("rows bottom-up");
+    if (reading.mirrored) add("columns right to left");
+    if (reading.bgr) add("BGR");
+    add(codingInfo(reading.coding).words);
+    return text;
+}
+
+std::vector<Reading> readingsOf(const HandedFile& file) {
+    std::vector<Reading> readings;
+    const Domain domain = bufferInfo(file.name.buffer.id).domain;
+    for (const Coding coding : codingsOf(file)) {
+        if (domain != Domain::Pixel) {
+            readings.push_back({false, false, false, coding});
+            continue;
+        }
+        for (const bool bgr : {false, true})
+            if (!bgr || file.name.buffer.id == BufferId::Color)
+                for (const bool mirrored : {false, true})
+                    for (const bool bottomUp : {false, true}) readings.push_back({bottomUp, mirrored, bgr, coding});
+    }
+    return readings;
+}
+
+Values read(const HandedFile& file, const Reading& reading, const ReadingContext& context, const Values& reference) {
+    Values out{reference.domain, reference.rows, reference.columns, reference.channels, {}, {}};
+    out.numbers.assign(out.count() * std::size_t(out.channels), 0);
+    out.there.assign(out.count(), 1);
+    const FilePicture picture(file, reading);
+    using enum BufferId;
+    switch (file.name.buffer.id) {
+        case Color: readColor(file, picture, reading, out); break;
+        case ZView: readDepth(file, picture, reading, context, reference, out); break;
+        case Normal: readNormal(file, picture, reading, context, out); break;
+        case ObjectId:
+        case PolygonId: readIds(file, picture, reading, reference, out); break;
+        case PolygonsVerdict: readVerdicts(file, reading, out); break;
+        case VerticesWorld:
+        case VerticesView:
+        case VerticesScreen:
+        case PolygonsNormal:
+        case VerticesNormal: readVertices(file, reading, context, out); break;
+        default: readNumbersAsThey(file, picture, reading, context, out); break;
+    }
+    return out;
+}
+
+}  // namespace pipeline::foreign

@@ -1,0 +1,85 @@
+#pragma once
+#include <array>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "pipeline/compare/handed_in.h"
+#include "pipeline/compare/values.h"
+#include "pipeline/scene/view.h"
+
+namespace pipeline::foreign {
+
+// How the numbers of a file are to be understood. A difference of these is a convention and no error.
+enum class Coding : std::uint8_t {
+    AsIs,
+    // color
+    Srgb,
+    Gamma22,
+    // depth
+    MinusZ,
+    Distance,
+    Ndc,
+    Window,
+    Reversed,
+    Inverse,
+    Linear,
+    LinearReversed,
+    Grey,
+    GreyReversed,
+    // normals
+    WorldRgb,
+    View,
+    ViewTowards,
+    ViewRgb,
+    ViewTowardsRgb,
+    // dot products, terms
+    Signed,
+    OfIMax,
+    // S
+    LitIsZero,
+    // ids
+    FromOne,
+    Permuted,
+    // verdicts
+    Codes,
+    Flags,
+    DroppedIsOne,
+    // vertices in the picture
+    PixelFromCentre,
+};
+struct CodingInfo {
+    Coding id;
+    std::string_view key, value;  // in mine.toml: depth = "window"
+    std::string_view words;       // "window depth 0 to 1"
+};
+const CodingInfo& codingInfo(Coding coding);
+std::span<const CodingInfo> codingTable();  // in the order of the enumerators
+
+struct Reading {
+    bool bottomUp = false;  // the first row of the file is the picture's last
+    bool mirrored = false;  // the first column is the last
+    bool bgr = false;
+    Coding coding = Coding::AsIs;
+    bool operator==(const Reading&) const = default;
+};
+// "rows bottom-up, BGR, window depth 0 to 1"; empty for the program's own.
+std::string readingText(const Reading& reading);
+
+// What reading needs of the scene.
+struct ReadingContext {
+    View view;
+    double iMax = 1;
+    std::vector<std::uint8_t> covered;  // per pixel, in the reference
+    std::size_t width = 0, height = 0;
+};
+
+// All readings that such a file may have, the program's own first.
+std::vector<Reading> readingsOf(const HandedFile& file);
+
+// The numbers of a file in this program's units and space. `reference` of the same buffer.
+Values read(const HandedFile& file, const Reading& reading, const ReadingContext& context, const Values& reference);
+
+}  // namespace pipeline::foreign

@@ -1,0 +1,189 @@
+#include "pipeline/compare/reference.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "pipeline/illumination/illumination.h"
+#include "pipeline/run/frame_data.h"
+#include "pipeline/run/runner.h"
+#include "pipeline/stages/shading.h"
+
+namespace pipeline::foreign {
+
+namespace {
+
+constexpr int kShadowBand = 3;     // pixels around an edge of a shadow: texels of any resolution
+constexpr double kGrazing = 0.12;  // N·L of the plane below which a bias decides
+
+BufferSet allCompared() {
+    BufferSet wanted;
+    for (const Tolerance& row : toleranceTable()) wanted.set(index(row.buffer));
+    return wanted;
+}
+
+double sceneExtent(const Reference& reference) {
+    const auto world = reference.values.find("vertices.world");
+    if (world == reference.values.end()) return 1;
+    Vec3d low(HUGE_VAL), high(-HUGE_VAL);
+    for (std::size_t i = 0; i < world->second.count(); ++i)
+        for (int c = 0; c < 3; ++c)
+            low[c] = std::min(low[c], world->second.at(i)[c]), high[c] = std::max(high[c], world->second.at(i)[c]);
+    const double extent = glm::length(high - low);
+    return std::isfinite(extent) && extent > 0 ? extent : 1;
+}
+
+// f(neighbour) of the pixels around one, within a radius; true as soon as it is.
+template <class Function>
+bool anyAround(std::size_t i, int radius, std::size_t width, std::size_t height, Function f) {
+    const int x = int(i % width), y = int(i / width);
+    for (int v = std::max(0, y - radius); v <= std::min(int(height) - 1, y + radius); ++v)
+        for (int u = std::max(0, x - radius); u <= std::min(int(width) - 1, x + radius); ++u)
+            if (f(std::size_t(v) * width + std::size_t(u))) return true;
+    return false;
+}
+
+void findOutline(Reference& reference) {
+    const Values& polygons = reference.values.at("polygon_id");
+    reference.outline.assign(polygons.count(), 0);
+    for (std::size_t i = 0; i < polygons.count(); ++i)
+        reference.outline[i] = anyAround(i, 1, polygons.columns, polygons.rows, [&](std::size_t other) {
+            return polygons.numbers[other] != polygons.numbers[i];
+        });
+}
+
+// Where the S of a light is open.
+std::vector<std::uint8_t> openShadow(const Reference& reference, std::size_t light) {
+    const Values& s = reference.values.at("shadow." + std::to_string(light));
+    const Values& l = reference.values.at("light_vector." + std::to_string(light));
+    const Values& polygons = reference.values.at("polygon_id");
+    const auto& data = *dataOf<double>(*reference.frame);
+    std::vector<std::uint8_t> open(s.count(), 0);
+    const auto& covered = reference.context.covered;
+    for (std::size_t i = 0; i < open.size(); ++i) {
+        if (!covered[i]) continue;
+        const auto polygon = std::size_t(polygons.numbers[i]);
+        const Vec3d plane = polygonNormal(*data.transform, polygon);
+        const Vec3d towards(l.at(i)[0], l.at(i)[1], l.at(i)[2]);
+        open[i] =
+            glm::dot(plane, towards) < kGrazing || anyAround(i, kShadowBand, s.columns, s.rows, [&](std::size_t other) {
+                return covered[other] && std::abs(s.numbers[other] - s.numbers[i]) > 0.01;
+            });
+    }
+    return open;
+}
+
+void findShadows(Reference& reference) {
+    const Scene& scene = reference.frame->scene();
+    if (!reference.unshadowed) return;
+    reference.shadowOpen.resize(scene.lights.size());
+    const Values& intensity = reference.values.at("intensity");
+    reference.intensityLow = reference.intensityHigh = intensity;
+    for (std::size_t k = 0; k < scene.lights.size(); ++k) {
+        if (!scene.lights[k].castsShadow) continue;
+        reference.shadowOpen[k] = openShadow(reference, k);
+        for (const std::string term : {"diffuse.", "specular."}) {
+            const Values& here = reference.values.at(term + std::to_string(k));
+            const auto whole = valuesIn(*reference.unshadowed, *findBuffer(term + std::to_string(k)));
+            if (!whole) continue;
+            for (std::size_t i = 0; i < here.count(); ++i) {
+                if (!reference.shadowOpen[k][i]) continue;
+                for (int c = 0; c < 3; ++c) {
+                    reference.intensityLow.at(i)[c] -= here.at(i)[c];
+                    reference.intensityHigh.at(i)[c] += whole->at(i)[c] - here.at(i)[c];
+                }
+            }
+        }
+    }
+    reference.colorLow = reference.colorHigh = reference.values.at("color");
+    const auto set = [&](const Values& from, Values& to) {
+        for (std::size_t i = 0; i < from.count(); ++i) {
+            const Color8 color =
+                frameBufferValue({from.at(i)[0], from.at(i)[1], from.at(i)[2]}, reference.context.iMax);
+            for (int c = 0; c < 3; ++c) to.at(i)[c] = color[c];
+        }
+    };
+    set(reference.intensityLow, reference.colorLow);
+    set(reference.intensityHigh, reference.colorHigh);
+}
+
+}  // namespace
+
+std::shared_ptr<const Scene> referenceScene(Scene scene) {
+    scene.settings.precision = Precision::Double;
+    scene.settings.leaveOut = false;
+    return std::make_shared<const Scene>(std::move(scene));
+}
+
+std::vector<std::uint8_t> coveredIn(const Frame& frame) {
+    std::vector<std::uint8_t> covered;
+    const auto polygons = frame.buffer({BufferId::PolygonId});
+    if (!polygons) return covered;
+    covered.resize(polygons->count());
+    for (std::size_t i = 0; i < covered.size(); ++i) covered[i] = polygons->flat(i) >= 0;
+    return covered;
+}
+
+std::optional<Values> valuesIn(const Frame& frame, const BufferName& name) {
+    const auto buffer = frame.buffer(name);
+    if (!buffer) return {};
+    const bool ofSurface = name.id != BufferId::Color && name.id != BufferId::ZView;
+    Values out = valuesOf(*buffer, ofSurface ? coveredIn(frame) : std::vector<std::uint8_t>());
+    if (name.id == BufferId::ZView)
+        for (std::size_t i = 0; i < out.count(); ++i)
+            if (!out.there[i]) out.at(i)[0] = 0;
+    if (name.id == BufferId::PolygonsVerdict)  // what is told of others: whether it goes on
+        for (double& code : out.numbers) code = goesOn(Verdict(int(code))) ? 1 : 0;
+    if (name.id == BufferId::VerticesScreen) {
+        // Before the near plane vertices have no agreed place; the depth is the z-buffer's affair.
+        const auto view = frame.buffer({BufferId::VerticesView});
+        const double near = readStages(frame, [](const auto& data) { return data.transform->view.near; });
+        for (std::size_t i = 0; i < out.count(); ++i) {
+            if (view && view->value(0, i, 2) < near) out.there[i] = 0;
+            out.at(i)[2] = 0;
+        }
+    }
+    return out;
+}
+
+std::optional<Reference> makeReference(const Scene& scene, const std::map<std::string, double>& overrides, Stop stop) {
+    Reference out;
+    const auto shared = referenceScene(scene);
+    const FrameRequest request{allCompared(), StageId::Shading, 0, stop};
+    out.frame = runFrame(shared, request, nullptr);
+    if (!out.frame) return {};
+    const bool casts = std::ranges::any_of(scene.lights, &Light::castsShadow);
+    if (casts) {
+        Scene without = *shared;
+        for (Light& light : without.lights) light.castsShadow = false;
+        out.unshadowed = runFrame(std::make_shared<const Scene>(without), request, out.frame);
+        if (!out.unshadowed) return {};
+    }
+    out.context.covered = coveredIn(*out.frame);
+    out.context.view = readStages(*out.frame, [](const auto& data) { return data.transform->view; });
+    out.context.iMax = maximumIntensity(*shared);
+    out.context.width = std::size_t(scene.settings.width), out.context.height = std::size_t(scene.settings.height);
+    for (const BufferName& name : allBuffers(scene.lights.size()))
+        if (toleranceOf(name.id))
+            if (auto values = valuesIn(*out.frame, name)) out.values.emplace(name.text(), std::move(*values));
+    double nearest = HUGE_VAL, farthest = 0;
+    if (const auto z = out.values.find("z_view"); z != out.values.end())
+        for (std::size_t i = 0; i < z->second.count(); ++i)
+            if (z->second.there[i])
+                nearest = std::min(nearest, z->second.numbers[i]), farthest = std::max(farthest, z->second.numbers[i]);
+    const double extent = sceneExtent(out);
+    for (const auto& [name, values] : out.values) {
+        const BufferName buffer = *findBuffer(name);
+        const Tolerance& row = *toleranceOf(buffer.id);
+        const double of = row.of == Tolerance::Of::Unit         ? 1
+                          : row.of == Tolerance::Of::IMax       ? out.context.iMax
+                          : row.of == Tolerance::Of::DepthRange ? std::max(farthest - nearest, extent * 1e-3)
+                                                                : extent;
+        const auto override = overrides.find(std::string(bufferInfo(buffer.id).name));
+        out.tolerances[name] = override != overrides.end() ? override->second : row.value * of;
+    }
+    if (out.values.contains("polygon_id")) findOutline(out);
+    if (out.values.contains("intensity") && out.values.contains("polygon_id")) findShadows(out);
+    return out;
+}
+
+}  // namespace pipeline::foreign

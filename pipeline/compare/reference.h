@@ -1,0 +1,38 @@
+#pragma once
+#include <map>
+#include <memory>
+
+#include "pipeline/compare/conventions.h"
+#include "pipeline/core/stop.h"
+#include "pipeline/run/frame.h"
+
+namespace pipeline::foreign {
+
+// What this program makes of the scene, with all that a comparison reads of it.
+struct Reference {
+    FramePtr frame;       // in double, with nothing left out
+    FramePtr unshadowed;  // the same without shadows; null where no light casts one
+    ReferenceValues values;
+    std::map<std::string, double> tolerances;  // by the buffer's name, in its unit
+    ReadingContext context;
+
+    // Per pixel: whether a border between two polygons, or of one, is within a pixel.
+    std::vector<std::uint8_t> outline;
+    // Per light and pixel: whether right renderers may differ in S there, because an edge of a shadow is near or the
+    // surface hardly faces the light. Empty where a light casts none.
+    std::vector<std::vector<std::uint8_t>> shadowOpen;
+    // Per pixel, of color and intensity: the values between which they are right as far as S is open. Empty where no S is.
+    Values colorLow, colorHigh, intensityLow, intensityHigh;
+};
+
+// In double, with nothing left out, in a size: what is compared with.
+std::shared_ptr<const Scene> referenceScene(Scene scene);
+
+// The values of one buffer of a frame; nothing where it has none.
+std::optional<Values> valuesIn(const Frame& frame, const BufferName& name);
+std::vector<std::uint8_t> coveredIn(const Frame& frame);
+
+// `overrides`: by the buffer's name without a light's index, in its unit. Nothing where it was stopped.
+std::optional<Reference> makeReference(const Scene& scene, const std::map<std::string, double>& overrides, Stop stop);
+
+}  // namespace pipeline::foreign

@@ -1,0 +1,61 @@
+#pragma once
+#include <functional>
+
+#include "pipeline/compare/hypotheses.h"
+
+namespace pipeline::foreign {
+
+enum class Standing : std::uint8_t { Agrees, WrongHere, GivenInput, NoFile, CannotTell };
+std::string_view words(Standing standing);  // "agrees", "wrong here", …
+
+struct StageVerdict {
+    StageId stage;
+    Standing standing = Standing::NoFile;
+    std::vector<std::size_t> findings;  // into Report::findings
+    std::string own;                    // what it does with what it got, one sentence; may be empty
+};
+
+struct CompareOptions {
+    std::map<std::string, double> tolerances;  // by the buffer's name, in its unit
+    StageId until = StageId::Shading;
+    bool known = true;    // whether known errors are looked for
+    bool strict = false;  // conventions count as errors
+    int hints = 3;        // how much is given away: 0 nothing, 1 the stage, 2 the place, 3 the name
+    Stop stop;
+    // What is being done, and how far it is.
+    std::function<void(std::string_view what, std::size_t done, std::size_t all)> progress;
+};
+
+struct Report {
+    std::shared_ptr<const Scene> scene;
+    std::string given;  // the folder or files, for titles
+    std::shared_ptr<const Reference> reference;
+    std::shared_ptr<const HandedIn> in;
+    Conventions conventions;
+    std::vector<Finding> findings;  // in the order of the stages
+    std::array<StageVerdict, kStageCount> stages;
+    std::optional<StageId> firstWrong;
+    bool isCertain = false;  // of that: chain and own comparison say so; else a known error, or the first that differs
+    std::optional<Suspects> suspects;
+    CompareOptions options;
+
+    bool agrees() const;  // everything handed in does
+    bool conventionsDiffer() const;
+    // The finding in which the error shows first; nothing where all agree.
+    const Finding* firstDifference() const;
+    const ReadFile& fileOf(const Finding& finding) const;
+    std::vector<std::string> notHandedIn() const;
+};
+
+// Nothing where it was stopped, or an error where no file could be compared.
+Result<Report> compareRenderer(const Scene& scene, const std::vector<std::string>& paths,
+                               const CompareOptions& options);
+
+// "Normals is the first wrong stage."
+std::string headline(const Report& report);
+// What the headline rests on, one sentence; may be empty.
+std::string evidence(const Report& report);
+// The three hints, as far as they are given away.
+std::vector<std::string> hints(const Report& report);
+
+}  // namespace pipeline::foreign

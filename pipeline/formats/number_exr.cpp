@@ -1,0 +1,87 @@
+#include <ImfChannelList.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfIO.h>
+#include <ImfInputFile.h>
+
+#include <fmt/format.h>
+
+#include <cstring>
+#include <exception>
+
+#include "pipeline/formats/number_file.h"
+
+namespace pipeline {
+
+namespace {
+
+class BytesStream : public Imf::IStream {
+public:
+    BytesStream(std::string_view bytes, const std::string& name) : IStream(name.c_str()), m_bytes(bytes) {}
+    bool read(char to[], int count) override {
+        if (count < 0 || m_at > m_bytes.size() || std::size_t(count) > m_bytes.size() - m_at)
+            throw std::runtime_error("the end of the file");
+        std::memcpy(to, m_bytes.data() + m_at, std::size_t(count));
+        m_at += std::size_t(count);
+        return m_at < m_bytes.size();
+    }
+    std::uint64_t tellg() override { return m_at; }
+    void seekg(std::uint64_t position) override { m_at = position; }
+
+private:
+    std::string_view m_bytes;
+    std::uint64_t m_at = 0;
+};
+
+std::vector<std::string> channelsOf(const Imf::ChannelList& list) {
+    for (const std::vector<std::string>& wanted :
+         {std::vector<std::string>{"R", "G", "B"}, std::vector<std::string>{"X", "Y", "Z"}}) {
+        bool all = true;
+        for (const std::string& name : wanted) all = all && list.findChannel(name);
+        if (all) return wanted;
+    }
+    for (const char* name : {"Z", "Y"})
+        if (list.findChannel(name)) return {name};
+    return list.begin() == list.end() ? std::vector<std::string>() : std::vector<std::string>{list.begin().name()};
+}
+
+}  // namespace
+
+Result<NumberFile> readExrNumbers(std::string_view bytes, const std::string& name, std::size_t most) {
+    constexpr std::string_view kMagic("\x76\x2f\x31\x01", 4);
+    if (!bytes.starts_with(kMagic)) return wrongAt(name, 0, "no OpenEXR file", "its magic number");
+    try {
+        BytesStream stream(bytes, name);
+        Imf::InputFile in(stream);
+        const Imath::Box2i window = in.header().dataWindow();
+        const std::int64_t width = std::int64_t(window.max.x) - window.min.x + 1,
+                           height = std::int64_t(window.max.y) - window.min.y + 1;
+        if (width < 1 || height < 1 || std::size_t(width) > most / 4 / std::size_t(height))
+            return wrongAt(name, 0, fmt::format("a picture of {} × {}", width, height),
+                           fmt::format("at most {} pixels", most / 4));
+        const std::vector<std::string> names = channelsOf(in.header().channels());
+        if (names.empty()) return wrongAt(name, 0, "a picture without channels", "R G B, X Y Z, or one");
+        const std::size_t channels = names.size(), columns = std::size_t(width), rows = std::size_t(height);
+        std::vector<float> numbers(columns * rows * channels);
+        const std::size_t step = sizeof(float) * channels, line = step * columns;
+        Imf::FrameBuffer pixels;
+        for (std::size_t c = 0; c < channels; ++c) {
+            char* first = reinterpret_cast<char*>(numbers.data() + c);
+            first -= std::ptrdiff_t(step) * window.min.x + std::ptrdiff_t(line) * window.min.y;
+            pixels.insert(names[c], Imf::Slice(Imf::FLOAT, first, step, line));
+        }
+        in.setFrameBuffer(pixels);
+        in.readPixels(window.min.y, window.max.y);
+        NumberFile file{name, {rows, columns}, std::vector<double>(numbers.begin(), numbers.end())};
+        if (channels > 1) file.shape.push_back(channels);
+        const Imf::Channel* const first = in.header().channels().findChannel(names[0]);
+        file.digits = first && first->type == Imf::HALF ? 11 : 24;
+        return file;
+    } catch (const std::bad_alloc&) {
+        throw;
+    } catch (const std::exception& problem) {  // OpenEXR reports no other way
+        return wrongAt(name, 0, std::string("a file that cannot be read: ") + problem.what(), {});
+    }
+}
+
+}  // namespace pipeline

@@ -1,0 +1,208 @@
+#include <fmt/format.h>
+#include <png.h>
+
+#include <algorithm>
+#include <charconv>
+#include <csetjmp>
+#include <cstring>
+#include <memory>
+#include <optional>
+
+#include "pipeline/core/number.h"
+#include "pipeline/formats/bytes.h"
+#include "pipeline/formats/number_file.h"
+#include "pipeline/formats/png_scene.h"
+
+namespace pipeline {
+
+namespace {
+
+// --- PNG, by libpng
+
+struct PngPixels {
+    std::string_view left;
+    png_uint_32 width = 0, height = 0;
+    int channels = 0, depth = 0;
+    std::vector<unsigned char> bytes;  // big-endian where 16 bits
+    std::vector<png_bytep> lines;
+    std::size_t most = 0;
+    bool tooLarge = false;
+};
+
+void takePng(png_structp png, png_bytep to, png_size_t size) {
+    auto& from = *static_cast<PngPixels*>(png_get_io_ptr(png));
+    if (from.left.size() < size) png_error(png, "");
+    std::memcpy(to, from.left.data(), size);
+    from.left.remove_prefix(size);
+}
+void failPng(png_structp png, png_const_charp) { longjmp(png_jmpbuf(png), 1); }
+void ignorePng(png_structp, png_const_charp) {}
+
+// libpng reports by longjmp: what has a destructor lives in the caller.
+bool decodePng(png_structp png, png_infop info, PngPixels& pixels) {
+    if (setjmp(png_jmpbuf(png)) != 0) return false;
+    constexpr png_uint_32 kMostChunks = 64;
+    png_set_chunk_malloc_max(png, 1u << 20);
+    png_set_chunk_cache_max(png, kMostChunks);
+    png_set_read_fn(png, &pixels, takePng);
+    png_read_info(png, info);
+    pixels.width = png_get_image_width(png, info), pixels.height = png_get_image_height(png, info);
+    if (pixels.height != 0 && std::size_t(pixels.width) > pixels.most / pixels.height / 4) {
+        pixels.tooLarge = true;
+        return false;
+    }
+    png_set_expand(png);
+    png_set_strip_alpha(png);
+    png_set_interlace_handling(png);
+    png_read_update_info(png, info);
+    pixels.channels = png_get_channels(png, info), pixels.depth = png_get_bit_depth(png, info);
+    const std::size_t line = png_get_rowbytes(png, info);
+    pixels.bytes.assign(line * pixels.height, 0);
+    pixels.lines.resize(pixels.height);
+    for (std::size_t y = 0; y < pixels.height; ++y) pixels.lines[y] = pixels.bytes.data() + y * line;
+    png_read_image(png, pixels.lines.data());
+    return true;
+}
+
+// --- PNM, plain and raw
+
+// The words of a header or of a plain picture; # begins a comment.
+class PnmWords {
+public:
+    explicit PnmWords(std::string_view bytes) : m_bytes(bytes) {}
+    std::size_t at() const { return m_at; }
+    std::string_view next() {
+        while (m_at < m_bytes.size()) {
+            if (m_bytes[m_at] == '#')
+                m_at = std::min(m_bytes.find('\n', m_at), m_bytes.size());
+            else if (isSpace(m_bytes[m_at]))
+                ++m_at;
+            else
+                break;
+        }
+        const std::size_t from = m_at;
+        while (m_at < m_bytes.size() && !isSpace(m_bytes[m_at]) && m_bytes[m_at] != '#') ++m_at;
+        return m_bytes.substr(from, m_at - from);
+    }
+    std::optional<std::size_t> count() {
+        const std::string_view word = next();
+        std::size_t value = 0;
+        const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+        return error == std::errc() && end == word.data() + word.size() ? std::optional(value) : std::nullopt;
+    }
+    // A digit by itself: plain PBM may have no spaces.
+    std::optional<std::size_t> bit() {
+        while (m_at < m_bytes.size() && isSpace(m_bytes[m_at])) ++m_at;
+        if (m_at == m_bytes.size() || (m_bytes[m_at] != '0' && m_bytes[m_at] != '1')) return {};
+        return std::size_t(m_bytes[m_at++] - '0');
+    }
+
+private:
+    static bool isSpace(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
+    std::string_view m_bytes;
+    std::size_t m_at = 0;
+};
+
+Result<NumberFile> readPfm(std::string_view bytes, const std::string& name, std::size_t channels, PnmWords& words,
+                           NumberFile file) {
+    const std::size_t at = words.at();
+    const auto scale = readNumber(words.next());
+    if (!scale || *scale == 0) return wrongAt(name, at, "no scale", "a number, below 0 for little-endian");
+    const std::size_t start = words.at() + 1, line = file.shape[1] * channels;
+    const std::size_t count = file.shape[0] * line;
+    if (!hasBytes(bytes, start, 4 * count))
+        return wrongAt(name, bytes.size(),
+                       fmt::format("{} numbers", bytes.size() < start ? 0 : (bytes.size() - start) / 4),
+                       fmt::format("{}", count));
+    file.values.resize(count);
+    const std::endian order = *scale < 0 ? std::endian::little : std::endian::big;
+    for (std::size_t y = 0; y < file.shape[0]; ++y)  // the bottom row stands first
+        for (std::size_t i = 0; i < line; ++i)
+            file.values[(file.shape[0] - 1 - y) * line + i] = numberAt<float>(bytes, start + 4 * (y * line + i), order);
+    file.digits = 24;
+    return file;
+}
+
+}  // namespace
+
+Result<NumberFile> readPngNumbers(std::string_view bytes, const std::string& name, std::size_t most) {
+    if (!looksLikePng(bytes)) return wrongAt(name, 0, "no PNG file", "its signature");
+    PngPixels pixels;
+    pixels.left = bytes;
+    pixels.most = most;
+    png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, failPng, ignorePng);
+    png_infop info = png ? png_create_info_struct(png) : nullptr;
+    const bool whole = info && decodePng(png, info, pixels);
+    png_destroy_read_struct(&png, &info, nullptr);
+    if (pixels.tooLarge)
+        return wrongAt(name, 16, fmt::format("a picture of {} × {}", pixels.width, pixels.height),
+                       fmt::format("at most {} pixels", most / 4));
+    if (!whole) return wrongAt(name, bytes.size() - pixels.left.size(), "a damaged picture", "a PNG file");
+    NumberFile file{name, {pixels.height, pixels.width}, {}};
+    if (pixels.channels > 1) file.shape.push_back(std::size_t(pixels.channels));
+    file.kind = pixels.depth == 16 ? NumberKind::Levels16 : NumberKind::Levels8;
+    const std::size_t size = pixels.depth == 16 ? 2 : 1, count = pixels.bytes.size() / size;
+    file.values.resize(count);
+    for (std::size_t i = 0; i < count; ++i)
+        file.values[i] = size == 1 ? pixels.bytes[i] : pixels.bytes[2 * i] * 256.0 + pixels.bytes[2 * i + 1];
+    return file;
+}
+
+Result<NumberFile> readPnm(std::string_view bytes, const std::string& name, std::size_t most) {
+    PnmWords words(bytes);
+    const std::string_view magic = words.next();
+    const bool isPfm = magic == "PF" || magic == "Pf";
+    if (!isPfm && (magic.size() != 2 || magic[0] != 'P' || magic[1] < '1' || magic[1] > '6'))
+        return wrongAt(name, 0, "no picture of the PNM family", "P1 to P6, PF or Pf");
+    const int kind = isPfm ? 0 : magic[1] - '0';
+    const std::size_t channels = magic == "PF" || kind == 3 || kind == 6 ? 3 : 1;
+    const std::size_t at = words.at();
+    const auto width = words.count(), height = words.count();
+    if (!width || !height || *width == 0 || *height == 0) return wrongAt(name, at, "no size", "width and height");
+    if (*width > most / channels / *height)
+        return wrongAt(name, at, fmt::format("a picture of {} × {}", *width, *height),
+                       fmt::format("at most {} pixels", most / channels));
+    NumberFile file{name, {*height, *width}, {}};
+    if (channels == 3) file.shape.push_back(3);
+    if (isPfm) return readPfm(bytes, name, channels, words, std::move(file));
+    const std::size_t atMost = words.at();
+    const auto largest = kind == 1 || kind == 4 ? std::optional<std::size_t>(1) : words.count();
+    if (!largest || *largest == 0 || *largest > 65535) return wrongAt(name, atMost, "no largest value", "1 to 65535");
+    const std::size_t count = *width * *height * channels;
+    // What the file calls white becomes 255 or 65535.
+    file.kind = *largest > 255 ? NumberKind::Levels16 : NumberKind::Levels8;
+    const double scale = (*largest > 255 ? 65535.0 : 255.0) / double(*largest);
+    if (kind <= 3) {
+        if (bytes.size() - words.at() < (kind == 1 ? count : 2 * count - 1))  // a digit each, and a space
+            return wrongAt(name, bytes.size(), "the end of the file", fmt::format("{} numbers", count));
+        file.values.resize(count);
+        for (double& value : file.values) {
+            const std::size_t place = words.at();
+            const auto number = kind == 1 ? words.bit() : words.count();
+            if (!number || *number > *largest)
+                return wrongAt(name, place, "no number of the picture", fmt::format("0 to {}", *largest));
+            value = kind == 1 ? 255.0 * double(1 - *number) : double(*number) * scale;
+        }
+        return file;
+    }
+    const std::size_t start = words.at() + 1, size = *largest > 255 ? 2 : 1;
+    const std::size_t line = kind == 4 ? (*width + 7) / 8 : *width * channels * size;
+    if (!hasBytes(bytes, start, line * *height))
+        return wrongAt(name, bytes.size(),
+                       fmt::format("{} bytes of pixels", bytes.size() < start ? 0 : bytes.size() - start),
+                       fmt::format("{}", line * *height));
+    file.values.resize(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        if (kind == 4) {
+            const std::size_t x = i % *width, byte = start + i / *width * line + x / 8;
+            file.values[i] = (static_cast<unsigned char>(bytes[byte]) >> (7 - x % 8)) & 1 ? 0 : 255;
+        } else {
+            file.values[i] =
+                scale * (size == 1 ? double(numberAt<std::uint8_t>(bytes, start + i))
+                                   : double(numberAt<std::uint16_t>(bytes, start + 2 * i, std::endian::big)));
+        }
+    }
+    return file;
+}
+
+}  // namespace pipeline

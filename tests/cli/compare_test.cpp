@@ -1,0 +1,184 @@
+// shadescope compare: another renderer's files beside this program's frame.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/run_program.h"
+#include "tests/support/files.h"
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+namespace {
+
+// Nothing in it is symmetrical.
+const std::string kScene = SHADESCOPE_STARTER "/check_me.toml";
+
+// The buffers of a scene as another renderer could have written them.
+class Handed {
+public:
+    explicit Handed(const std::vector<std::string>& set = {}) {
+        std::vector<std::string> arguments{"export", kScene, "--format", "npy", "-o", (m_folder / "all").string()};
+        for (const std::string& one : set) arguments.insert(arguments.end(), {"--set", one});
+        const auto done = test::run(arguments);
+        EXPECT_EQ(done.status, 0) << done.err;
+        fs::create_directory(m_folder / "mine");
+    }
+    test::Npy all(const std::string& name) const { return test::readNpy(m_folder / ("all/" + name + ".npy")); }
+    // As PFM, PPM and NPY would be many formats here: a CSV file has every number, and NPY is written by hand.
+    void give(const std::string& name, test::Npy array) const {
+        std::string shape;
+        for (const std::size_t side : array.shape) shape += std::to_string(side) + ", ";
+        std::string header = "{'descr': '<f8', 'fortran_order': False, 'shape': (" + shape + "), }";
+        header.append(63 - (10 + header.size()) % 64, ' ') += '\n';
+        std::string bytes("\x93NUMPY\x01\x00", 8);
+        bytes += char(header.size() & 255), bytes += char(header.size() >> 8);
+        bytes += header;
+        bytes.append(reinterpret_cast<const char*>(array.values.data()), array.values.size() * sizeof(double));
+        test::writeText(m_folder / ("mine/" + name + ".npy"), bytes);
+    }
+    std::string mine() const { return (m_folder / "mine").string(); }
+    fs::path file(const std::string& name) const { return m_folder / ("mine/" + name); }
+    test::Finished compare(std::vector<std::string> more = {}) const {
+        more.insert(more.begin(), {"compare", kScene, mine()});
+        return test::run(more);
+    }
+    Json json(std::vector<std::string> more = {}) const {
+        more.emplace_back("--json");
+        const auto done = compare(more);
+        return Json::parse(done.out, nullptr, false);
+    }
+
+private:
+    test::TemporaryFolder m_folder;
+};
+
+test::Npy turned(test::Npy picture) {
+    const std::size_t line = picture.values.size() / picture.shape[0];
+    for (std::size_t y = 0; y < picture.shape[0] / 2; ++y)
+        std::swap_ranges(picture.values.begin() + std::ptrdiff_t(y * line),
+                         picture.values.begin() + std::ptrdiff_t((y + 1) * line),
+                         picture.values.begin() + std::ptrdiff_t((picture.shape[0] - 1 - y) * line));
+    return picture;
+}
+test::Npy blueFirst(test::Npy picture) {
+    for (std::size_t i = 0; i + 2 < picture.values.size(); i += 3) std::swap(picture.values[i], picture.values[i + 2]);
+    return picture;
+}
+// d = f (z − n) / (z (f − n)): what glDepthRange(0, 1) stores; near 8.2 and far 30 stand in the scene. 1 where nothing is.
+test::Npy window(test::Npy z) {
+    for (double& v : z.values) v = std::isfinite(v) ? 30 * (v - 8.2) / (v * (30 - 8.2)) : 1;
+    return z;
+}
+
+std::string conventionOf(const Json& report, const std::string& buffer, const std::string& key) {
+    for (const Json& one : report["conventions"])
+        if (one["buffer"] == buffer && one["key"] == key) return one["value"];
+    return "";
+}
+
+TEST(Compare, itsOwnBuffersAgree) {
+    const Handed handed;
+    for (const char* name :
+         {"color", "z_view", "normal", "polygon_id", "object_id", "overdraw", "n_dot_l.0", "shadow.0", "ambient",
+          "diffuse.1", "specular.1", "intensity", "vertices.world", "vertices.view", "vertices.screen",
+          "polygons.normal", "vertices.normal", "polygons.verdict"})
+        handed.give(name, handed.all(name));
+    const auto done = handed.compare();
+    EXPECT_EQ(done.status, 0) << done.out << done.err;
+    EXPECT_TRUE(test::has(done.out, "Everything handed in agrees.")) << done.out;
+}
+
+TEST(Compare, conventionsAreNoErrors) {
+    const Handed handed;
+    handed.give("color", blueFirst(turned(handed.all("color"))));
+    handed.give("depth", window(turned(handed.all("z_view"))));
+    handed.give("normal", turned(handed.all("normal")));
+    const Json report = handed.json();
+    EXPECT_EQ(report["exit"], 0);
+    for (const char* name : {"color", "z_view", "normal"})
+        EXPECT_EQ(conventionOf(report, name, "rows"), "bottom-up") << name;
+    EXPECT_EQ(conventionOf(report, "color", "channels"), "bgr");
+    EXPECT_EQ(conventionOf(report, "z_view", "depth"), "window");
+    EXPECT_EQ(handed.json({"--strict"})["exit"], 1);
+}
+
+TEST(Compare, mineTomlOverridesWhatIsFound) {
+    const Handed handed;
+    handed.give("color", turned(handed.all("color")));
+    test::writeText(handed.file("mine.toml"), "rows = \"top-down\"\n");
+    EXPECT_EQ(handed.json({"--no-known"})["exit"], 1);
+    test::writeText(handed.file("mine.toml"), "rows = \"upside-down\"\n");
+    const auto done = handed.compare();
+    EXPECT_EQ(done.status, 3);
+    EXPECT_TRUE(test::has(done.err, "mine.toml:1:8")) << done.err;
+}
+
+TEST(Compare, namesAnErrorThatExplainsTheFiles) {
+    const Handed right, wrong({"shading=gouraud"});
+    right.give("depth", right.all("z_view"));
+    right.give("color", wrong.all("color"));
+    const Json report = right.json();
+    EXPECT_EQ(report["exit"], 1);
+    EXPECT_EQ(report["first_wrong"]["stage"], "shading");
+    ASSERT_EQ(report["known"].size(), 1u) << report.dump(1);
+    EXPECT_EQ(report["known"][0]["id"], "gouraud-for-phong");
+    EXPECT_TRUE(right.json({"--no-known"})["known"].empty());
+    EXPECT_TRUE(right.json({"--hints", "1"})["known"].empty());
+}
+
+TEST(Compare, neverGuessesAnErrorThatIsNotKnown) {
+    const Handed handed;
+    test::Npy color = handed.all("color");
+    for (std::size_t i = 0; i < color.values.size(); ++i) color.values[i] = std::floor(color.values[i] / 64) * 64;
+    handed.give("color", color);
+    const Json report = handed.json();
+    EXPECT_EQ(report["exit"], 1);
+    EXPECT_TRUE(report["known"].empty()) << report["known"].dump(1);
+}
+
+TEST(Compare, aFileOfAnotherSizeIsToldAndTheOthersAreCompared) {
+    const Handed handed;
+    handed.give("color", handed.all("color"));
+    test::Npy z = handed.all("z_view");
+    z.shape = {100, 640};
+    handed.give("depth", z);
+    test::writeText(handed.file("normal.npy"), "no array");
+    const auto done = handed.compare();
+    EXPECT_EQ(done.status, 3);
+    EXPECT_TRUE(test::has(done.out, "640 × 100")) << done.out;
+    EXPECT_TRUE(test::has(done.out, "normal.npy:0")) << done.out;
+    EXPECT_TRUE(test::has(done.out, "color")) << done.out;
+}
+
+TEST(Compare, aFolderThatIsNoRenderersSaysWhatToHandIn) {
+    const test::TemporaryFolder folder;
+    test::writeText(folder / "final.png", "");
+    const auto done = test::run({"compare", kScene, folder.path().string()});
+    EXPECT_EQ(done.status, 3);
+    EXPECT_TRUE(test::has(done.err, "no file here has a known name")) << done.err;
+    EXPECT_EQ(test::run({"compare", kScene, (folder / "missing").string()}).status, 3);
+    EXPECT_EQ(test::run({"compare", kScene, folder.path().string(), "--tolerance", "colour=2x"}).status, 2);
+}
+
+TEST(Compare, thePageNeedsNothingElse) {
+    const Handed handed;
+    test::Npy color = handed.all("color");
+    for (double& v : color.values) v *= 0.5;
+    handed.give("color", color);
+    handed.give("<b>", color);
+    const std::string page = handed.file("report.html").string();
+    EXPECT_EQ(handed.compare({"-o", page}).status, 1);
+    const std::string html = test::readText(page);
+    EXPECT_TRUE(html.starts_with("<!DOCTYPE html>"));
+    EXPECT_EQ(html.find("http"), html.npos);
+    EXPECT_EQ(html.find("<b>.npy"), html.npos);  // a file's name is text
+    EXPECT_TRUE(test::has(html, "&lt;b&gt;.npy"));
+    EXPECT_TRUE(test::has(html, "Hint 3"));
+    EXPECT_EQ(handed.compare({"-o", "/no/such/folder/report.html"}).status, 4);
+}
+
+}  // namespace
