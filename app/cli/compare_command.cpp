@@ -3,7 +3,11 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <array>
+#include <chrono>
 #include <cstdlib>
+#include <filesystem>
+#include <thread>
 
 #include "app/cli/commands.h"
 #include "app/cli/interrupt.h"
@@ -14,6 +18,8 @@
 #include "pipeline/compare/compare_text.h"
 #include "pipeline/core/text.h"
 #include "pipeline/export/byte_file.h"
+#include "pipeline/formats/built_in_scenes.h"
+#include "pipeline/formats/scene_folder.h"
 #include "pipeline/formats/text_scanner.h"
 
 namespace app {
@@ -27,7 +33,8 @@ struct CompareArguments {
     std::vector<std::string> paths, tolerances;
     std::string stage, output;
     int hints = 3;
-    bool strict = false, noKnown = false, json = false;
+    std::string starter;
+    bool strict = false, noKnown = false, json = false, watch = false;
 };
 
 int wrongCompare(const std::string& message) {
@@ -92,31 +99,44 @@ std::string commandOf(const CompareArguments& arguments) {
     return command + " -o " + arguments.output;
 }
 
-int runCompare(const CompareArguments& arguments) {
-    foreign::CompareOptions options;
-    for (const std::string& text : arguments.tolerances)
-        if (const auto wrong = parseTolerance(text, options.tolerances)) return wrongCompare(*wrong);
-    if (!arguments.stage.empty()) {
-        const auto stage = pipeline::findStage(arguments.stage);
-        if (!stage)
-            return wrongCompare(fmt::format("--stage: no stage is called {}", pipeline::inQuotes(arguments.stage)));
-        options.until = *stage;
+// What a renderer's author begins with: a scene in which nothing is symmetrical, and a writer of files.
+struct Starter {
+    std::string_view language, file;
+};
+constexpr std::array kStarters{Starter{"cpp", "writer.cpp"}, Starter{"python", "writer.py"}, Starter{"c", "writer.c"},
+                               Starter{"java", "Writer.java"}, Starter{"js", "writer.js"}};
+
+int writeStarter(const CompareArguments& arguments) {
+    if (arguments.output.empty()) return wrongCompare("--starter needs -o with the name of a folder");
+    const auto* const starter = std::ranges::find(kStarters, arguments.starter, &Starter::language);
+    const std::filesystem::path target(arguments.output);
+    std::error_code failed;
+    std::filesystem::create_directories(target, failed);
+    for (const std::string_view name : {std::string_view("check_me.toml"), starter->file}) {
+        const auto text = pipeline::readFile(pipeline::resourceFolder() / "starter" / name);
+        if (!text) return printErrors(text.errors()), kBadInput;
+        if (std::filesystem::exists(target / name, failed)) {
+            tell("{} is there already: it stays as it is\n", (target / name).string());
+            continue;
+        }
+        pipeline::ByteFile file(target / name);
+        file.write(*text);
+        if (const auto written = file.close(); !written) return printErrors(written.errors()), kCouldNotWrite;
+        say("{}\n", (target / name).string());
     }
-    options.known = !arguments.noKnown && arguments.hints >= 3;
-    options.strict = arguments.strict, options.hints = arguments.hints;
-    const Interrupt interrupt;
-    options.stop = interrupt.token();
-    int status = kDone;
-    const auto scene = loadScene(arguments.scene, options.stop, status);
-    if (!scene) return status;
-    pipeline::FrameRequest request;
-    for (const foreign::Tolerance& row : foreign::toleranceTable()) request.wanted.set(index(row.buffer));
-    if (!fits(*scene, request, arguments.scene, status)) return status;
+    say("Draw check_me.toml, write your buffers into {0}, then: shadescope compare {0}/check_me.toml {0}\n",
+        target.string());
+    return kDone;
+}
+
+// One comparison, printed and written.
+int compareOnce(const CompareArguments& arguments, const pipeline::Scene& scene, foreign::CompareOptions options,
+                const Interrupt& interrupt) {
     ProgressPrinter progress("compare");
     options.progress = [&](std::string_view what, std::size_t done, std::size_t all) {
         if (what == "known errors") progress.show(done, all, what);
     };
-    const auto report = compareRenderer(*scene, arguments.paths, options);
+    const auto report = compareRenderer(scene, arguments.paths, options);
     progress.end();
     if (interrupt.asked()) {
         tell("Cancelled.\n");
@@ -126,7 +146,7 @@ int runCompare(const CompareArguments& arguments) {
         printErrors(report.errors());
         return kBadInput;
     }
-    status = statusOf(*report);
+    const int status = statusOf(*report);
     if (!arguments.output.empty()) {
         pipeline::ByteFile page(arguments.output);
         page.write(reportHtml(*report, commandOf(arguments)));
@@ -142,17 +162,93 @@ int runCompare(const CompareArguments& arguments) {
     return status;
 }
 
+// What tells that a renderer has written anew: names, sizes and times of the files, but for the report's own.
+std::string stateOf(const CompareArguments& arguments) {
+    std::string state;
+    std::error_code failed;
+    const auto add = [&](const std::filesystem::path& file) {
+        if (!arguments.output.empty() && std::filesystem::equivalent(file, arguments.output, failed)) return;
+        const auto time = std::filesystem::last_write_time(file, failed);
+        state += fmt::format("{} {} {}\n", file.string(), std::filesystem::file_size(file, failed),
+                             time.time_since_epoch().count());
+    };
+    for (const std::string& path : arguments.paths) {
+        if (!std::filesystem::is_directory(path, failed)) {
+            add(path);
+            continue;
+        }
+        for (std::filesystem::directory_iterator at(path, failed), end; !failed && at != end; at.increment(failed))
+            if (at->is_regular_file(failed)) add(at->path());
+    }
+    return state;
+}
+
+// Stages at once, names follow; again whenever the files have changed and stay as they are for a moment.
+int watch(const CompareArguments& arguments, const pipeline::Scene& scene, const foreign::CompareOptions& options,
+          const Interrupt& interrupt) {
+    using namespace std::chrono_literals;
+    std::string seen, before;
+    while (!interrupt.asked()) {
+        const std::string now = stateOf(arguments);
+        if (now != seen && now == before) {
+            seen = now;
+            foreign::CompareOptions stages = options;
+            stages.known = false;
+            const int status = compareOnce(arguments, scene, stages, interrupt);
+            if (status == kAnswerIsNo && options.known) compareOnce(arguments, scene, options, interrupt);
+            std::fflush(stdout);
+        }
+        before = now;
+        std::this_thread::sleep_for(200ms);
+    }
+    return kInterrupted;
+}
+
+int runCompare(const CompareArguments& arguments) {
+    if (!arguments.starter.empty()) return writeStarter(arguments);
+    if (arguments.scene.scene.empty()) return wrongCompare("SCENE is missing");
+    if (arguments.paths.empty()) return wrongCompare("FOLDER is missing: where your renderer has written its buffers");
+    foreign::CompareOptions options;
+    for (const std::string& text : arguments.tolerances)
+        if (const auto wrong = parseTolerance(text, options.tolerances)) return wrongCompare(*wrong);
+    if (!arguments.stage.empty()) {
+        const auto stage = pipeline::findStage(arguments.stage);
+        if (!stage)
+            return wrongCompare(fmt::format("--stage: no stage is called {}", pipeline::inQuotes(arguments.stage)));
+        options.until = *stage;
+    }
+    options.known = !arguments.noKnown && arguments.hints >= 3;
+    options.strict = arguments.strict, options.hints = arguments.hints;
+    const Interrupt interrupt;
+    options.stop = interrupt.token();
+    options.frames = std::make_shared<foreign::HypothesisFrames>();
+    int status = kDone;
+    const auto scene = loadScene(arguments.scene, options.stop, status);
+    if (!scene) return status;
+    pipeline::FrameRequest request;
+    for (const foreign::Tolerance& row : foreign::toleranceTable()) request.wanted.set(index(row.buffer));
+    if (!fits(*scene, request, arguments.scene, status)) return status;
+    return arguments.watch ? watch(arguments, *scene, options, interrupt)
+                           : compareOnce(arguments, *scene, options, interrupt);
+}
+
 }  // namespace
 
 void declareCompare(CLI::App& program, const CliHost&, int& status) {
     const auto arguments = std::make_shared<CompareArguments>();
     CLI::App* command =
         program.add_subcommand("compare", "Find the first wrong stage of another renderer by its files");
-    declareSceneArgument(*command, arguments->scene);
+    declareSceneArgument(*command, arguments->scene, SceneArgument::Need::Maybe);  // --starter takes none
     command->add_option("FOLDER", arguments->paths, "A folder with the buffers of a renderer, or files by themselves")
-        ->required()
         ->type_name("|FILE ...");
-    command->add_option("-o,--output", arguments->output, "Write the report as an HTML page")->type_name("REPORT.html");
+    command->add_option("-o,--output", arguments->output, "Write the report as an HTML page; the folder of --starter")
+        ->type_name("REPORT.html|DIR");
+    std::vector<std::string> languages;
+    for (const Starter& starter : kStarters) languages.emplace_back(starter.language);
+    command->add_option("--starter", arguments->starter, "Write a scene and a writer of files into the folder -o")
+        ->type_name("LANGUAGE")
+        ->check(CLI::IsMember(languages));
+    command->add_flag("--watch", arguments->watch, "Compare again whenever the files change, until Ctrl+C");
     command->add_option("--stage", arguments->stage, "Compare no further than this stage")->type_name("STAGE");
     command->add_option("--tolerance", arguments->tolerances, "What is still called the same: color=2, depth=0.001")
         ->type_name("BUFFER=NUMBER")

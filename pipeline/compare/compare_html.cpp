@@ -49,6 +49,10 @@ public:
         const bool told = m_report.options.hints >= 2 || m_report.agrees();
         begin();
         if (m_report.options.hints >= 1 || m_report.agrees()) stages();
+        if (told && !m_report.broken.empty()) {
+            m_html += "<h2>What must hold and does not</h2>\n";
+            for (const BrokenContract& one : m_report.broken) m_html += element("p", contractText(one)) + "\n";
+        }
         if (first && told) {
             shows(*first, "Where it shows first");
             const Finding* const color = pictureOf(BufferId::Color);

@@ -98,6 +98,15 @@ Json reportJson(const Report& report, int exitStatus) {
                                       {"own", one.own},
                                       {"certainty", certaintyText(one)},
                                       {"margin", std::isfinite(one.margin) ? Json(one.margin) : Json()}});
+    out["contracts"] = Json::array();
+    for (const BrokenContract& one : report.broken)
+        if (report.options.hints >= 2)
+            out["contracts"].push_back({{"claim", one.claim},
+                                        {"formula", one.formula},
+                                        {"buffer", one.buffer},
+                                        {"checked", one.checked},
+                                        {"broken", one.broken},
+                                        {"worst", one.worst}});
     out["known"] = Json::array();
     out["experiment"] = nullptr;
     if (report.suspects && report.options.hints >= 3) {

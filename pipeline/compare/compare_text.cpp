@@ -36,6 +36,8 @@ public:
         if (m_report.options.hints >= 1 || m_report.agrees())
             for (const StageVerdict& stage : m_report.stages) addStage(stage);
         add("");
+        if (m_report.options.hints >= 2)
+            for (const BrokenContract& one : m_report.broken) labelled("contracts", contractText(one));
         if (m_report.options.hints >= 2) addWorst();
         if (m_report.options.hints >= 3) addLikely();
         addConventions();

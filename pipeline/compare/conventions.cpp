@@ -12,11 +12,12 @@ namespace pipeline::foreign {
 
 namespace {
 
-constexpr double kClear = 3;      // times as close
-constexpr double kFloor = 0.02;   // tolerances: below that two readings are equally good
-constexpr double kFarthest = 20;  // tolerances: one element counts no more
-constexpr double kMissing = 200;  // tolerances: of an element that is drawn in one alone
-constexpr double kTrimmed = 0.8;  // of the elements, the nearest
+constexpr double kClear = 3;             // times as close
+constexpr double kFloor = 0.02;          // tolerances: below that two readings are equally good
+constexpr double kFarthest = 20;         // tolerances: one element counts no more
+constexpr double kMissing = 200;         // tolerances: of an element that is drawn in one alone
+constexpr std::size_t kSamples = 20000;  // elements whose numbers are compared
+constexpr double kTrimmed = 0.8;         // of the elements, the nearest
 
 struct PossibleReading {
     Reading reading;
@@ -158,9 +159,11 @@ private:
         for (const int other : values)
             if (other != value) next = std::min(next, sounding.costWith(axis, other));
         const double margin = ratio(next, sounding.best().cost);
-        const bool clear = margin >= kClear;
+        // Whether 1 is kept or dropped what is drawn of the polygons has to tell: see settleFlags.
+        const bool clear = margin >= kClear && sounding.file->name.buffer.id != BufferId::PolygonsVerdict;
         // Of depths in levels none is the program's own: the closest is taken.
-        const bool hasOwn = axis != Code || values[0] == int(Coding::AsIs) || values[0] == int(Coding::Codes);
+        const bool hasOwn = axis != Code || values[0] == int(Coding::AsIs) ||
+                            sounding.file->name.buffer.id == BufferId::PolygonsVerdict;
         const int taken = clear || !hasOwn ? value : values[0];
         const bool own = taken == values[0] && hasOwn;
         sounding.keep(axis, taken);
@@ -206,11 +209,15 @@ double readingCost(const HandedFile& file, const Values& mine, const Values& ref
     const std::vector<std::uint8_t>& covered = reference.domain == Domain::Pixel ? context.covered : reference.there;
     std::vector<double> differences;
     std::size_t alone = 0, either = 0;
+    // Of a large picture samples are enough.
+    const std::size_t step = mine.count() > kSamples ? mine.count() / kSamples : 1;
+    std::size_t next = 0;
     for (std::size_t i = 0; i < mine.count(); ++i) {
         const bool here = drawn.empty() ? mine.there[i] != 0 : drawn[i] != 0, there = covered[i] != 0;
         either += here || there;
         if (!drawn.empty() && here != there) ++alone;
-        if (!here || !there) continue;
+        if (!here || !there || i < next) continue;
+        next = i + step;
         const double d = differenceAt(measure, mine, reference, i);
         if (std::isnan(d)) continue;
         const double slack = mine.slack.empty() ? 0 : mine.slack[i];
@@ -218,8 +225,8 @@ double readingCost(const HandedFile& file, const Values& mine, const Values& ref
     }
     double mean = kFarthest;
     if (!differences.empty()) {
-        std::ranges::sort(differences);
         const std::size_t kept = std::max<std::size_t>(1, std::size_t(kTrimmed * double(differences.size())));
+        std::ranges::nth_element(differences, differences.begin() + std::ptrdiff_t(kept) - 1);
         mean = 0;
         for (std::size_t i = 0; i < kept; ++i) mean += differences[i];
         mean /= double(kept);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "pipeline/buffers/verdict.h"
+#include "pipeline/compare/open_pixels.h"
 
 namespace pipeline::foreign {
 
@@ -134,6 +135,7 @@ Finding compareValues(const ReadFile& file, const Values& right, const Reference
     const Neighbours neighbours(file.mine, right, row.measure, out.tolerance);
     double worst = -1, squares = 0;
     std::size_t numbers = 0;
+    const OpenPixels open(reference);
     const auto classify = [&](std::size_t i, double& difference) {
         const bool here = file.mine.there[i] != 0, there = right.there[i] != 0;
         difference = 0;
@@ -147,7 +149,7 @@ Finding compareValues(const ReadFile& file, const Values& right, const Reference
         } else {
             difference = HUGE_VAL;
         }
-        if (picture && !reference.outline.empty() && reference.outline[i] && neighbours.explain(i))
+        if (picture && !reference.outline.empty() && reference.outline[i] && neighbours.explain(i) && open.isOpen(i))
             return Class::Allowed;
         if (shadowExplains(file, reference, i, out.tolerance + slack)) return Class::Allowed;
         if (isColor && isBlack(file.mine, i) && reference.context.covered[i]) return Class::Missing;

@@ -11,13 +11,14 @@ namespace pipeline::foreign {
 
 namespace {
 
-constexpr double kPixels = 320 * 240;    // of the picture that hypotheses are ranked in
-constexpr std::size_t kConfirmed = 5;    // in the picture's own size
-constexpr double kSameFloor = 0.35;      // tolerances: what rounding to bytes leaves
-constexpr double kClearlyBetter = 2;     // times as close as the next
-constexpr double kExplains = 4;          // times as close as the right renderer
-constexpr double kMissingCost = 100;     // tolerances
-constexpr double kTrimmedShare = 0.002;  // of the pixels, the farthest: rasterizers differ
+constexpr double kPixels = 320 * 240;   // of the picture that hypotheses are ranked in
+constexpr std::size_t kConfirmed = 5;   // in the picture's own size
+constexpr double kSameFloor = 0.35;     // tolerances: what rounding to bytes leaves
+constexpr double kClearlyBetter = 2;    // times as close as the next
+constexpr double kExplains = 4;         // times as close as the right renderer
+constexpr double kMissingCost = 100;    // tolerances
+constexpr double kTrimmedShare = 0.03;  // of the pixels that are wrong, the farthest: rasterizers differ
+constexpr double kNoise = 0.75;         // tolerances: what two right renderers differ by
 
 // A picture of fewer pixels: blocks of factor × factor as one, their mean.
 Values smaller(const Values& of, std::size_t factor, bool names) {
@@ -74,64 +75,71 @@ std::vector<std::uint8_t> openPixels(const Frame& frame) {
     return open;
 }
 
-// A file's values as they are read, and with the rows the other way round.
+// A file's values with the rows from the top down and from the bottom up; for vertices and polygons they are the same.
 struct Evidence {
     const HandedFile* file;
     double tolerance;
-    Values mine, turned;
-    bool canTurn;
+    double wrong;                // elements that are, at least a thousandth of all
+    std::array<Values, 2> mine;  // with the rows from the top and from the bottom
 };
 
 class Court {
 public:
-    Court(const Reference& reference, const Conventions& conventions, std::size_t factor)
+    Court(const Reference& reference, const Conventions& conventions, const std::vector<Finding>& findings,
+          std::size_t factor)
         : m_factor(factor), m_rowsAreStated(conventions.geometryIsStated) {
-        for (const ReadFile& file : conventions.files) {
+        std::size_t bottomUp = 0, pictures = 0;
+        for (std::size_t i = 0; i < conventions.files.size(); ++i) {
+            const ReadFile& file = conventions.files[i];
             const BufferName& name = file.file->name.buffer;
             const Values& right = reference.values.at(name.text());
+            const bool picture = right.domain == Domain::Pixel;
+            const double wrong = std::max(double(findings[i].bad()), 0.001 * double(findings[i].compared));
             Evidence one{file.file,
                          reference.tolerances.at(name.text()),
-                         smaller(file.mine, factor, isNames(name.id)),
-                         {},
-                         right.domain == Domain::Pixel && !m_rowsAreStated};
-            if (one.canTurn) {
-                Reading turned = file.reading;
-                turned.bottomUp = !turned.bottomUp;
-                one.turned = smaller(read(*file.file, turned, reference.context, right), factor, isNames(name.id));
+                         std::max(1.0, picture ? wrong / double(factor * factor) : wrong),
+                         {}};
+            for (const bool up : {false, true}) {
+                Reading reading = file.reading;
+                if (picture) reading.bottomUp = up;
+                const Values mine =
+                    reading == file.reading ? file.mine : read(*file.file, reading, reference.context, right);
+                one.mine[up] = smaller(mine, factor, isNames(name.id));
             }
+            pictures += picture, bottomUp += picture && file.reading.bottomUp;
             m_wanted.set(index(name.id));
             m_evidence.push_back(std::move(one));
         }
-        m_wanted.set(index(BufferId::PolygonId));
-        m_wanted.set(index(BufferId::Shadow));
-        m_wanted.set(index(BufferId::VerticesView));
+        m_taken = 2 * bottomUp > pictures;
+        for (const BufferId id : {BufferId::PolygonId, BufferId::Shadow, BufferId::VerticesView})
+            m_wanted.set(index(id));
     }
+    bool takenRows() const { return m_taken; }  // whether most pictures are read bottom-up
 
-    // The distance with the rows as taken and turned; infinite where a file cannot be compared.
-    struct Distances {
-        double taken = 0, turned = 0;
-    };
-    std::optional<Distances> of(const Scene& scene, const Stop& stop, FramePtr* kept = nullptr) const {
-        const Scene sized = m_factor == 1 ? scene : smaller(scene, m_factor);
-        const FramePtr frame = runFrame(referenceScene(sized), {m_wanted, StageId::Shading, 0, stop}, nullptr);
-        if (!frame) return {};
-        if (kept) *kept = frame;
-        const std::vector<std::uint8_t> open = openPixels(*frame);
-        Distances out;
+    // The distance with the rows from the top and from the bottom; infinite where a file cannot be compared.
+    using Distances = std::array<double, 2>;
+    // kept: the frame, where it is kept from one comparison to the next.
+    std::optional<Distances> of(const Scene& scene, const Stop& stop, FramePtr& kept) const {
+        const bool serves = kept && (kept->wanted() & m_wanted) == m_wanted;
+        if (!serves) {
+            const Scene sized = m_factor == 1 ? scene : smaller(scene, m_factor);
+            kept = runFrame(referenceScene(sized), {m_wanted, StageId::Shading, 0, stop}, nullptr);
+        }
+        if (!kept) return {};
+        const std::vector<std::uint8_t> open = openPixels(*kept);
+        Distances out{0, 0};
         for (const Evidence& one : m_evidence) {
-            auto values = valuesIn(*frame, one.file->name.buffer);
-            if (!values || !values->isSameSize(one.mine)) {
-                out.taken = out.turned = HUGE_VAL;
-                continue;
+            auto values = valuesIn(*kept, one.file->name.buffer);
+            if (!values || !values->isSameSize(one.mine[0])) {
+                out = {HUGE_VAL, HUGE_VAL};
+                break;
             }
             if (one.file->name.buffer.id == BufferId::VerticesScreen)
                 for (std::size_t i = 0; i < values->count(); ++i)
                     values->at(i)[0] *= double(m_factor), values->at(i)[1] *= double(m_factor);
-            out.taken = std::max(out.taken, distance(one, one.mine, *values, open));
-            out.turned = one.canTurn ? std::max(out.turned, distance(one, one.turned, *values, open))
-                                     : std::max(out.turned, distance(one, one.mine, *values, open));
+            for (const bool up : {false, true}) out[up] = std::max(out[up], distance(one, one.mine[up], *values, open));
         }
-        if (m_rowsAreStated) out.turned = HUGE_VAL;
+        if (m_rowsAreStated) out[!m_taken] = HUGE_VAL;
         return out;
     }
 
@@ -154,18 +162,19 @@ private:
             } else if (!picture || !says) {
                 continue;  // nobody says whether there is something
             }
+            d = std::max(0.0, d - kNoise);
             squares.push_back(d * d);
         }
         if (squares.empty()) return picture ? kMissingCost : 0;
-        const auto trimmed = std::size_t(picture ? kTrimmedShare * double(squares.size()) : 0);
+        const auto trimmed = std::min(squares.size() - 1, std::size_t(picture ? kTrimmedShare * one.wrong : 0));
         std::ranges::nth_element(squares, squares.end() - std::ptrdiff_t(trimmed) - 1);
         double sum = 0;
         for (std::size_t i = 0; i + trimmed < squares.size(); ++i) sum += squares[i];
-        return std::sqrt(sum / double(squares.size() - trimmed));
+        return std::sqrt(sum / one.wrong);
     }
 
     std::size_t m_factor;
-    bool m_rowsAreStated;
+    bool m_rowsAreStated, m_taken = false;
     BufferSet m_wanted;
     std::vector<Evidence> m_evidence;
 };
@@ -203,20 +212,25 @@ std::optional<Experiment> experimentBetween(const std::vector<Candidate>& candid
 
 }  // namespace
 
-Suspects findSuspects(const Scene& scene, const Reference& reference, const Conventions& conventions, const Stop& stop,
-                      const HypothesisProgress& progress) {
+Suspects findSuspects(const Scene& scene, const Reference& reference, const Conventions& conventions,
+                      const std::vector<Finding>& findings, const Stop& stop, const HypothesisProgress& progress,
+                      HypothesisFrames* frames) {
     Suspects out;
     const double pixels = double(scene.settings.width) * scene.settings.height;
     const auto factor = std::max<std::size_t>(1, std::size_t(std::sqrt(pixels / kPixels) + 0.01));
     const std::vector<KnownError> errors = knownErrors(scene);
-    const Court small(reference, conventions, factor);
+    const Court small(reference, conventions, findings, factor);
     std::vector<Candidate> ranked;
     const auto judge = [&](const Court& court, const KnownError& error) {
         Candidate one{error};
-        const auto distances = court.of(error.plant(scene), stop);
+        FramePtr passing;
+        const bool keeps = frames && &court == &small;
+        FramePtr& kept = keeps ? (*frames)[error.id + error.way] : passing;
+        const auto distances = court.of(error.plant(scene), stop, kept);
         if (!distances) return one.distance = HUGE_VAL, one;
-        one.otherRows = distances->turned < distances->taken / kClearlyBetter;
-        one.distance = one.otherRows ? distances->turned : distances->taken;
+        const bool taken = court.takenRows();
+        one.otherRows = (*distances)[!taken] < (*distances)[taken] / kClearlyBetter;
+        one.distance = (*distances)[one.otherRows ? !taken : taken];
         return one;
     };
     for (std::size_t i = 0; i < errors.size(); ++i) {
@@ -232,10 +246,11 @@ Suspects findSuspects(const Scene& scene, const Reference& reference, const Conv
         if (std::ranges::none_of(best, [&](const Candidate& b) { return b.error.id == one.error.id; }))
             best.push_back(std::move(one));
     if (best.size() > kConfirmed) best.resize(kConfirmed);
-    const Court full(reference, conventions, 1);
-    const auto right = full.of(scene, stop);
+    const Court full(reference, conventions, findings, 1);
+    FramePtr passing;
+    const auto right = full.of(scene, stop, passing);
     if (!right) return out.stopped = true, out;
-    out.right = right->taken;
+    out.right = (*right)[full.takenRows()];
     for (Candidate& one : best) {
         if (factor > 1) one = judge(full, one.error);
         if (stop.stop_requested()) return out.stopped = true, out;

@@ -1,5 +1,6 @@
 #pragma once
 #include <functional>
+#include <map>
 
 #include "pipeline/compare/finding.h"
 #include "pipeline/compare/known_errors.h"
@@ -11,7 +12,6 @@ struct Candidate {
     KnownError error;
     double distance = 0;     // root of the mean square difference, in tolerances, over the buffer that fits least
     double explained = 0;    // 1 − distance² / distance of the right renderer²
-    Reading reading{};       // rows and columns with which it fits
     bool otherRows = false;  // than those that are taken
 };
 
@@ -32,8 +32,13 @@ struct Suspects {
 // Told of every frame: how many of how many.
 using HypothesisProgress = std::function<void(std::size_t done, std::size_t all)>;
 
+// Frames of known errors of one scene, kept from one comparison to the next. They are those of a small picture, some 60
+// bytes a pixel each.
+using HypothesisFrames = std::map<std::string, FramePtr>;
+
 // Which known errors explain the files. Ranked in a small picture; the best five are confirmed in the picture's own size.
-Suspects findSuspects(const Scene& scene, const Reference& reference, const Conventions& conventions, const Stop& stop,
-                      const HypothesisProgress& progress = {});
+Suspects findSuspects(const Scene& scene, const Reference& reference, const Conventions& conventions,
+                      const std::vector<Finding>& findings, const Stop& stop, const HypothesisProgress& progress = {},
+                      HypothesisFrames* frames = nullptr);
 
 }  // namespace pipeline::foreign

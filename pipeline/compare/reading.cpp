@@ -73,7 +73,8 @@ std::vector<Coding> codingsOf(const HandedFile& file) {
             if (file.numbers.shape.size() == 3 && file.numbers.channels() >= 3) return {C::Permuted};
             return {C::AsIs, C::FromOne, C::Permuted};
         case PolygonsVerdict:
-            return file.name.form == Form::Visible ? std::vector{C::Flags} : std::vector{C::Codes, C::Flags};
+            return file.name.form == Form::Visible ? std::vector{C::Flags, C::DroppedIsOne}
+                                                   : std::vector{C::Codes, C::Flags};
         case VerticesScreen:
             return file.name.form == Form::AsTable ? std::vector{C::AsIs, C::PixelFromCentre} : std::vector{C::AsIs};
         case NDotL:

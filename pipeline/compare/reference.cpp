@@ -18,6 +18,7 @@ constexpr double kGrazing = 0.12;  // N·L of the plane below which a bias decid
 BufferSet allCompared() {
     BufferSet wanted;
     for (const Tolerance& row : toleranceTable()) wanted.set(index(row.buffer));
+    wanted.set(index(BufferId::Transmittance)).set(index(BufferId::Translucent));
     return wanted;
 }
 
@@ -128,9 +129,14 @@ std::optional<Values> valuesIn(const Frame& frame, const BufferName& name) {
     if (!buffer) return {};
     const bool ofSurface = name.id != BufferId::Color && name.id != BufferId::ZView;
     Values out = valuesOf(*buffer, ofSurface ? coveredIn(frame) : std::vector<std::uint8_t>());
-    if (name.id == BufferId::ZView)
-        for (std::size_t i = 0; i < out.count(); ++i)
+    if (name.id == BufferId::ZView) {  // cleared, as files of others are read
+        const View view = readStages(frame, [](const auto& data) { return data.transform->view; });
+        for (std::size_t i = 0; i < out.count(); ++i) {
+            const double z = out.at(i)[0];
+            if (z == 0 || z >= view.far * (1 - 1e-12) || (view.perspective && z < 0)) out.there[i] = 0;
             if (!out.there[i]) out.at(i)[0] = 0;
+        }
+    }
     if (name.id == BufferId::PolygonsVerdict)  // what is told of others: whether it goes on
         for (double& code : out.numbers) code = goesOn(Verdict(int(code))) ? 1 : 0;
     if (name.id == BufferId::VerticesScreen) {

@@ -15,38 +15,112 @@ bool differs(const Report& report, StageId stage) {
     return std::ranges::any_of(report.findings, [&](const Finding& f) { return f.stage == stage && !f.agrees; });
 }
 
-// Which stages hand something to this one.
-std::vector<StageId> inputsOf(StageId stage) {
+// Which stages hand something to a buffer.
+std::vector<StageId> inputsOf(const Finding& finding) {
     using enum StageId;
-    switch (stage) {
+    switch (finding.stage) {
         case Transform: return {};
         case Cull:
         case Normals:
         case ShadowBuffer: return {Transform};
         case ZBuffer: return {Transform, Cull};
-        case Shading: return {Transform, Cull, Normals, ShadowBuffer, ZBuffer};
+        case Shading: break;
     }
-    return {};
+    if (finding.name.buffer.id == BufferId::Shadow) return {Transform, ShadowBuffer, ZBuffer};
+    if (finding.name.buffer.id == BufferId::Ambient || finding.name.buffer.id == BufferId::Position) return {ZBuffer};
+    return {Transform, Cull, Normals, ZBuffer};
 }
 
-// By the chain alone: the first stage that differs is wrong where all that it gets was handed in and is right.
-void judgeByChain(Report& report) {
-    std::array<bool, kStageCount> bad{};
-    for (const StageId stage : kStages) {
-        StageVerdict& verdict = report.stages[index(stage)];
+// Stages that are right, as what they leave is, or what is made of it.
+std::array<bool, kStageCount> rightStages(const Report& report) {
+    std::array<bool, kStageCount> right{};
+    for (const StageVerdict& verdict : report.stages)
+        right[index(verdict.stage)] = !verdict.findings.empty() && !differs(report, verdict.stage);
+    right[index(StageId::Shading)] = false;
+    for (const Finding& finding : report.findings) {
+        if (!finding.agrees) continue;
+        using enum BufferId;
+        const BufferId id = finding.name.buffer.id;
+        const bool ofSurface = id == Normal || id == NDotL || id == RDotV || id == NDotH;
+        if (id == ZView || id == PolygonId || id == Position || ofSurface)
+            for (const StageId stage : {StageId::Transform, StageId::Cull, StageId::ZBuffer})
+                if (stage != StageId::ZBuffer || id != PolygonId) right[index(stage)] = true;
+        if (ofSurface) right[index(StageId::Normals)] = true;
+        if (id == Shadow) right[index(StageId::ShadowBuffer)] = true;
+    }
+    for (const StageVerdict& verdict : report.stages)  // no buffer of its own may differ
+        if (differs(report, verdict.stage)) right[index(verdict.stage)] = false;
+    return right;
+}
+
+std::string ownText(const Finding& finding, const OwnResult& own) {
+    const std::string from = fmt::format("{}", fmt::join(own.from, ", "));
+    if (own.finding.agrees) return fmt::format("{}: right with your {}", finding.name.text(), from);
+    return fmt::format("{}: wrong also with your {}", finding.name.text(), from);
+}
+
+// A buffer that differs is wrong here if what its stage got is right, or if our stage makes another one of what it got.
+Standing judge(const Report& report, std::size_t i, const std::array<bool, kStageCount>& right) {
+    const Finding& finding = report.findings[i];
+    if (finding.agrees) return Standing::Agrees;
+    bool allRight = true, badInput = false;
+    for (const StageId input : inputsOf(finding)) {
+        allRight = allRight && right[index(input)];
+        badInput = badInput || differs(report, input);
+    }
+    if (report.own[i] && !report.own[i]->finding.agrees) {
+        // What else it got may be wrong where it was not handed in.
+        const bool partly = !allRight && !badInput && finding.stage == StageId::Shading;
+        return partly ? Standing::CannotTell : Standing::WrongHere;
+    }
+    if (report.own[i]) return Standing::GivenInput;
+    return allRight ? Standing::WrongHere : badInput ? Standing::GivenInput : Standing::CannotTell;
+}
+
+void judgeStages(Report& report) {
+    const auto right = rightStages(report);
+    for (std::size_t i = 0; i < report.findings.size(); ++i) report.standings.push_back(judge(report, i, right));
+    for (StageVerdict& verdict : report.stages) {
         if (verdict.findings.empty()) continue;
-        if (!differs(report, stage)) {
-            verdict.standing = Standing::Agrees;
-            continue;
+        verdict.standing = Standing::Agrees;
+        // The first of its buffers that differs decides, if a later one is not known to be wrong by itself.
+        for (const std::size_t i : verdict.findings) {
+            const Standing standing = report.standings[i];
+            if (standing == Standing::Agrees) continue;
+            if (report.own[i] && verdict.own.empty()) verdict.own = ownText(report.findings[i], *report.own[i]);
+            if (verdict.standing == Standing::Agrees || standing == Standing::WrongHere) verdict.standing = standing;
         }
-        bad[index(stage)] = true;
-        bool badInput = false, unknownInput = false;
-        for (const StageId input : inputsOf(stage)) {
-            badInput = badInput || bad[index(input)];
-            const bool needed = input != StageId::ShadowBuffer;  // S is handed in by shading itself
-            unknownInput = unknownInput || (needed && report.stages[index(input)].findings.empty());
+    }
+}
+
+// 1 may stand for dropped polygons, or front and back are exchanged: what is drawn of them tells. Where nothing does, both
+// are said.
+void settleFlags(Report& report) {
+    for (std::size_t i = 0; i < report.findings.size(); ++i) {
+        ReadFile& file = report.conventions.files[i];
+        if (file.file->name.buffer.id != BufferId::PolygonsVerdict || report.findings[i].agrees) continue;
+        const bool isFlags = std::ranges::all_of(file.file->numbers.values, [](double v) { return v == 0 || v == 1; });
+        if (!isFlags) continue;
+        ReadFile turned = file;
+        turned.reading.coding = file.file->name.form == Form::Visible ? Coding::DroppedIsOne : Coding::Flags;
+        turned.mine = read(*file.file, turned.reading, report.reference->context,
+                           report.reference->values.at(file.file->name.buffer.text()));
+        const Finding finding = compareValues(turned, *report.reference);
+        if (!finding.agrees) continue;
+        bool drawn = false, right = true;
+        for (const Finding& later : report.findings)
+            if (later.stage > StageId::Normals) drawn = true, right = right && later.agrees;
+        const CodingInfo& info = codingInfo(turned.reading.coding);
+        Convention said{file.file->name.text(), std::string(info.words), std::string(info.key),
+                        std::string(info.value)};
+        if (drawn && right) {
+            report.conventions.said.push_back(said);
+            file = turned, report.findings[i] = finding;
+        } else if (!drawn) {
+            said.words += "; or front and back are exchanged";
+            said.certainty = Certainty::CannotTell, said.own = true;
+            report.conventions.said.push_back(said);
         }
-        verdict.standing = badInput ? Standing::GivenInput : unknownInput ? Standing::CannotTell : Standing::WrongHere;
     }
 }
 
@@ -89,9 +163,10 @@ bool Report::conventionsDiffer() const {
 }
 
 const Finding* Report::firstDifference() const {
-    for (const Finding& finding : findings)
-        if (!finding.agrees && (!firstWrong || finding.stage == *firstWrong || !isCertain)) return &finding;
-    return nullptr;
+    for (std::size_t i = 0; i < findings.size(); ++i)
+        if (isCertain && firstWrong == findings[i].stage && standings[i] == Standing::WrongHere) return &findings[i];
+    const auto first = std::ranges::find(findings, false, &Finding::agrees);
+    return first == findings.end() ? nullptr : &*first;
 }
 
 const ReadFile& Report::fileOf(const Finding& finding) const {
@@ -112,18 +187,21 @@ std::vector<std::string> Report::notHandedIn() const {
 
 Result<Report> compareRenderer(const Scene& scene, const std::vector<std::string>& paths,
                                const CompareOptions& options) {
-    Report out;
-    out.options = options;
-    for (const std::string& path : paths) out.given += (out.given.empty() ? "" : " ") + path;
-    const auto tell = [&](std::string_view what, std::size_t done, std::size_t all) {
-        if (options.progress) options.progress(what, done, all);
-    };
-    tell("reference", 0, 1);
+    std::string given;
+    for (const std::string& path : paths) given += (given.empty() ? "" : " ") + path;
     auto reference = makeReference(scene, options.tolerances, options.stop);
     if (!reference) return Error{{}, "cancelled", {}};
+    HandedIn in = readHandedIn(paths, *reference->frame, options.stop);
+    return compareRenderer(scene, std::make_shared<const Reference>(std::move(*reference)), std::move(in), given,
+                           options);
+}
+
+Result<Report> compareRenderer(const Scene& scene, std::shared_ptr<const Reference> reference, HandedIn in,
+                               const std::string& given, const CompareOptions& options) {
+    Report out;
+    out.options = options, out.given = given;
     out.scene = std::make_shared<const Scene>(scene);
-    out.reference = std::make_shared<const Reference>(std::move(*reference));
-    auto in = readHandedIn(paths, *out.reference->frame, options.stop);
+    out.reference = std::move(reference);
     std::erase_if(in.files,
                   [&](const HandedFile& file) { return bufferInfo(file.name.buffer.id).stage > options.until; });
     auto stated = readStated(in.conventions, in.conventionsName);
@@ -133,25 +211,29 @@ Result<Report> compareRenderer(const Scene& scene, const std::vector<std::string
         if (!out.in->errors.empty()) return out.in->errors;
         std::string others;
         for (const std::string& other : out.in->others) others += (others.empty() ? "; " : ", ") + other;
-        return Error{
-            {out.given},
-            "no file here has a known name" + others,
-            "color.png, depth.npy, normal.npy, … (shadescope compare --starter python -o mine writes what to hand in)"};
+        return Error{{given},
+                     "no file here has a known name" + others,
+                     "color.png, depth.npy, normal.npy, … (shadescope compare --starter python -o mine writes what to "
+                     "hand in)"};
     }
-    tell("conventions", 0, 1);
     out.conventions =
         findConventions(*out.in, out.reference->values, out.reference->context, out.reference->tolerances, *stated);
     for (std::size_t i = 0; i < kStageCount; ++i) out.stages[i].stage = kStages[i];
     for (std::size_t i = 0; i < out.conventions.files.size(); ++i) {
-        tell("stages", i, out.conventions.files.size());
         if (options.stop.stop_requested()) return Error{{}, "cancelled", {}};
         out.findings.push_back(compareValues(out.conventions.files[i], *out.reference));
         out.stages[index(out.findings.back().stage)].findings.push_back(i);
     }
-    judgeByChain(out);
+    settleFlags(out);
+    out.own = compareOwn(out.conventions, out.findings, *out.reference, options.stop);
+    judgeStages(out);
+    if (!out.agrees()) out.broken = brokenContracts(out.conventions, *out.reference, options.stop);
     if (options.known && !out.agrees()) {
-        out.suspects = findSuspects(scene, *out.reference, out.conventions, options.stop,
-                                    [&](std::size_t done, std::size_t all) { tell("known errors", done, all); });
+        const HypothesisProgress progress = [&](std::size_t done, std::size_t all) {
+            if (options.progress) options.progress("known errors", done, all);
+        };
+        out.suspects = findSuspects(scene, *out.reference, out.conventions, out.findings, options.stop, progress,
+                                    options.frames.get());
         if (out.suspects->stopped) return Error{{}, "cancelled", {}};
     }
     nameFirstWrong(out);

@@ -2,6 +2,8 @@
 #include <functional>
 
 #include "pipeline/compare/hypotheses.h"
+#include "pipeline/compare/own_stage.h"
+#include "pipeline/compare/their_contracts.h"
 
 namespace pipeline::foreign {
 
@@ -22,6 +24,7 @@ struct CompareOptions {
     bool strict = false;  // conventions count as errors
     int hints = 3;        // how much is given away: 0 nothing, 1 the stage, 2 the place, 3 the name
     Stop stop;
+    std::shared_ptr<HypothesisFrames> frames;  // of this scene, kept for the next comparison; may be null
     // What is being done, and how far it is.
     std::function<void(std::string_view what, std::size_t done, std::size_t all)> progress;
 };
@@ -32,7 +35,10 @@ struct Report {
     std::shared_ptr<const Reference> reference;
     std::shared_ptr<const HandedIn> in;
     Conventions conventions;
-    std::vector<Finding> findings;  // in the order of the stages
+    std::vector<Finding> findings;              // in the order of the stages
+    std::vector<std::optional<OwnResult>> own;  // of each finding
+    std::vector<Standing> standings;            // likewise
+    std::vector<BrokenContract> broken;
     std::array<StageVerdict, kStageCount> stages;
     std::optional<StageId> firstWrong;
     bool isCertain = false;  // of that: chain and own comparison say so; else a known error, or the first that differs
@@ -50,6 +56,9 @@ struct Report {
 // Nothing where it was stopped, or an error where no file could be compared.
 Result<Report> compareRenderer(const Scene& scene, const std::vector<std::string>& paths,
                                const CompareOptions& options);
+// The same of files that are in memory. given: what they are called in titles.
+Result<Report> compareRenderer(const Scene& scene, std::shared_ptr<const Reference> reference, HandedIn in,
+                               const std::string& given, const CompareOptions& options);
 
 // "Normals is the first wrong stage."
 std::string headline(const Report& report);

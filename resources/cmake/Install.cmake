@@ -2,7 +2,7 @@
 # lessons and manual in share/shadescope where the program looks for them, and what a desktop reads.
 include(GNUInstallDirs)
 install(TARGETS shadescope RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-install(DIRECTORY resources/scenes DESTINATION ${CMAKE_INSTALL_DATADIR}/shadescope)
+install(DIRECTORY resources/scenes resources/starter DESTINATION ${CMAKE_INSTALL_DATADIR}/shadescope)
 install(DIRECTORY lessons/ DESTINATION ${CMAKE_INSTALL_DATADIR}/shadescope/lessons
   FILES_MATCHING PATTERN "*.md" PATTERN "*.scene" PATTERN "*.toml" PATTERN "*.des" PATTERN "*.png"
   PATTERN expression EXCLUDE PATTERN state EXCLUDE)

@@ -105,6 +105,8 @@ constexpr std::array kValues{
     ValueRow{.value = "GROUP", .words = groups},
     ValueRow{.value = "DIR", .words = nullptr, .folders = true},
     ValueRow{.value = "FILE", .words = nullptr, .files = true},
+    ValueRow{.value = "REPORT.html|DIR", .words = nullptr, .files = true, .folders = true},
+    ValueRow{.value = "|FILE ...", .words = nullptr, .files = true, .folders = true},
     ValueRow{.value = "FILE:NAME", .words = nullptr, .files = true},
     ValueRow{.value = "FILE.gif|DIR", .words = nullptr, .files = true},
 };

@@ -239,9 +239,9 @@ Breaches functionsOfALibrary(const SourceTree& tree) {
             if (path.starts_with("pipeline/core/elementary.") || path.starts_with("pipeline/core/quad.")) return false;
             if (!path.starts_with("pipeline/")) return false;
             // What measures frames and writes reports makes no buffer.
-            return std::ranges::none_of(std::array{"check/", "compare/", "export/", "inspect/", "study/"}, [&](const char* folder) {
-                return path.starts_with(std::string("pipeline/") + folder);
-            });
+            return std::ranges::none_of(
+                std::array{"check/", "compare/", "export/", "inspect/", "study/"},
+                [&](const char* folder) { return path.starts_with(std::string("pipeline/") + folder); });
         },
         ofLibrary, "frames have the same bits on every machine: pipeline/core/elementary.h has the function", breaches);
     return breaches;

@@ -1,0 +1,122 @@
+// The program's own wrong frames, handed in as somebody else's through conventions: which known error is named.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <string>
+
+#include "pipeline/compare/verdict.h"
+#include "pipeline/defects/defect_table.h"
+#include "pipeline/formats/scene_reader.h"
+#include "pipeline/run/runner.h"
+#include "tests/support/sweep.h"
+
+using namespace pipeline;
+
+namespace {
+
+struct Convention {
+    const char* name;
+    bool bottomUp, bgr, window, bytes;  // color in bytes either way; the depth as window depth; bytes: depth in 16 bits
+};
+constexpr Convention kConventions[]{{"own", false, false, false, false},
+                                    {"rows", true, false, false, false},
+                                    {"bgr", false, true, true, false},
+                                    {"rows bgr 16 bit", true, true, true, true}};
+
+Scene checkMe() {
+    auto scene = readScene(SHADESCOPE_STARTER "/check_me.toml");
+    EXPECT_TRUE(scene);
+    Scene out = std::move(scene).value();
+    out.settings.width = 160, out.settings.height = 100;  // nothing is symmetrical at this size either
+    out.camera.pixelsPerUnit /= 2;
+    return out;
+}
+
+foreign::HandedFile file(const Frame& frame, const BufferName& name, const Convention& by) {
+    const AnyBuffer buffer = *frame.buffer(name);
+    foreign::HandedFile out{{name}, name.text() + ".npy", {}};
+    out.numbers.shape = buffer.shape, out.numbers.name = name.text();
+    const std::size_t rows = buffer.rows(), columns = buffer.columns();
+    const auto channels = std::size_t(buffer.channels());
+    const View view = frame.scene().camera.near > 0 ? makeView(frame.scene()) : View();
+    for (std::size_t y = 0; y < rows; ++y)
+        for (std::size_t x = 0; x < columns; ++x)
+            for (std::size_t c = 0; c < channels; ++c) {
+                const bool swaps = by.bgr && name.id == BufferId::Color;
+                double v = buffer.value(x, by.bottomUp ? rows - 1 - y : y, int(swaps ? 2 - c : c));
+                if (name.id == BufferId::ZView && by.window)  // as glDepthRange(0, 1) has it
+                    v = std::isfinite(v) ? view.far * (v - view.near) / (v * (view.far - view.near)) : 1;
+                if (name.id == BufferId::ZView && by.bytes) v = std::round(65535 * v);
+                out.numbers.values.push_back(v);
+            }
+    out.numbers.kind = name.id == BufferId::Color               ? NumberKind::Levels8
+                       : name.id == BufferId::ZView && by.bytes ? NumberKind::Levels16
+                                                                : NumberKind::Real;
+    countStrange(out.numbers);
+    return out;
+}
+
+struct Outcome {
+    std::size_t agreeing = 0, named = 0, amongCandidates = 0, none = 0, wrong = 0;
+    std::string wrongly;
+};
+
+Outcome outcomeOf(const std::vector<BufferId>& handed) {
+    const Scene scene = checkMe();
+    const auto reference = std::make_shared<const foreign::Reference>(*foreign::makeReference(scene, {}, {}));
+    foreign::CompareOptions options;
+    options.frames = std::make_shared<foreign::HypothesisFrames>();
+    Outcome out;
+    const std::size_t defects = defectTable().size();
+    for (const std::size_t i : test::sweep(defects * std::size(kConventions))) {
+        const DefectRow& row = defectTable()[i % defects];
+        const Convention& by = kConventions[i / defects];
+        BufferSet wanted;
+        for (const BufferId id : handed) wanted.set(index(id));
+        const FramePtr wrong = runFrame(std::make_shared<const Scene>(plant(scene, row.id)), {wanted}, nullptr);
+        foreign::HandedIn in;
+        for (const BufferId id : handed) in.files.push_back(file(*wrong, {id}, by));
+        const auto report = compareRenderer(scene, reference, std::move(in), "mine", options);
+        EXPECT_TRUE(report) << row.idText();
+        if (report->agrees()) {
+            ++out.agreeing;
+            continue;
+        }
+        const auto& candidates = report->suspects->candidates;
+        const bool among =
+            std::ranges::any_of(candidates, [&](const foreign::Candidate& c) { return c.error.id == row.idText(); });
+        out.named += among && candidates.size() == 1;
+        out.amongCandidates += among && candidates.size() > 1;
+        out.none += candidates.empty();
+        if (!among && !candidates.empty()) {
+            ++out.wrong;
+            out.wrongly += std::string(row.idText()) + " (" + by.name + ") as " + candidates[0].error.id + "; ";
+        }
+        if (test::longRun() || !among)
+            std::printf("%-18s %-16s %s%s\n", std::string(row.idText()).c_str(), by.name,
+                        candidates.empty() ? "none"
+                        : among            ? candidates.size() == 1 ? "named" : "among"
+                                           : "WRONG ",
+                        candidates.empty() ? "" : (" " + candidates[0].error.id).c_str());
+    }
+    std::printf("agreeing %zu, named %zu, among candidates %zu, none %zu, wrong %zu\n", out.agreeing, out.named,
+                out.amongCandidates, out.none, out.wrong);
+    return out;
+}
+
+// A trial with colour alone named 100 of 132, 32 among two, none wrongly; bmp and noise aside this asks as much.
+TEST(CompareConfusion, ofColourAloneNothingIsNamedWrongly) {
+    const Outcome out = outcomeOf({BufferId::Color});
+    EXPECT_EQ(out.wrong, 0u) << out.wrongly;
+    EXPECT_GE(out.named + out.amongCandidates, 9 * (out.named + out.amongCandidates + out.none) / 10);
+}
+
+TEST(CompareConfusion, withDepthAndNormalsMoreIsNamed) {
+    const Outcome out = outcomeOf({BufferId::ZView, BufferId::Normal, BufferId::Color});
+    EXPECT_EQ(out.wrong, 0u) << out.wrongly;
+    EXPECT_GE(out.named, 8 * (out.named + out.amongCandidates + out.none) / 10);
+}
+
+}  // namespace
