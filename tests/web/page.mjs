@@ -149,8 +149,12 @@ try {
       await n.close();
     }
   const without = await browser.open('file://' + pyramid, { scripts: false });
-  const { root } = await without.ask('DOM.getDocument');
-  const { nodeId } = await without.ask('DOM.querySelector', { nodeId: root.nodeId, selector: '.paper h2' });
+  let nodeId = 0;
+  for (let tries = 0; tries < 500 && nodeId === 0; ++tries) {  // until the file is read
+    const { root } = await without.ask('DOM.getDocument');
+    ({ nodeId } = await without.ask('DOM.querySelector', { nodeId: root.nodeId, selector: '.paper h2' }).catch(() => ({ nodeId: 0 })));
+    await new Promise(done => setTimeout(done, 10));
+  }
   expect('without scripts the lesson is there on paper', nodeId > 0);
   await without.close();
 

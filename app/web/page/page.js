@@ -20,8 +20,8 @@ function openPage(number, then = false) {
   page = core.ask('page', number, then ? 1 : 0);
   Object.assign(view, { page: number, then: page.then, pixel: page.pixel, channel: page.channel, level: page.level, step: null, compare: '', was: '', own: {} });
   const shown = page.buffers.map(({ buffer, channel, range }) => ({ buffer, channel: channel > 2 ? -1 : channel, range }));
-  view.pictures = [shown[0], shown[1] || { ...shown[0], buffer: secondBuffer(shown[0].buffer) }];
   settings = core.ask('settings');
+  view.pictures = [shown[0], shown[1] || { buffer: secondBuffer(shown[0].buffer), channel: -1, range: null }];
   runFrame();
   view.part = view.fit = partDrawn();
   if (page.place) {
@@ -38,11 +38,10 @@ function openPage(number, then = false) {
   say(`${page.heading}. ${one('#count').textContent}`);
 }
 
-/** Another buffer beside the one that a page shows: where the surfaces are, unless it hides that. */
+/** Another buffer beside the one that a page shows, unless the page hides it. The frame has not run yet. */
 function secondBuffer(first) {
-  const held = new Set(core.ask('held')), choices = ['n_dot_l.0', 'polygon_id', 'z_view', 'color'];
-  return choices.find(name => name !== first && held.has(name) && !page.hidden.buffers.includes(name)) ||
-    (first === 'polygon_id' ? 'color' : 'polygon_id');
+  const choices = [...(settingOf('light.0.intensity') ? ['n_dot_l.0'] : []), 'polygon_id', 'z_view', 'color'];
+  return choices.find(name => name !== first && !page.hidden.buffers.includes(name)) || first;
 }
 
 function saveScene() {
