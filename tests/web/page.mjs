@@ -111,6 +111,16 @@ try {
   expect('no error was written by the lesson', q.log.length === 0, q.log);
   await q.close();
 
+  // Every lesson starts, within the budget, and each of its pages opens.
+  for (const { name } of JSON.parse(execFileSync(program, ['lesson', 'list', '--json'], { encoding: 'utf8' }))) {
+    const file = write('lesson.html', 'lesson', 'export', name);
+    expect(`${name} is at most 1.6 MB`, fs.statSync(file).size <= 1.6e6, fs.statSync(file).size);
+    const l = await browser.open('file://' + file);
+    const wrong = await l.run(`(() => { const box = document.querySelector('#wrong'); for (let i = 0; box.hidden && i < data.pages; ++i) guarded(() => openPage(i)); return box.hidden ? '' : box.textContent; })()`);
+    expect(`every page of ${name} opens`, wrong === '', wrong);
+    await l.close();
+  }
+
   // The pyramid's first number question: its answer, a hint, and something that is none.
   const r = await browser.open('file://' + pyramid);
   const number = await r.run('(() => { for (let i = 0; i < data.pages; ++i) { openPage(i); if (page.question?.kind === "number") return i; } return -1; })()');

@@ -29,9 +29,8 @@ std::vector<BuiltInScene> builtInScenes() { return {}; }
 Result<Scene> readScene(const std::filesystem::path& file, const ReadProgress&) {
     return Error{{file.string(), 0, 0}, "not in this page", {}};
 }
-std::string whyNoShadowVerdicts(const Scene&, std::size_t) {
-    return "Shadow verdicts cast rays. Open the scene in Shadescope to see them.";
-}
+// A lesson may show them; the page then says that they are derived.
+std::string whyNoShadowVerdicts(const Scene&, std::size_t) { return {}; }
 Result<std::filesystem::path> pathInFolder(const std::filesystem::path&, std::string_view, std::string_view) {
     return Error{{}, "not in this page", {}};
 }
