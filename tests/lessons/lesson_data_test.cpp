@@ -131,7 +131,7 @@ protected:
 //   page 5   at pixel 250, 270 Front is nearer than Left
 //   page 6   N·L = (22500 + 20250)/(30270.65·√3) = 0.81537, the angle 35.376°
 //   page 7   acos(0.3974) = 66.6°
-//   page 8   255·(0.2·50 + 100·0.2·0.81537)/175 = 38.33
+//   page 8   N·L = (0, 40500, 20250)·(1, 1, 1)/(45280.4·√3) = 0.77460, 255·(0.2·50 + 100·0.2·0.7746 + 0.025)/175 = 37.18
 TEST_F(PyramidLesson, AnswersAreThoseOfTheLecture) {
     ASSERT_EQ(m_lesson.pages.size(), 8u);
     EXPECT_EQ(answer(0), 6);
@@ -141,7 +141,7 @@ TEST_F(PyramidLesson, AnswersAreThoseOfTheLecture) {
     EXPECT_EQ(holding(4), std::vector<std::size_t>{0});
     EXPECT_NEAR(answer(5), 35.376, 0.001);
     EXPECT_EQ(answer(6), 67);
-    EXPECT_EQ(answer(7), 38);
+    EXPECT_EQ(answer(7), 37);
 }
 
 struct Said {
@@ -153,7 +153,9 @@ struct Said {
 TEST_F(PyramidLesson, NumbersInTheTextAreThoseOfTheLecture) {
     const Said said[]{
         {1, "(335, 75, 150)"},
-        {1, "(\u2212183.848, \u221215.053, 673.927)"},  // (75 − 335)·sin 45, −(335 + 75)·cos 60·cos 45 + 150·sin 60
+        {1, "= \u2212183.848"},  // (75 − 335)·sin 45
+        {1, "= \u221215.053"},   // −(335 + 75)·cos 60·cos 45 + 150·sin 60
+        {1, "= 673.927"},        // 1000 − (335 + 75)·sin 60·cos 45 − 150·cos 60
         {1, "= 265.440"},
         {1, "= 244.467"},
         // Shoelace formula on screen corners rounded to 1/256; without rounding Base has −1991.6.
@@ -169,11 +171,11 @@ TEST_F(PyramidLesson, NumbersInTheTextAreThoseOfTheLecture) {
         {5, "at 92.5° from"},            // acos((−22500 + 20250)/(30270.65·√3)) = acos(−0.0429)
         {6, "= (0.386, 0.678, 0.626)"},  // from the mean of the vertices
         {6, "0.3974"},
-        {6, "the term is 0.025."},  // 40·0.3974^8
+        {6, "= 0.025."},  // 40·0.3974^8
         {6, "45.000 + 69.714 + 0.025 = 114.739"},
         {7, "0.9·50 + 100·(0.9 + 0.4) = 175"},
-        {7, "= 26.307"},                // 0.2·50 + 100·0.2·0.81537
-        {7, "pixel is (38, 96, 173)"},  // of 0.5 and 0.9: 255·65.768/175 = 95.8, 255·118.383/175 = 172.5
+        {7, "is 0.7746"},
+        {7, "pixel is (37, 93, 167)"},  // of 0.5 and 0.9: 255·63.755/175 = 92.9, 255·114.739/175 = 167.2
     };
     for (const Said& s : said)
         EXPECT_NE(text(s.page).find(s.words), std::string::npos) << s.words << " is not in\n" << text(s.page);
