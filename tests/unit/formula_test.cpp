@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "pipeline/export/formula_html.h"
+#include "pipeline/inspect/formula_parts.h"
 
 namespace pipeline {
 namespace {
@@ -16,17 +17,13 @@ Formula leaf(Kind kind, std::string text, VectorCode code = VectorCode::None) {
     f.vector = code;
     return f;
 }
-Formula text(std::string s) { return leaf(Kind::Text, std::move(s)); }
-Formula symbol(std::string s) { return leaf(Kind::Symbol, std::move(s)); }
 Formula node(Kind kind, std::vector<Formula> parts) {
     Formula f;
     f.kind = kind;
     f.parts = std::move(parts);
     return f;
 }
-Formula row(std::vector<Formula> parts) { return node(Kind::Row, std::move(parts)); }
 Formula sub(Formula base, Formula index) { return node(Kind::Script, {std::move(base), std::move(index), row({})}); }
-Formula power(Formula base, Formula n) { return node(Kind::Script, {std::move(base), row({}), std::move(n)}); }
 Formula dot(const char* a, VectorCode ca, const char* b, VectorCode cb) {
     return row({text("("), leaf(Kind::Vector, a, ca), text("·"), leaf(Kind::Vector, b, cb), text(")")});
 }
