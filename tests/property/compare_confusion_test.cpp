@@ -73,9 +73,9 @@ Outcome outcomeOf(const std::vector<BufferId>& handed) {
     for (const std::size_t i : test::sweep(defects * std::size(kConventions))) {
         const DefectRow& row = defectTable()[i % defects];
         const Convention& by = kConventions[i / defects];
-        BufferSet wanted;
-        for (const BufferId id : handed) wanted.set(index(id));
-        const FramePtr wrong = runFrame(std::make_shared<const Scene>(plant(scene, row.id)), {wanted}, nullptr);
+        FrameRequest request;
+        for (const BufferId id : handed) request.wanted.set(index(id));
+        const FramePtr wrong = runFrame(std::make_shared<const Scene>(plant(scene, row.id)), request, nullptr);
         foreign::HandedIn in;
         for (const BufferId id : handed) in.files.push_back(file(*wrong, {id}, by));
         const auto report = compareRenderer(scene, reference, std::move(in), "mine", options);

@@ -9,10 +9,10 @@
 #include <map>
 #include <sstream>
 
-#include "pipeline/export/file_hash.h"
 #include "pipeline/formats/built_in_scenes.h"
 #include "pipeline/formats/scene_reader.h"
 #include "pipeline/scene/settings_table.h"
+#include "tests/support/hashes.h"
 #include "tests/support/scenes.h"
 
 namespace pipeline {
@@ -65,16 +65,10 @@ std::optional<Scene> read(const Variant& variant) {
     return std::nullopt;
 }
 
-// 16 digits of the SHA-256 of a buffer's type, shape and numbers, by the buffer's name.
+// By the buffer's name.
 std::map<std::string, std::string> hashesOf(const Frame& frame) {
     std::map<std::string, std::string> hashes;
-    for (const AnyBuffer& buffer : frame.buffers()) {
-        std::string bytes = buffer.dtype();
-        for (const std::size_t size : buffer.shape) bytes += ' ' + std::to_string(size);
-        std::visit([&](auto data) { bytes.append(reinterpret_cast<const char*>(data.data()), data.size_bytes()); },
-                   buffer.data);
-        hashes[buffer.name.text()] = sha256Of(bytes).substr(0, 16);
-    }
+    for (const AnyBuffer& buffer : frame.buffers()) hashes[buffer.name.text()] = test::hashOf(buffer);
     return hashes;
 }
 
