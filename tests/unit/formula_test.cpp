@@ -23,18 +23,20 @@ Formula node(Kind kind, std::vector<Formula> parts) {
     f.parts = std::move(parts);
     return f;
 }
-Formula sub(Formula base, Formula index) { return node(Kind::Script, {std::move(base), std::move(index), row({})}); }
+Formula lowered(Formula base, Formula index) {
+    return node(Kind::Script, {std::move(base), std::move(index), row({})});
+}
 Formula dot(const char* a, VectorCode ca, const char* b, VectorCode cb) {
     return row({text("("), leaf(Kind::Vector, a, ca), text("·"), leaf(Kind::Vector, b, cb), text(")")});
 }
 
 // Lecture 1's model for one light.
 Formula lectureOne() {
-    return row({sub(symbol("I"), symbol("b")), text("="), sub(symbol("k"), symbol("b")), sub(symbol("I"), symbol("a")),
-                text("+"), sub(symbol("S"), text("0")), sub(symbol("I"), text("0")), text("["),
-                sub(symbol("k"), symbol("b")), dot("N", VectorCode::N, "L", VectorCode::L), text("+"),
-                sub(symbol("k"), symbol("s")), power(dot("R", VectorCode::R, "V", VectorCode::V), symbol("n")),
-                text("]")});
+    return row({lowered(symbol("I"), symbol("b")), text("="), lowered(symbol("k"), symbol("b")),
+                lowered(symbol("I"), symbol("a")), text("+"), lowered(symbol("S"), text("0")),
+                lowered(symbol("I"), text("0")), text("["), lowered(symbol("k"), symbol("b")),
+                dot("N", VectorCode::N, "L", VectorCode::L), text("+"), lowered(symbol("k"), symbol("s")),
+                power(dot("R", VectorCode::R, "V", VectorCode::V), symbol("n")), text("]")});
 }
 
 TEST(Formula, ReadsAsText) {
@@ -55,8 +57,8 @@ TEST(Formula, ReadsAsLatex) {
 }
 
 TEST(Formula, FractionsAndScriptsKeepTheirParts) {
-    const Formula ratio = node(
-        Kind::Fraction, {row({text("255"), text("·"), sub(symbol("I"), symbol("b"))}), sub(symbol("I"), text("max"))});
+    const Formula ratio = node(Kind::Fraction, {row({text("255"), text("·"), lowered(symbol("I"), symbol("b"))}),
+                                                lowered(symbol("I"), text("max"))});
     EXPECT_EQ(toText(ratio), "(255·I_b)/I_max");
     EXPECT_EQ(toLatex(ratio), "\\frac{255 \\cdot I_{b}}{I_{\\text{max}}}");
     EXPECT_EQ(toText(power(row({symbol("a"), text("+"), symbol("b")}), text("2"))), "(a + b)^2");
