@@ -67,8 +67,6 @@ std::vector<std::uint8_t> openPixels(const Frame& frame) {
         }
     };
     if (const auto ids = valuesIn(frame, {BufferId::PolygonId})) mark(*ids);
-    const std::size_t outlined = std::size_t(std::ranges::count(open, 1));
-    if (outlined * 2 > open.size()) std::ranges::fill(open, 0);  // small polygons everywhere
     for (std::size_t k = 0; k < frame.scene().lights.size(); ++k)
         if (frame.scene().lights[k].castsShadow)
             if (const auto s = valuesIn(frame, {BufferId::Shadow, int(k)})) mark(*s);
@@ -149,21 +147,29 @@ private:
         const Measure measure = toleranceOf(one.file->name.buffer.id)->measure;
         const bool picture = right.domain == Domain::Pixel;
         const bool says = !drawnIn(one.file->name, mine).empty();
+        // Of a pixel of theirs and one of ours; nothing where nobody says whether there is something.
+        const auto between = [&](std::size_t i, std::size_t j) -> std::optional<double> {
+            const bool here = mine.there[i] != 0, there = right.there[j] != 0;
+            if (!here && !there) return 0;
+            if (here != there) return picture && says ? std::optional(kMissingCost) : std::nullopt;
+            const double slack = mine.slack.empty() ? 0 : mine.slack[i];
+            const double d = differenceBetween(measure, mine, i, right, j);
+            return measure == Measure::Same ? d * kMissingCost : std::min(kMissingCost, d / (one.tolerance + slack));
+        };
         std::vector<double> squares;
+        const std::size_t width = right.columns;
         for (std::size_t i = 0; i < right.count(); ++i) {
-            if (picture && open[i]) continue;
-            const bool here = mine.there[i] != 0, there = right.there[i] != 0;
-            if (!here && !there) continue;
-            double d = kMissingCost;
-            if (here && there) {
-                const double slack = mine.slack.empty() ? 0 : mine.slack[i];
-                d = differenceAt(measure, mine, right, i);
-                d = measure == Measure::Same ? d * kMissingCost : std::min(kMissingCost, d / (one.tolerance + slack));
-            } else if (!picture || !says) {
-                continue;  // nobody says whether there is something
+            if (!mine.there[i] && !right.there[i]) continue;
+            std::optional<double> d = between(i, i);
+            if (picture && open[i] && d != 0) {  // a border may be a pixel off
+                const std::size_t x = i % width, y = i / width;
+                for (std::size_t v = y > 0 ? y - 1 : 0; v <= std::min(y + 1, right.rows - 1); ++v)
+                    for (std::size_t u = x > 0 ? x - 1 : 0; u <= std::min(x + 1, width - 1); ++u)
+                        if (const auto other = between(i, v * width + u)) d = std::min(d.value_or(*other), *other);
             }
-            d = std::max(0.0, d - kNoise);
-            squares.push_back(d * d);
+            if (!d) continue;
+            const double beyond = std::max(0.0, *d - kNoise);
+            squares.push_back(beyond * beyond);
         }
         if (squares.empty()) return picture ? kMissingCost : 0;
         const auto trimmed = std::min(squares.size() - 1, std::size_t(picture ? kTrimmedShare * one.wrong : 0));

@@ -15,8 +15,10 @@ using C = Coding;
 
 constexpr std::array kCodings{
     CodingInfo{C::AsIs, "", "", ""},
-    CodingInfo{C::Srgb, "encoding", "srgb", "encoded as sRGB"},
-    CodingInfo{C::Gamma22, "encoding", "gamma-2.2", "encoded with a gamma of 2.2"},
+    CodingInfo{C::Srgb, "encoding", "srgb",
+               "encoded as sRGB; if that is not meant, it is the error gamma: the same bytes"},
+    CodingInfo{C::Gamma22, "encoding", "gamma-2.2",
+               "encoded with a gamma of 2.2; if that is not meant, it is the error gamma"},
     CodingInfo{C::MinusZ, "depth", "minus-z", "−z_view"},
     CodingInfo{C::Distance, "depth", "distance", "distance to the eye"},
     CodingInfo{C::Ndc, "depth", "ndc", "NDC depth −1 to 1"},

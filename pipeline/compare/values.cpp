@@ -77,8 +77,13 @@ Values valuesOf(const AnyBuffer& buffer, const std::vector<std::uint8_t>& covere
 }
 
 double differenceAt(Measure measure, const Values& mine, const Values& reference, std::size_t element) {
-    if (!mine.there[element] || !reference.there[element]) return std::numeric_limits<double>::quiet_NaN();
-    const double *a = mine.at(element), *b = reference.at(element);
+    return differenceBetween(measure, mine, element, reference, element);
+}
+
+double differenceBetween(Measure measure, const Values& mine, std::size_t element, const Values& reference,
+                         std::size_t other) {
+    if (!mine.there[element] || !reference.there[other]) return std::numeric_limits<double>::quiet_NaN();
+    const double *a = mine.at(element), *b = reference.at(other);
     const int channels = std::min(mine.channels, reference.channels);
     switch (measure) {
         case Measure::Same: return a[0] == b[0] ? 0 : 1;

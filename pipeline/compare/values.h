@@ -51,5 +51,8 @@ const Tolerance* toleranceOf(BufferId buffer);  // null: not compared
 
 // Of one element. NaN where one of the two is not there.
 double differenceAt(Measure measure, const Values& mine, const Values& reference, std::size_t element);
+// Of an element of theirs and another one of the reference.
+double differenceBetween(Measure measure, const Values& mine, std::size_t element, const Values& reference,
+                         std::size_t other);
 
 }  // namespace pipeline::foreign
