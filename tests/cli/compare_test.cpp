@@ -3,14 +3,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
 
 #include "tests/cli/run_program.h"
 #include "tests/support/files.h"
 
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
+
+// Of resources/starter/writer.cpp.
+void writeNpy(const std::string& name, const std::vector<std::size_t>& shape, const std::vector<float>& numbers);
+void writePpm(const std::string& name, int width, int height, const std::vector<std::uint8_t>& numbers);
 
 namespace {
 
@@ -90,6 +97,22 @@ TEST(Compare, itsOwnBuffersAgree) {
     const auto done = handed.compare();
     EXPECT_EQ(done.status, 0) << done.out << done.err;
     EXPECT_TRUE(test::has(done.out, "Everything handed in agrees.")) << done.out;
+}
+
+TEST(Compare, readsWhatTheStarterWrites) {
+    const test::TemporaryFolder folder;
+    for (const char* language : {"cpp", "python", "c", "java", "js"})
+        EXPECT_EQ(test::run({"compare", "--starter", language, "-o", folder.path().string()}).status, 0) << language;
+    EXPECT_EQ(folder.names(), (std::vector<std::string>{"Writer.java", "check_me.toml", "writer.c", "writer.cpp",
+                                                        "writer.js", "writer.py"}));
+    const Handed handed;
+    const test::Npy color = handed.all("color"), z = handed.all("z_view");
+    writePpm(handed.file("color.ppm").string(), int(color.shape[1]), int(color.shape[0]),
+             {color.values.begin(), color.values.end()});
+    writeNpy(handed.file("depth.npy").string(), z.shape, {z.values.begin(), z.values.end()});
+    EXPECT_EQ(handed.json()["exit"], 0);
+    EXPECT_EQ(test::run({"compare", "--starter", "cobol", "-o", folder.path().string()}).status, 2);
+    EXPECT_EQ(test::run({"compare", "--starter", "c"}).status, 2);
 }
 
 TEST(Compare, conventionsAreNoErrors) {
