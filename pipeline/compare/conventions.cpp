@@ -39,6 +39,7 @@ struct Sounding {
     const HandedFile* file;
     std::vector<PossibleReading> candidates;
     bool isPicture = false;
+    std::vector<int> otherChannels{}, otherCodings{};  // nearly as close as what is taken
 
     const PossibleReading& best() const { return *std::ranges::min_element(candidates, {}, &PossibleReading::cost); }
     double costWith(Axis axis, int value) const {
@@ -166,6 +167,10 @@ private:
                             sounding.file->name.buffer.id == BufferId::PolygonsVerdict;
         const int taken = clear || !hasOwn ? value : values[0];
         const bool own = taken == values[0] && hasOwn;
+        if (!clear && sounding.file->name.buffer.id != BufferId::PolygonsVerdict)
+            for (const int other : values)
+                if (other != taken && ratio(sounding.costWith(axis, other), sounding.best().cost) < kClear)
+                    (axis == Channels ? sounding.otherChannels : sounding.otherCodings).push_back(other);
         sounding.keep(axis, taken);
         if (!own)
             m_out.said.push_back(
@@ -252,8 +257,25 @@ Conventions findConventions(const HandedIn& in, const ReferenceValues& reference
     choosing.chooseAll();
     for (const Sounding& sounding : choosing.soundings()) {
         const Reading reading = sounding.best().reading;
-        out.files.push_back({sounding.file, reading,
-                             read(*sounding.file, reading, context, reference.at(sounding.file->name.buffer.text()))});
+        std::vector<Reading> others;
+        const auto with = [&](Reading other, int channels) {
+            other.bgr = channels != 0;
+            if (other != reading) others.push_back(other);
+        };
+        std::vector<int> channels = sounding.otherChannels;
+        channels.push_back(reading.bgr);
+        for (const int bgr : channels) {
+            with(reading, bgr);
+            // What is encoded is a known error too.
+            if (sounding.file->name.buffer.id == BufferId::Color) continue;
+            for (const int coding : sounding.otherCodings) {
+                Reading other = reading;
+                other.coding = Coding(coding);
+                with(other, bgr);
+            }
+        }
+        const Values& right = reference.at(sounding.file->name.buffer.text());
+        out.files.push_back({sounding.file, reading, read(*sounding.file, reading, context, right), std::move(others)});
     }
     return out;
 }

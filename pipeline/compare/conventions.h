@@ -36,6 +36,7 @@ struct ReadFile {
     const HandedFile* file = nullptr;
     Reading reading;
     Values mine;
+    std::vector<Reading> others{};  // of channels and coding, nearly as close: a wrong buffer cannot tell them apart
 };
 
 struct Conventions {

@@ -77,8 +77,9 @@ std::vector<std::uint8_t> openPixels(const Frame& frame) {
 struct Evidence {
     const HandedFile* file;
     double tolerance;
-    double wrong;                // elements that are, at least a thousandth of all
-    std::array<Values, 2> mine;  // with the rows from the top and from the bottom
+    double wrong;  // elements that are, at least a thousandth of all
+    // With the rows from the top and from the bottom, each in all readings that the file may have.
+    std::array<std::vector<Values>, 2> mine;
 };
 
 class Court {
@@ -97,13 +98,15 @@ public:
                          reference.tolerances.at(name.text()),
                          std::max(1.0, picture ? wrong / double(factor * factor) : wrong),
                          {}};
-            for (const bool up : {false, true}) {
-                Reading reading = file.reading;
-                if (picture) reading.bottomUp = up;
-                const Values mine =
-                    reading == file.reading ? file.mine : read(*file.file, reading, reference.context, right);
-                one.mine[up] = smaller(mine, factor, isNames(name.id));
-            }
+            std::vector<Reading> readings = file.others;
+            readings.insert(readings.begin(), file.reading);
+            for (const bool up : {false, true})
+                for (Reading reading : readings) {
+                    if (picture) reading.bottomUp = up;
+                    const Values mine =
+                        reading == file.reading ? file.mine : read(*file.file, reading, reference.context, right);
+                    one.mine[up].push_back(smaller(mine, factor, isNames(name.id)));
+                }
             pictures += picture, bottomUp += picture && file.reading.bottomUp;
             m_wanted.set(index(name.id));
             m_evidence.push_back(std::move(one));
@@ -128,14 +131,18 @@ public:
         Distances out{0, 0};
         for (const Evidence& one : m_evidence) {
             auto values = valuesIn(*kept, one.file->name.buffer);
-            if (!values || !values->isSameSize(one.mine[0])) {
+            if (!values || !values->isSameSize(one.mine[0][0])) {
                 out = {HUGE_VAL, HUGE_VAL};
                 break;
             }
             if (one.file->name.buffer.id == BufferId::VerticesScreen)
                 for (std::size_t i = 0; i < values->count(); ++i)
                     values->at(i)[0] *= double(m_factor), values->at(i)[1] *= double(m_factor);
-            for (const bool up : {false, true}) out[up] = std::max(out[up], distance(one, one.mine[up], *values, open));
+            for (const bool up : {false, true}) {
+                double least = HUGE_VAL;
+                for (const Values& mine : one.mine[up]) least = std::min(least, distance(one, mine, *values, open));
+                out[up] = std::max(out[up], least);
+            }
         }
         if (m_rowsAreStated) out[!m_taken] = HUGE_VAL;
         return out;

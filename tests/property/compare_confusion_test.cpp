@@ -1,6 +1,7 @@
 // The program's own wrong frames, handed in as somebody else's through conventions: which known error is named.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <map>
@@ -10,6 +11,7 @@
 #include "pipeline/defects/defect_table.h"
 #include "pipeline/formats/scene_reader.h"
 #include "pipeline/run/runner.h"
+#include "pipeline/scene/view.h"
 #include "tests/support/sweep.h"
 
 using namespace pipeline;
@@ -36,7 +38,8 @@ Scene checkMe() {
 
 foreign::HandedFile file(const Frame& frame, const BufferName& name, const Convention& by) {
     const AnyBuffer buffer = *frame.buffer(name);
-    foreign::HandedFile out{{name}, name.text() + ".npy", {}};
+    foreign::HandedFile out;
+    out.name.buffer = name, out.path = name.text() + ".npy";
     out.numbers.shape = buffer.shape, out.numbers.name = name.text();
     const std::size_t rows = buffer.rows(), columns = buffer.columns();
     const auto channels = std::size_t(buffer.channels());
