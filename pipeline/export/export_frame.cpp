@@ -183,9 +183,10 @@ Result<ExportSummary> exportFrame(const Frame& frame, const ExportRequest& reque
         std::vector<BufferName> names;
         for (const WrittenBuffer& buffer : written) names.push_back(buffer.item.buffer.name);
         const ContractInput input = contractInput(frame, names);
-        const auto contracts = checkContracts(input, [&] { return goOn(done / total, kManifest); });
+        bool goesOn = true;  // who has said no is not asked again
+        const auto contracts = checkContracts(input, [&] { return goesOn = goesOn && goOn(done / total, kManifest); });
+        if (!goesOn) return cancelled;
         all["contracts"] = toJson(contracts, input, false);
-        if (!goOn(done / total, kManifest)) return cancelled;
     }
     all["contents"] = contentsOf(staging.folder(), summary.files);
     staging.waitForOthers();  // what the export before has left has to be known when this one takes its place
