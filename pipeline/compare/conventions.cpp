@@ -167,6 +167,11 @@ private:
                             sounding.file->name.buffer.id == BufferId::PolygonsVerdict;
         const int taken = clear || !hasOwn ? value : values[0];
         const bool own = taken == values[0] && hasOwn;
+        // Normals in view space are a convention, or an error: they agree with either.
+        const int first = values[0];
+        if (axis == Code && taken != first && first == int(Coding::AsIs) &&
+            bufferInfo(sounding.file->name.buffer.id).palette == Palette::Direction)
+            sounding.otherCodings.push_back(first);
         if (!clear && sounding.file->name.buffer.id != BufferId::PolygonsVerdict)
             for (const int other : values)
                 if (other != taken && ratio(sounding.costWith(axis, other), sounding.best().cost) < kClear)

@@ -165,6 +165,7 @@ private:
         };
         std::vector<double> squares;
         const std::size_t width = right.columns;
+        std::size_t undecided = 0;
         for (std::size_t i = 0; i < right.count(); ++i) {
             if (!mine.there[i] && !right.there[i]) continue;
             std::optional<double> d = between(i, i);
@@ -174,11 +175,14 @@ private:
                     for (std::size_t u = x > 0 ? x - 1 : 0; u <= std::min(x + 1, width - 1); ++u)
                         if (const auto other = between(i, v * width + u)) d = std::min(d.value_or(*other), *other);
             }
-            if (!d) continue;
+            if (!d) {
+                ++undecided;
+                continue;
+            }
             const double beyond = std::max(0.0, *d - kNoise);
             squares.push_back(beyond * beyond);
         }
-        if (squares.empty()) return picture ? kMissingCost : 0;
+        if (squares.empty()) return picture && undecided > 0 ? kMissingCost : 0;
         const auto trimmed = std::min(squares.size() - 1, std::size_t(picture ? kTrimmedShare * one.wrong : 0));
         std::ranges::nth_element(squares, squares.end() - std::ptrdiff_t(trimmed) - 1);
         double sum = 0;
