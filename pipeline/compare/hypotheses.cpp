@@ -77,6 +77,7 @@ std::vector<std::uint8_t> openPixels(const Frame& frame) {
 struct Evidence {
     const HandedFile* file;
     double tolerance;
+    bool differs;  // from the reference
     double wrong;  // elements that are, at least a thousandth of all
     // With the rows from the top and from the bottom, each in all readings that the file may have.
     std::array<std::vector<Values>, 2> mine;
@@ -96,6 +97,7 @@ public:
             const double wrong = std::max(double(findings[i].bad()), 0.001 * double(findings[i].compared));
             Evidence one{file.file,
                          reference.tolerances.at(name.text()),
+                         !findings[i].agrees,
                          std::max(1.0, picture ? wrong / double(factor * factor) : wrong),
                          {}};
             std::vector<Reading> readings = file.others;
@@ -169,21 +171,24 @@ private:
         for (std::size_t i = 0; i < right.count(); ++i) {
             if (!mine.there[i] && !right.there[i]) continue;
             std::optional<double> d = between(i, i);
-            if (picture && open[i] && d != 0) {  // a border may be a pixel off
-                const std::size_t x = i % width, y = i / width;
-                for (std::size_t v = y > 0 ? y - 1 : 0; v <= std::min(y + 1, right.rows - 1); ++v)
-                    for (std::size_t u = x > 0 ? x - 1 : 0; u <= std::min(x + 1, width - 1); ++u)
-                        if (const auto other = between(i, v * width + u)) d = std::min(d.value_or(*other), *other);
-            }
             if (!d) {
                 ++undecided;
                 continue;
+            }
+            if (picture && open[i] && *d > 0) {  // a border may be a pixel off
+                const std::size_t x = i % width, y = i / width;
+                for (std::size_t v = y > 0 ? y - 1 : 0; v <= std::min(y + 1, right.rows - 1); ++v)
+                    for (std::size_t u = x > 0 ? x - 1 : 0; u <= std::min(x + 1, width - 1); ++u)
+                        if (const auto other = between(i, v * width + u)) d = std::min(*d, *other);
             }
             const double beyond = std::max(0.0, *d - kNoise);
             squares.push_back(beyond * beyond);
         }
         if (squares.empty()) return picture && undecided > 0 ? kMissingCost : 0;
-        const auto trimmed = std::min(squares.size() - 1, std::size_t(picture ? kTrimmedShare * one.wrong : 0));
+        // As many as may be astray in a buffer that agrees, but of few that are wrong only a part.
+        double astray = picture ? std::max(2.0, kStrayPixels * double(squares.size())) : 0;
+        if (one.differs) astray = std::min(0.2 * one.wrong, astray + kTrimmedShare * one.wrong);
+        const auto trimmed = std::min(squares.size() - 1, std::size_t(picture ? astray : 0));
         std::ranges::nth_element(squares, squares.end() - std::ptrdiff_t(trimmed) - 1);
         double sum = 0;
         for (std::size_t i = 0; i + trimmed < squares.size(); ++i) sum += squares[i];
