@@ -16,6 +16,7 @@ constexpr std::size_t kConfirmed = 5;   // in the picture's own size
 constexpr double kSameFloor = 0.35;     // tolerances: what rounding to bytes leaves
 constexpr double kClearlyBetter = 2;    // times as close as the next
 constexpr double kExplains = 4;         // times as close as the right renderer
+constexpr double kExplainsOne = 10;     // the same of one file alone
 constexpr double kMissingCost = 100;    // tolerances
 constexpr double kTrimmedShare = 0.03;  // of the pixels that are wrong, the farthest: rasterizers differ
 constexpr double kNoise = 0.75;         // tolerances: what two right renderers differ by
@@ -119,8 +120,8 @@ public:
     }
     bool takenRows() const { return m_taken; }  // whether most pictures are read bottom-up
 
-    // The distance with the rows from the top and from the bottom; infinite where a file cannot be compared.
-    using Distances = std::array<double, 2>;
+    // Of each file the distance with the rows from the top and from the bottom; infinite where it cannot be compared.
+    using Distances = std::vector<std::array<double, 2>>;
     // kept: the frame, where it is kept from one comparison to the next.
     std::optional<Distances> of(const Scene& scene, const Stop& stop, FramePtr& kept) const {
         const bool serves = kept && (kept->wanted() & m_wanted) == m_wanted;
@@ -130,23 +131,20 @@ public:
         }
         if (!kept) return {};
         const std::vector<std::uint8_t> open = openPixels(*kept);
-        Distances out{0, 0};
-        for (const Evidence& one : m_evidence) {
+        Distances out(m_evidence.size(), {HUGE_VAL, HUGE_VAL});
+        for (std::size_t i = 0; i < out.size(); ++i) {
+            const Evidence& one = m_evidence[i];
             auto values = valuesIn(*kept, one.file->name.buffer);
-            if (!values || !values->isSameSize(one.mine[0][0])) {
-                out = {HUGE_VAL, HUGE_VAL};
-                break;
-            }
+            if (!values || !values->isSameSize(one.mine[0][0])) continue;
             if (one.file->name.buffer.id == BufferId::VerticesScreen)
-                for (std::size_t i = 0; i < values->count(); ++i)
-                    values->at(i)[0] *= double(m_factor), values->at(i)[1] *= double(m_factor);
+                for (std::size_t v = 0; v < values->count(); ++v)
+                    values->at(v)[0] *= double(m_factor), values->at(v)[1] *= double(m_factor);
             for (const bool up : {false, true}) {
-                double least = HUGE_VAL;
-                for (const Values& mine : one.mine[up]) least = std::min(least, distance(one, mine, *values, open));
-                out[up] = std::max(out[up], least);
+                if (m_rowsAreStated && up != m_taken) continue;
+                for (const Values& mine : one.mine[up])
+                    out[i][up] = std::min(out[i][up], distance(one, mine, *values, open));
             }
         }
-        if (m_rowsAreStated) out[!m_taken] = HUGE_VAL;
         return out;
     }
 
@@ -232,63 +230,139 @@ std::optional<Experiment> experimentBetween(const std::vector<Candidate>& candid
     return {};
 }
 
+// All known errors of a scene and how far each is from each file, measured once.
+class Trial {
+public:
+    Trial(const Scene& scene, const Reference& reference, const Conventions& conventions,
+          const std::vector<Finding>& findings)
+        : m_scene(scene),
+          m_reference(reference),
+          m_errors(knownErrors(scene)),
+          m_factor(factorOf(scene)),
+          m_small(reference, conventions, findings, m_factor),
+          m_full(reference, conventions, findings, 1) {}
+
+    std::size_t count() const { return m_errors.size(); }
+    // False where it was stopped.
+    bool measure(const Stop& stop, const HypothesisProgress& progress, HypothesisFrames* frames) {
+        for (const KnownError& error : m_errors) {
+            if (progress) progress(m_distances.size(), m_errors.size());
+            FramePtr passing;
+            auto distances = m_small.of(error.plant(m_scene), stop, frames ? (*frames)[error.id + error.way] : passing);
+            if (!distances) return false;
+            m_distances.push_back(std::move(*distances));
+        }
+        FramePtr passing;
+        auto right = m_full.of(m_scene, stop, passing);
+        if (!right) return false;
+        m_right = std::move(*right);
+        return true;
+    }
+
+    // What explains these files. explains: how many times as close as the right renderer.
+    Suspects judge(const std::vector<std::size_t>& files, double explains, const Stop& stop) {
+        Suspects out;
+        out.tried = m_errors.size();
+        out.right = worst(m_right, files, m_full.takenRows());
+        std::vector<std::pair<Candidate, std::size_t>> ranked;
+        for (std::size_t i = 0; i < m_errors.size(); ++i) ranked.push_back({candidate(i, m_distances[i], files), i});
+        const auto byDistance = [](const auto& one) { return one.first.distance; };
+        std::ranges::stable_sort(ranked, {}, byDistance);
+        // The best way of each error stands for it.
+        std::vector<std::pair<Candidate, std::size_t>> best;
+        for (auto& one : ranked)
+            if (best.size() < kConfirmed &&
+                std::ranges::none_of(best, [&](const auto& b) { return b.first.error.id == one.first.error.id; }))
+                best.push_back(std::move(one));
+        for (auto& [one, i] : best) {
+            if (m_factor > 1) {
+                if (!m_confirmed.contains(i)) {
+                    FramePtr passing;
+                    auto distances = m_full.of(m_errors[i].plant(m_scene), stop, passing);
+                    if (!distances) return out.stopped = true, out;
+                    m_confirmed[i] = std::move(*distances);
+                }
+                one = candidate(i, m_confirmed[i], files);
+            }
+            one.explained = out.right > 0 ? 1 - (one.distance * one.distance) / (out.right * out.right) : 0;
+        }
+        std::ranges::stable_sort(best, {}, byDistance);
+        if (best.empty()) return out;
+        const double nearest = best[0].first.distance, least = std::max(nearest, kSameFloor);
+        const bool does = nearest <= std::max(1.0, out.right / explains) && nearest < out.right / 2;
+        for (auto& [one, i] : best) {
+            if (does && one.distance < kClearlyBetter * least && one.distance < out.right / 2)
+                out.candidates.push_back(std::move(one));
+            else if (!out.next)
+                out.next = std::move(one);
+        }
+        if (out.candidates.size() > 1) out.experiment = experimentBetween(out.candidates, m_scene, m_reference, stop);
+        return out;
+    }
+
+private:
+    static std::size_t factorOf(const Scene& scene) {
+        const double pixels = double(scene.settings.width) * scene.settings.height;
+        return std::max<std::size_t>(1, std::size_t(std::sqrt(pixels / kPixels) + 0.01));
+    }
+    static double worst(const Court::Distances& distances, const std::vector<std::size_t>& files, bool up) {
+        double out = 0;
+        for (const std::size_t i : files) out = std::max(out, distances[i][up]);
+        return out;
+    }
+    Candidate candidate(std::size_t i, const Court::Distances& distances, const std::vector<std::size_t>& files) const {
+        Candidate one{m_errors[i]};
+        const bool taken = m_full.takenRows();
+        const double as = worst(distances, files, taken), turned = worst(distances, files, !taken);
+        one.otherRows = turned < as / kClearlyBetter;
+        one.distance = one.otherRows ? turned : as;
+        return one;
+    }
+
+    const Scene& m_scene;
+    const Reference& m_reference;
+    std::vector<KnownError> m_errors;
+    std::size_t m_factor;
+    Court m_small, m_full;
+    std::vector<Court::Distances> m_distances;  // of each error, in the small picture
+    Court::Distances m_right;
+    std::map<std::size_t, Court::Distances> m_confirmed;
+};
+
+// Which files have to fit where a stage is known to be wrong first: what comes before, and its own that differs. What
+// follows depends on more of their program.
+std::vector<std::vector<std::size_t>> focusOn(const std::vector<Finding>& findings, StageId wrong,
+                                              const std::vector<std::size_t>& wrongHere) {
+    std::vector<std::vector<std::size_t>> out;
+    for (const std::size_t i : wrongHere) {
+        if (findings[i].stage != wrong) continue;
+        std::vector<std::size_t> files;
+        for (std::size_t before = 0; before < i; ++before)
+            if (findings[before].stage < wrong || findings[before].agrees) files.push_back(before);
+        files.push_back(i);
+        out.push_back(std::move(files));
+        if (wrong == StageId::Shading) break;  // its terms follow from each other
+    }
+    return out;
+}
+
 }  // namespace
 
 Suspects findSuspects(const Scene& scene, const Reference& reference, const Conventions& conventions,
-                      const std::vector<Finding>& findings, const Stop& stop, const HypothesisProgress& progress,
-                      HypothesisFrames* frames) {
-    Suspects out;
-    const double pixels = double(scene.settings.width) * scene.settings.height;
-    const auto factor = std::max<std::size_t>(1, std::size_t(std::sqrt(pixels / kPixels) + 0.01));
-    const std::vector<KnownError> errors = knownErrors(scene);
-    const Court small(reference, conventions, findings, factor);
-    std::vector<Candidate> ranked;
-    const auto judge = [&](const Court& court, const KnownError& error) {
-        Candidate one{error};
-        FramePtr passing;
-        const bool keeps = frames && &court == &small;
-        FramePtr& kept = keeps ? (*frames)[error.id + error.way] : passing;
-        const auto distances = court.of(error.plant(scene), stop, kept);
-        if (!distances) return one.distance = HUGE_VAL, one;
-        const bool taken = court.takenRows();
-        one.otherRows = (*distances)[!taken] < (*distances)[taken] / kClearlyBetter;
-        one.distance = (*distances)[one.otherRows ? !taken : taken];
-        return one;
-    };
-    for (std::size_t i = 0; i < errors.size(); ++i) {
-        if (stop.stop_requested()) return out.stopped = true, out;
-        if (progress) progress(i, errors.size());
-        ranked.push_back(judge(small, errors[i]));
-        ++out.tried;
+                      const std::vector<Finding>& findings, const FirstWrong& first, const Stop& stop,
+                      const HypothesisProgress& progress, HypothesisFrames* frames) {
+    Trial trial(scene, reference, conventions, findings);
+    Suspects stopped;
+    stopped.stopped = true;
+    if (!trial.measure(stop, progress, frames)) return stopped;
+    std::vector<std::size_t> all(findings.size());
+    for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
+    Suspects out = trial.judge(all, kExplains, stop);
+    if (!out.candidates.empty() || out.stopped || !first.stage) return out;
+    for (const std::vector<std::size_t>& files : focusOn(findings, *first.stage, first.wrongHere)) {
+        Suspects focused = trial.judge(files, kExplainsOne, stop);
+        if (!focused.candidates.empty() || focused.stopped) return focused;
     }
-    std::ranges::stable_sort(ranked, {}, &Candidate::distance);
-    // The best way of each error stands for it.
-    std::vector<Candidate> best;
-    for (Candidate& one : ranked)
-        if (std::ranges::none_of(best, [&](const Candidate& b) { return b.error.id == one.error.id; }))
-            best.push_back(std::move(one));
-    if (best.size() > kConfirmed) best.resize(kConfirmed);
-    const Court full(reference, conventions, findings, 1);
-    FramePtr passing;
-    const auto right = full.of(scene, stop, passing);
-    if (!right) return out.stopped = true, out;
-    out.right = (*right)[full.takenRows()];
-    for (Candidate& one : best) {
-        if (factor > 1) one = judge(full, one.error);
-        if (stop.stop_requested()) return out.stopped = true, out;
-        one.explained = out.right > 0 ? 1 - (one.distance * one.distance) / (out.right * out.right) : 0;
-    }
-    std::ranges::stable_sort(best, {}, &Candidate::distance);
-    if (best.empty()) return out;
-    const double least = std::max(best[0].distance, kSameFloor);
-    const bool explains = best[0].distance <= std::max(1.0, out.right / kExplains) && best[0].distance < out.right / 2;
-    for (Candidate& one : best) {
-        if (explains && one.distance < kClearlyBetter * least && one.distance < out.right / 2)
-            out.candidates.push_back(std::move(one));
-        else if (!out.next)
-            out.next = std::move(one);
-    }
-    if (out.candidates.size() > 1) out.experiment = experimentBetween(out.candidates, scene, reference, stop);
     return out;
 }
 

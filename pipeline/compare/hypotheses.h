@@ -36,9 +36,16 @@ using HypothesisProgress = std::function<void(std::size_t done, std::size_t all)
 // bytes a pixel each.
 using HypothesisFrames = std::map<std::string, FramePtr>;
 
+// What the stages' own comparison has told: nothing where it is not certain.
+struct FirstWrong {
+    std::optional<StageId> stage;
+    std::vector<std::size_t> wrongHere;  // findings that are wrong given what they got, or differ in that stage
+};
+
 // Which known errors explain the files. Ranked in a small picture; the best five are confirmed in the picture's own size.
+// Where none explains all of them, what explains the first wrong file and leaves those before as they are is taken.
 Suspects findSuspects(const Scene& scene, const Reference& reference, const Conventions& conventions,
-                      const std::vector<Finding>& findings, const Stop& stop, const HypothesisProgress& progress = {},
-                      HypothesisFrames* frames = nullptr);
+                      const std::vector<Finding>& findings, const FirstWrong& first, const Stop& stop,
+                      const HypothesisProgress& progress = {}, HypothesisFrames* frames = nullptr);
 
 }  // namespace pipeline::foreign

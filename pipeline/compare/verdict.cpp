@@ -124,6 +124,17 @@ void settleFlags(Report& report) {
     }
 }
 
+FirstWrong firstWrongOf(const Report& report) {
+    FirstWrong out;
+    for (std::size_t i = 0; i < report.findings.size(); ++i) {
+        const bool here = report.standings[i] == Standing::WrongHere;
+        if (here && !out.stage) out.stage = report.findings[i].stage;
+        const bool also = out.stage == report.findings[i].stage && *out.stage != StageId::Shading;
+        if (here || (also && !report.findings[i].agrees)) out.wrongHere.push_back(i);
+    }
+    return out;
+}
+
 void nameFirstWrong(Report& report) {
     for (const StageId stage : kStages)
         if (report.stages[index(stage)].standing == Standing::WrongHere) {
@@ -232,8 +243,8 @@ Result<Report> compareRenderer(const Scene& scene, std::shared_ptr<const Referen
         const HypothesisProgress progress = [&](std::size_t done, std::size_t all) {
             if (options.progress) options.progress("known errors", done, all);
         };
-        out.suspects = findSuspects(scene, *out.reference, out.conventions, out.findings, options.stop, progress,
-                                    options.frames.get());
+        out.suspects = findSuspects(scene, *out.reference, out.conventions, out.findings, firstWrongOf(out),
+                                    options.stop, progress, options.frames.get());
         if (out.suspects->stopped) return Error{{}, "cancelled", {}};
     }
     nameFirstWrong(out);
