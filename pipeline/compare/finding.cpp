@@ -84,8 +84,8 @@ bool shadowExplains(const ReadFile& file, const Reference& reference, std::size_
     return !open.empty() && open[i] != 0;
 }
 
-// Elements that right renderers need not agree on.
-bool isLeft(const ReadFile& file, const Reference& reference, std::size_t i) {
+// Elements that right renderers need not agree on. saysDrawn: the file tells by itself where something is drawn.
+bool isLeft(const ReadFile& file, const Reference& reference, bool saysDrawn, std::size_t i) {
     const BufferName& name = file.file->name.buffer;
     if (name.id == PolygonsVerdict) {
         const auto verdicts = reference.frame->buffer({PolygonsVerdict});
@@ -98,7 +98,7 @@ bool isLeft(const ReadFile& file, const Reference& reference, std::size_t i) {
     }
     if (bufferInfo(name.id).domain != Domain::Pixel) return !reference.values.at(name.text()).there[i];
     // Where nothing is drawn these have no value.
-    return drawnIn(file.file->name, file.mine).empty() && !reference.context.covered[i];
+    return !saysDrawn && !reference.context.covered[i];
 }
 
 }  // namespace
@@ -122,6 +122,7 @@ Finding compareValues(const ReadFile& file, const Reference& reference) {
 
 Finding compareValues(const ReadFile& file, const Values& right, const Reference& reference) {
     const BufferName& buffer = file.file->name.buffer;
+    const bool saysDrawn = !drawnIn(file.file->name, file.mine).empty();
     const Tolerance& row = *toleranceOf(buffer.id);
     Finding out;
     out.name = file.file->name, out.file = file.file->path.filename().string();
@@ -139,7 +140,7 @@ Finding compareValues(const ReadFile& file, const Values& right, const Reference
     const auto classify = [&](std::size_t i, double& difference) {
         const bool here = file.mine.there[i] != 0, there = right.there[i] != 0;
         difference = 0;
-        if (isLeft(file, reference, i)) return Class::Left;
+        if (isLeft(file, reference, saysDrawn, i)) return Class::Left;
         if (!here && !there) return Class::Equal;
         const double slack = file.mine.slack.empty() ? 0 : file.mine.slack[i];
         if (here && there) {
