@@ -19,7 +19,7 @@ constexpr double kExplains = 4;         // times as close as the right renderer
 constexpr double kExplainsOne = 10;     // the same of one file alone
 constexpr double kMissingCost = 100;    // tolerances
 constexpr double kTrimmedShare = 0.03;  // of the pixels that are wrong, the farthest: rasterizers differ
-constexpr double kNoise = 0.75;         // tolerances: what two right renderers differ by
+constexpr double kNoise = 1;            // tolerances: what two right renderers differ by
 
 // A picture of fewer pixels: blocks of factor × factor as one, their mean.
 Values smaller(const Values& of, std::size_t factor, bool names) {

@@ -224,7 +224,7 @@ void readNormal(const HandedFile& file, const FilePicture& picture, const Readin
     using enum Coding;
     const bool rgb = reading.coding == WorldRgb || reading.coding == ViewRgb || reading.coding == ViewTowardsRgb;
     const double degrees = 180 / std::acos(-1.0);
-    if (rgb) out.slack.assign(out.count(), std::sqrt(3.0) / top * degrees);
+    if (isLevels(file.numbers)) out.slack.assign(out.count(), std::sqrt(3.0) / top * degrees);
     for (std::size_t i = 0; i < out.count(); ++i) {
         Vec3d n;
         for (int c = 0; c < 3; ++c) n[c] = picture.at(i % out.columns, i / out.columns, std::size_t(c)) / top;
