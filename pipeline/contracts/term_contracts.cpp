@@ -3,6 +3,7 @@
 
 #include "pipeline/contracts/contract_data.h"
 #include "pipeline/core/elementary.h"
+#include "pipeline/scene/model_facts.h"
 
 namespace pipeline {
 namespace {
@@ -10,9 +11,10 @@ namespace {
 using Found = std::optional<ContractFinding>;
 using B = BufferId;
 
+// The terms of both lectures: k_d I (N·L), and k_s I times a power of a cosine.
 std::string notOfLecture(const Scene& scene, std::size_t k) {
-    if (scene.settings.model != Model::Phong && scene.settings.model != Model::BlinnPhong)
-        return "Another model than the lectures' has other terms.";
+    const ModelFacts& facts = modelFacts(scene.settings.model);
+    if (facts.lobe == Lobe::None || facts.found.glLights) return "Another model than the lectures' has other terms.";
     return whyNotAtOnePoint(scene, k);
 }
 std::string notAboveZero(const Scene& scene, std::size_t k) {

@@ -22,8 +22,8 @@ Need needOfCulling(const Decision& d, std::size_t) {
     return d.unless(Rule::Culling, "Off in this scene: cull = none. " + all);
 }
 
-// Why a run that ends before shading does not need normals: nothing is shaded with them, and who looks at the stage
-// itself ends the run there or asks for them.
+// Why a run that ends before shading does not need normals: no pixel is shaded with them. A run that ends with this
+// stage needs them, and so does a request for their buffers.
 std::string unread(const Decision& d) {
     if (d.until == StageId::Shading || d.until == StageId::Normals) return {};
     return fmt::format("The run ends after {}, and nobody asks for them.", stageInfo(d.until).name);
