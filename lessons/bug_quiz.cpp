@@ -18,13 +18,8 @@ using pipeline::element;
 using pipeline::escapedHtml;
 
 constexpr std::string_view kQuizStyle = R"(
-body { margin: 0; background: #FFFFFF; color: #171A1F; font: 16px/1.5 Inter, system-ui, sans-serif; }
-main { max-width: 50rem; margin: 0 auto; padding: 2rem 1.25rem 4rem; }
-h1 { font-size: 1.75rem; line-height: 1.2; margin: 0 0 .25rem; }
 section { margin-top: 2rem; padding-top: 1.25rem; border-top: 1px solid #D0D5DC; break-before: page; }
 section:first-of-type { break-before: auto; }
-h2 { font-size: 1.25rem; margin: 0 0 .5rem; }
-.pictures { display: flex; flex-wrap: wrap; gap: 1rem; margin: .75rem 0; }
 ul.boxes { list-style: none; padding: 0; columns: 2; } ul.causes { list-style: none; padding: 0; }
 .box { display: inline-block; width: .9rem; height: .9rem; margin-right: .4rem; border: 1.5px solid #171A1F; vertical-align: -.1rem; }
 .ticked { background: #171A1F; }
@@ -36,10 +31,10 @@ footer { margin-top: 3rem; color: #4A525D; font-size: .875rem; }
 std::string quizPage(const std::string& title, const std::string& about, const std::string& body) {
     return fmt::format(
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-        "<meta name=\"viewport\" content=\"width=device-width\">\n{}\n<style>{}{}</style>\n</head>\n<body>\n<main>\n"
+        "<meta name=\"viewport\" content=\"width=device-width\">\n{}\n<style>{}{}{}</style>\n</head>\n<body>\n<main>\n"
         "{}\n{}\n{}<footer>Shadescope {}</footer>\n</main>\n</body>\n</html>\n",
-        element("title", title), kQuizStyle, figureStyle(), element("h1", title), element("p", about), body,
-        escapedHtml(pipeline::programVersion()));
+        element("title", title), paperStyle(), kQuizStyle, figureStyle(), element("h1", title), element("p", about),
+        body, escapedHtml(pipeline::programVersion()));
 }
 
 std::string box(bool ticked, std::string_view label) {

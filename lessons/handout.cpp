@@ -25,17 +25,12 @@ using pipeline::element;
 using pipeline::escapedHtml;
 
 constexpr std::string_view kStyle = R"(
-body { margin: 0; background: #FFFFFF; color: #171A1F; font: 16px/1.5 Inter, system-ui, sans-serif; }
-main { max-width: 50rem; margin: 0 auto; padding: 2rem 1.25rem 4rem; }
-h1 { font-size: 1.75rem; line-height: 1.2; margin: 0 0 .25rem; }
-h2 { font-size: 1.25rem; margin: 0 0 .5rem; }
 p, ul, ol { margin: .5rem 0; } ul, ol { padding-left: 1.4rem; }
 img { max-width: 100%; }
 code { font: .85em "JetBrains Mono", ui-monospace, monospace; }
 blockquote { margin: .5rem 0; padding-left: 1rem; border-left: 3px solid #D0D5DC; }
 .lecture, footer { color: #4A525D; font-size: .875rem; }
 section { margin-top: 2rem; padding-top: 1.25rem; border-top: 1px solid #D0D5DC; }
-.pictures { display: flex; flex-wrap: wrap; gap: 1rem; margin: .75rem 0; }
 .equation { margin: .75rem 0; padding: .5rem .75rem; border-left: 3px solid #1B57BD; }
 .equation p { margin: .15rem 0; } .equation .more { padding-left: 1.5rem; } .remark { color: #4A525D; font-size: .875rem; }
 .question { margin: .75rem 0 0; padding: .5rem .75rem .75rem; border: 1.5px solid #171A1F; break-inside: avoid; }
@@ -55,9 +50,10 @@ std::string document(const Lesson& lesson, std::string_view what, const std::str
     const std::string title = fmt::format("{}{}", lesson.title, what);
     return fmt::format(
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-        "<meta name=\"viewport\" content=\"width=device-width\">\n{}\n<style>{}{}{}</style>\n</head>\n<body>\n<main>\n"
+        "<meta name=\"viewport\" "
+        "content=\"width=device-width\">\n{}\n<style>{}{}{}{}</style>\n</head>\n<body>\n<main>\n"
         "{}\n{}\n{}<footer>Shadescope {}</footer>\n</main>\n</body>\n</html>\n",
-        element("title", title), kStyle, pipeline::formulaStyle(), figureStyle(), element("h1", title),
+        element("title", title), paperStyle(), kStyle, pipeline::formulaStyle(), figureStyle(), element("h1", title),
         lesson.lecture.empty() ? std::string() : element("p class=lecture", lesson.lecture), body,
         escapedHtml(pipeline::programVersion()));
 }

@@ -34,7 +34,8 @@ std::string figuresHtml(const PageState& state, const pipeline::FramePtr& frame,
 std::string pictureSentence(const pipeline::AnyBuffer& buffer, pipeline::Tile part,
                             const std::optional<glm::ivec2>& pixel);
 
-// The style sheet of these.
+// The style sheet of these, and that of a page for paper around them.
 std::string_view figureStyle();
+std::string_view paperStyle();
 
 }  // namespace lessons
