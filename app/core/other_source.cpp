@@ -1,6 +1,7 @@
 #include "app/core/other_source.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "app/core/shown_name.h"
 #include "app/core/stage_buffer.h"
@@ -129,6 +130,19 @@ ScenePtr otherScene(const OtherSource& source, const ScenePtr& scene, const Scen
     source.setting.set(*other, source.value);
     if (!checkSceneAndMemory(*other).empty()) return nullptr;
     return other;
+}
+
+const ScenePtr& OtherScene::of(const OtherSource& source, const ScenePtr& scene, const ScenePtr& before) {
+    if (m_source == source && m_scene == scene && m_before == before) return m_other;
+    m_source = source, m_scene = scene, m_before = before;
+    const ScenePtr last = std::exchange(m_other, otherScene(source, scene, before));
+    if (!m_other || !last || source.kind != Kind::Setting) return m_other;
+    auto other = std::make_shared<Scene>(*m_other);
+    for (std::size_t i = 0; i < std::min(other->objects.size(), last->objects.size()); ++i) {
+        pipeline::Object& object = other->objects[i];
+        if (object.shape && object.shape == last->objects[i].shape) object.mesh = last->objects[i].mesh;
+    }
+    return m_other = other;
 }
 
 std::vector<OtherChoice> otherChoices(const pipeline::Frame& frame, const BufferName& shown, bool hasBefore,

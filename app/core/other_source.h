@@ -45,6 +45,17 @@ using ScenePtr = std::shared_ptr<const pipeline::Scene>;
 // have. before: the scene before the last change, or null.
 ScenePtr otherScene(const OtherSource& source, const ScenePtr& scene, const ScenePtr& before);
 
+// Keeps B's scene while the question is the same, and its shapes beyond that: scenes compare meshes by identity, so a shape
+// that is made anew would make another scene, and another frame, of every look at it.
+class OtherScene {
+public:
+    const ScenePtr& of(const OtherSource& source, const ScenePtr& scene, const ScenePtr& before);  // as otherScene
+
+private:
+    std::optional<OtherSource> m_source;
+    ScenePtr m_scene, m_before, m_other;
+};
+
 // One entry of the list that B is picked from.
 struct OtherChoice {
     QString group;  // of a submenu; empty: stands by itself

@@ -111,7 +111,7 @@ std::optional<AnyBuffer> BufferCompare::findOther(const FramePtr& frame, const A
         m_file = std::move(read).value();
         return m_file;
     }
-    const ScenePtr scene = otherScene(source, frame->sharedScene(), m_document.sceneBefore());
+    const ScenePtr scene = m_otherScene.of(source, frame->sharedScene(), m_document.sceneBefore());
     if (!name || !scene) {
         m_why = source.kind == Kind::Before ? tr("Nothing has been changed yet.") : tr("This scene has no such B.");
         return {};

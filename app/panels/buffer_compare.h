@@ -62,6 +62,8 @@ public:
     QString readout(QPoint pixel) const;
     const std::optional<pipeline::BufferDifference>& found() const { return m_found; }
     const pipeline::FramePtr& otherFrame() const { return m_frameB; }
+    const std::optional<pipeline::AnyBuffer>& otherFile() const { return m_file; }  // what a file has, once it is read
+    QString why() const { return m_why; }  // there is no B, or it cannot be compared; else empty
 
 signals:
     void changed();  // the view is to be shown anew
@@ -86,6 +88,7 @@ private:
     Document& m_document;
     BufferCanvas* m_canvas;
     CompareBar* m_bar;
+    OtherScene m_otherScene;
     OtherFrame m_other;
     DerivedJob m_derived;  // B, of another frame
     DifferenceJob m_difference;

@@ -98,6 +98,9 @@ void StageDifferences::start() {
     const pipeline::FramePtr &a = m_document.frame(), &b = m_compare.otherFrame();
     const QString other = m_compare.source() ? nameOf(*m_compare.source()) : QString();
     m_title->setText(tr("A against B, %1").arg(other));
+    const bool isFile = m_compare.source() && m_compare.source()->kind == OtherSource::Kind::File;
+    if (a && isFile) return startFile(a);
+    m_file.reset();
     if (!a || !b || a == b) {
         m_list->clear();
         m_title->setText(a && a == b ? tr("B is a buffer of the same frame: no stage differs.")
@@ -105,13 +108,35 @@ void StageDifferences::start() {
         return;
     }
     if (a == m_a && b == m_b) return;
+    clear();
     m_a = a, m_b = b;
-    m_rows.clear();
-    m_names.clear();
-    m_list->clear();
     for (const pipeline::AnyBuffer& buffer : a->buffers())
         if (b->buffer(buffer.name)) m_names.push_back(buffer.name);
     compareNext();
+}
+
+// A file holds one buffer: that of the view.
+void StageDifferences::startFile(const pipeline::FramePtr& frame) {
+    const auto& file = m_compare.otherFile();
+    const bool isThere = file && frame->buffer(file->name);
+    if (!isThere) {
+        clear();
+        m_title->setText(file ? toQString(frame->whyAbsent(file->name)) : m_compare.why());
+        return;
+    }
+    if (frame == m_a && file->owner == m_file) return;
+    clear();
+    m_a = frame, m_file = file->owner;
+    m_job.ask([a = m_a, b = *file](const BackgroundJob::Control&) { return stageDifference(*a, b); },
+              [this](const StageDifference& row) { add(row); });
+}
+
+void StageDifferences::clear() {
+    m_job.forget();
+    m_a.reset(), m_b.reset(), m_file.reset();
+    m_rows.clear();
+    m_names.clear();
+    m_list->clear();
 }
 
 // One buffer at a time, off the GUI thread: the first rows are there at once.

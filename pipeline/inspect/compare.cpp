@@ -175,16 +175,28 @@ BufferDifference compareBuffers(const AnyBuffer& a, const AnyBuffer& b, int chan
 
 bool isDifference(const BufferInfo& info) { return info.name == kDifferenceName; }
 
-StageDifference stageDifference(const Frame& a, const Frame& b, const BufferName& name) {
-    const AnyBuffer mine = *a.buffer(name), other = *b.buffer(name);
-    StageDifference row{.buffer = name, .elements = mine.count() / std::size_t(mine.channels())};
+namespace {
+
+StageDifference stageDifference(const Frame& a, const AnyBuffer& other, const std::vector<bool>& drawnInOther) {
+    const AnyBuffer mine = *a.buffer(other.name);
+    StageDifference row{.buffer = mine.name, .elements = mine.count() / std::size_t(mine.channels())};
     row.why = whyNotComparable(mine, other);
     if (!row.why.empty()) return row;
     const BufferDifference found =
-        compareBuffers(mine, other, -1, Metric::Absolute, drawnPixels(a, *mine.info), drawnPixels(b, *mine.info));
+        compareBuffers(mine, other, -1, Metric::Absolute, drawnPixels(a, *mine.info), drawnInOther);
     row.differing = found.differing, row.oneSided = found.oneSided;
     row.largest = found.largest, row.worst = found.worst;
     return row;
+}
+
+}  // namespace
+
+StageDifference stageDifference(const Frame& a, const Frame& b, const BufferName& name) {
+    return stageDifference(a, *b.buffer(name), drawnPixels(b, bufferInfo(name.id)));
+}
+
+StageDifference stageDifference(const Frame& a, const AnyBuffer& b) {
+    return stageDifference(a, b, drawnPixels(a, *b.info));
 }
 
 }  // namespace pipeline

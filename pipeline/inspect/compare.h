@@ -74,5 +74,7 @@ struct StageDifference {
     std::string why{};  // why they cannot be compared; then the rest is 0
 };
 StageDifference stageDifference(const Frame& a, const Frame& b, const BufferName& name);  // both must hold it
+// Against a buffer that belongs to no frame, read from a file; the frame must hold the one of its name.
+StageDifference stageDifference(const Frame& a, const AnyBuffer& b);
 
 }  // namespace pipeline

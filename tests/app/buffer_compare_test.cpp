@@ -289,6 +289,41 @@ TEST_F(BufferCompareTest, EveryStageIsListedWithWhatDiffers) {
     EXPECT_EQ(buffersBelow("5 Z-buffer", "z_view"), "the same");
 }
 
+// The shape of B is made of its tessellation: made anew at every look it would be another mesh, and its frame never there.
+TEST_F(BufferCompareTest, AnotherTessellationComesToAnEnd) {
+    pipeline::Scene scene = ball(pipeline::Shading::Gouraud);
+    scene.objects[0].shape = pipeline::Shape{pipeline::ShapeKind::Sphere, 4};
+    scene.objects[0].mesh = makeShape(*scene.objects[0].shape);
+    scene.objects[0].transform.scale = pipeline::Vec3d(150);
+    document.setScene(scene);
+    compareWith(setting("object.0.tessellation", 8));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !compare.waitsForB(); }, 10000));
+    EXPECT_GT(compare.found()->differing, 0u);
+    // Nor is it made anew for a change that leaves it as it is.
+    const pipeline::FramePtr before = compare.otherFrame();
+    scene.lights[0].intensity = 60;
+    document.replace(scene, "darker");
+    EXPECT_TRUE(
+        QTest::qWaitFor([&] { return found() && !compare.waitsForB() && compare.otherFrame() != before; }, 10000));
+    EXPECT_EQ(compare.otherFrame()->scene().objects[0].mesh, before->scene().objects[0].mesh);
+}
+
+TEST_F(BufferCompareTest, AFileIsListedByStageWithTheOneBufferThatItHas) {
+    QTemporaryDir folder;
+    const QString file = folder.filePath("color.npy");
+    const auto color = *document.frame()->buffer({BufferId::Color});
+    ASSERT_TRUE(pipeline::writeNpy({color, statistics(color), {}}, file.toStdString()));
+    compareWith({.kind = Kind::File, .file = file});
+    auto& stages = *view.findChild<app::StageDifferences*>();
+    stages.open({600, 500});
+    const QTreeWidget& list = stages.list();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return list.topLevelItemCount() == 1; }, 10000));
+    EXPECT_EQ(list.topLevelItem(0)->text(0), "6 Shading");
+    ASSERT_EQ(list.topLevelItem(0)->childCount(), 1);
+    EXPECT_EQ(list.topLevelItem(0)->child(0)->text(0), "color");
+    EXPECT_EQ(list.topLevelItem(0)->child(0)->text(1), "the same");
+}
+
 TEST(OtherChoices, OfferOtherValuesOfChoicesThatHaveAnEffectAndNoOther) {
     const auto frame = test::frameOf(test::pyramid());
     QStringList texts;
