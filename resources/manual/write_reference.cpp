@@ -79,8 +79,8 @@ pipeline::Scene defaultScene() {
 std::string settings() {
     std::string text =
         "\n## Settings\n\nFor `--set KEY=VALUE`, and for `set:` in a lesson. `#` is the index of a light or an "
-        "object, from 0. The default is what a TOML scene has that does not give the key; k_a (`kar` to `kab`) is k_d "
-        "there, and the colour of OpenGL's specular part the light's.\n\n"
+        "object, from 0. The default is the value in a TOML scene without the key. There k_a (`kar` to `kab`) is k_d, "
+        "and the colour of OpenGL's specular part is the light's.\n\n"
         "| key | values | default | unit | what |\n|---|---|---|---|---|\n";
     const pipeline::Scene scene = defaultScene();
     for (const pipeline::Setting& setting : pipeline::settingsTable())
@@ -113,7 +113,7 @@ std::string defects() {
 
 std::string functions() {
     std::string text =
-        "\n## Functions\n\nOf [formulas](formulas.md). A place is x, y for a buffer per pixel, and an index for one "
+        "\n## Functions\n\nFor [formulas](formulas.md). A place is x, y for a buffer per pixel, and an index for one "
         "per vertex or polygon. A channel is r g b, x y z or 0 1 2; it may be left out. Angles are degrees.\n\n"
         "| call | gives |\n|---|---|\n";
     for (const lessons::Function& function : lessons::functionTable()) {
@@ -128,9 +128,10 @@ std::string functions() {
 
 std::string contracts() {
     std::string text =
-        "\n## Contracts\n\nWhat must hold of every stage's output: `inspect SCENE --contracts` counts how often it "
-        "does, and "
-        "the manifest of an export for what was exported. u is the unit of rounding: 2⁻²⁴ in float, 2⁻⁵³ in double.\n\n"
+        "\n## Contracts\n\nProperties that every stage's output must have. `inspect SCENE --contracts` counts how "
+        "often "
+        "they hold; the manifest of an export does so for the exported buffers. u is the unit of rounding: 2⁻²⁴ in "
+        "float, 2⁻⁵³ in double.\n\n"
         "| name | stage | formula | what | reads | may be off by | source |\n|---|---|---|---|---|---|---|\n";
     // A bar ends a cell.
     const auto cell = [](std::string_view words) {
@@ -160,8 +161,8 @@ int main(int argc, char** argv) {
         return 2;
     }
     const std::string text =
-        "# Reference\n\nMade from the program's tables by `resources/manual/write_reference.cpp`; not to be "
-        "edited.\n\n" +
+        "# Reference\n\n`resources/manual/write_reference.cpp` writes this page from the program's tables; do not edit "
+        "it.\n\n" +
         stages() + buffers() + settings() + defects() + functions() + contracts();
     if (!check) {
         std::ofstream file(argv[1], std::ios::binary);
