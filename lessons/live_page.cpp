@@ -246,9 +246,9 @@ std::string sceneLesson(const pipeline::Scene& scene, std::string_view title, st
 Result<LiveParts> liveParts() {
     LiveParts parts;
     // The script's files in their order, one after the other.
-    static constexpr std::array<std::string_view, 9> kScripts{"core.js",   "view.js",  "pictures.js",
-                                                              "stages.js", "pixel.js", "settings.js",
-                                                              "lesson.js", "space.js", "page.js"};
+    static constexpr std::array<std::string_view, 10> kScripts{"core.js",  "view.js",     "pictures.js", "stages.js",
+                                                               "pixel.js", "settings.js", "worker.js",   "lesson.js",
+                                                               "space.js", "page.js"};
     std::vector<std::pair<std::string_view, std::string*>> files{{"page.html", &parts.page},
                                                                  {"page.css", &parts.style}};
     parts.script = "'use strict';\n";

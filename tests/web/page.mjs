@@ -87,6 +87,30 @@ try {
   expect('no error was written', p.log.filter(line => !line.includes('Content Security Policy')).length === 0, p.log);
   await p.close();
 
+  // Frames that take long run in a worker, whose core becomes the page's; the settings that move meanwhile are not lost.
+  const soft = await browser.open('file://' + write('soft.html', 'export', 'soft_shadow', '--size', '160x120'));
+  const [waited, answered, same, moved] = await soft.run(`(async () => {
+    const bits = () => core.numbers(core.ask('buffer', 'color', 0)).join(), before = bits();
+    isLong = true;
+    const first = setSetting('light.0.intensity', '0.6'), waited = running !== null;
+    setSetting('light.0.intensity', '0.3');
+    const answered = bits() === before && report !== null;
+    await first;
+    while (running) await new Promise(done => setTimeout(done, 5));
+    const after = bits();
+    core.calls.frame(1);
+    return [waited, answered, after === bits(), after !== before && settingOf('light.0.intensity').text === '0.3' && core.ask('values').some(([, text]) => text === '0.3')];
+  })()`);
+  expect('a long frame runs in a worker', waited);
+  expect('the page answers meanwhile from the frame before', answered);
+  expect('the frame of the worker has the bits of the page', same);
+  expect('the newest setting wins', moved);
+  await soft.run(`isLong = true, setSetting('light.0.intensity', '0.5'), openPage(0)`);
+  await soft.until('running === null');
+  expect('a page that is opened meanwhile stays', await soft.run('core.ask("values").every(([, text], i) => text === settings[i].text) && view.own["light.0.intensity"] === undefined'));
+  expect('no error came of the worker', soft.log.length === 0, soft.log);
+  await soft.close();
+
   // A lesson: its questions are judged as in the window.
   const q = await browser.open('file://' + pyramid + '?page=2');
   expect('?page=2 opens the second page', (await q.run('page.number')) === 1);

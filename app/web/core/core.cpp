@@ -46,8 +46,19 @@ const std::string& answer() { return s_answer; }
 
 void take(pipeline::Scene scene) { core().own.scene = std::make_shared<const pipeline::Scene>(std::move(scene)); }
 
+pipeline::BufferSet shownAlways() {
+    using pipeline::BufferId;
+    return pipeline::setOf(
+        {BufferId::Color, BufferId::PolygonId, BufferId::ObjectId, BufferId::VerticesWorld, BufferId::VerticesScreen});
+}
+
 void runOwn(bool fresh) {
     ShownScene& own = core().own;
+    if (const auto& open = core().lesson; !fresh && !own.frame && open && open->half->sharedScene() == own.scene &&
+                                          (core().wanted & ~open->half->wanted()).none()) {
+        own.frame = open->half;
+        return;
+    }
     pipeline::FrameRequest request;
     request.wanted = core().wanted;
     request.threads = 1;

@@ -57,7 +57,10 @@ int refuse(const pipeline::Errors& errors);  // {"errors": [{file, line, column,
 int refuse(std::string found);
 const std::string& answer();
 
-// Runs the reader's frame again, with what is wanted now; fresh: nothing is reused.
+// What a page shows of every frame, beside the buffers of its views: ids to pick by, vertices to draw in space.
+pipeline::BufferSet shownAlways();
+// Runs the reader's frame again, with what is wanted now; fresh: nothing is reused. The frame of the author is the
+// reader's as long as it has all that is wanted and no setting has moved.
 void runOwn(bool fresh = false);
 // Takes over a scene, whose frame has yet to run.
 void take(pipeline::Scene scene);

@@ -108,6 +108,21 @@ Json hiddenJson() {
     return json;
 }
 
+// The buffer beside the one that a half shows: the first of a few that it does not hide; nothing where it shows more.
+std::optional<pipeline::BufferName> secondBuffer(const lessons::Half& half) {
+    using pipeline::BufferId;
+    const std::vector<pipeline::BufferName> shown = shownBuffers(half.state);
+    if (shown.size() != 1) return {};
+    const lessons::Hidden hidden = lessons::hiddenOn(page(), isSettled());
+    std::vector<pipeline::BufferName> choices{{BufferId::PolygonId}, {BufferId::ZView}, {BufferId::Color}};
+    if (!half.state.scene.lights.empty()) choices.insert(choices.begin(), {BufferId::NDotL, 0});
+    const auto fits = [&](const pipeline::BufferName& name) {
+        return name != shown[0] && std::ranges::find(hidden.buffers, name) == hidden.buffers.end();
+    };
+    const auto found = std::ranges::find_if(choices, fits);
+    return found == choices.end() ? shown[0] : *found;
+}
+
 int givePage() {
     OpenLesson& open = opened();
     const lessons::Half& half = open.then ? *page().then : page().first;
@@ -118,6 +133,9 @@ int givePage() {
         buffers.push_back({{"buffer", view.buffer},
                            {"channel", index(view.channel)},
                            {"range", view.range ? Json(*view.range) : Json()}});
+    if (const auto second = secondBuffer(half))
+        buffers.push_back(
+            {{"buffer", second->text()}, {"channel", index(lessons::ShownChannel::All)}, {"range", Json()}});
     Json json{{"number", open.page},
               {"count", open.lesson.pages.size()},
               {"heading", page().heading},
@@ -190,6 +208,8 @@ WEB_CALL(page) int webPage(int number, int then) {
     open.then = then != 0 && page().then && isSettled();
     const auto run = [&](const lessons::Half& half, pipeline::FrameRequest request) {
         request.threads = 1;
+        request.wanted |= shownAlways();
+        if (const auto second = secondBuffer(half)) request.wanted.set(index(second->id));
         return runFrame(std::make_shared<const pipeline::Scene>(half.state.scene), request, core().own.frame);
     };
     open.first = run(page().first, lessons::requestFor(page()));

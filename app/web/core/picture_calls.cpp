@@ -46,6 +46,13 @@ void put(std::uint8_t*& out, Color8 color, bool drawn) {
     out += 4;
 }
 
+// The range that shows all. That of bytes does not depend on what they are.
+PaletteRange rangeOf(const AnyBuffer& buffer, pipeline::DepthFormat format) {
+    const bool isBytes =
+        buffer.info->palette == pipeline::Palette::Color && buffer.info->element == pipeline::Element::UInt8;
+    return fittingRange(buffer, isBytes ? pipeline::BufferStatistics{} : statistics(buffer), format);
+}
+
 // Neighbours are often equal, above all in flat shading. channel: of three, the one that is shown alone; below 0: all of
 // them as a colour. drawn: the ids of what is seen; null: everything is shown.
 template <class T>
@@ -55,8 +62,15 @@ void paint(const AnyBuffer& buffer, std::span<const T> numbers, pipeline::Tile p
     const bool isColor = channels == 3 && channel < 0;
     const pipeline::Palette palette = buffer.info->palette;
     const std::size_t used = isColor ? 3 : 1, from = isColor ? 0 : std::size_t(std::max(channel, 0));
+    // A byte has one of 256 shares of a colour.
+    std::array<std::uint8_t, 256> shares{};
+    if constexpr (std::is_same_v<T, std::uint8_t>)
+        for (std::size_t v = 0; v < shares.size(); ++v)
+            shares[v] = paletteColor(pipeline::Palette::Color, double(v), range.first, range.last)[0];
     const auto colorOf = [&](const T* number) {
         if (!isColor) return paletteColor(palette, double(number[0]), range.first, range.last);
+        if constexpr (std::is_same_v<T, std::uint8_t>)
+            return Color8(shares[number[0]], shares[number[1]], shares[number[2]]);
         Color8 color;
         for (int c = 0; c < 3; ++c) {
             const Color8 share = paletteColor(pipeline::Palette::Color, double(number[c]), range.first, range.last);
@@ -125,8 +139,7 @@ int webPicture(const char* text, int size, int which, int channel, int own, doub
     const auto buffer = bufferNamed(frame, textAt(text, size));
     if (!buffer) return 0;
     const pipeline::BufferInfo& info = *buffer->info;
-    const auto fits = fittingRange(*buffer, statistics(*buffer), frame.scene().settings.depthFormat);
-    const PaletteRange range = own ? PaletteRange{first, last} : fits;
+    const PaletteRange range = own ? PaletteRange{first, last} : rangeOf(*buffer, frame.scene().settings.depthFormat);
     const bool masks = info.domain == pipeline::Domain::Pixel && info.id != pipeline::BufferId::Color;
     const auto ids = masks ? frame.buffer({pipeline::BufferId::PolygonId}) : std::nullopt;
     const auto* drawn = ids ? std::get<std::span<const std::int32_t>>(ids->data).data() : nullptr;

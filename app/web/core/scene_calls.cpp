@@ -104,6 +104,7 @@ WEB_CALL(want) int webWant(const char* text, int size) {
         }
     }
     if (const auto& open = core().lesson) {
+        wanted |= shownAlways();
         const lessons::Page& page = open->lesson.pages[open->page];
         wanted |= lessons::requestFor(page).wanted;
         if (open->then) wanted |= lessons::requestForThen(page).wanted;

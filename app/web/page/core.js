@@ -14,13 +14,20 @@ async function unpacked(id) {
 }
 
 class Core {
-  /** @param {Record<string, any>} calls */
-  constructor(calls) {
-    this.calls = calls;
+  // Calls that change more than a setting, and what is wanted of a frame.
+  static changing = new Set(['file', 'open', 'lesson', 'page', 'check', 'hint', 'show', 'step', 'compare']);
+
+  /** @param {WebAssembly.Module} module @param {Record<string, any>} calls */
+  constructor(module, calls) {
+    this.module = module, this.calls = calls;
+    this.changes = 0;  // of its state, but for settings and what is wanted
   }
 
   /** @param {Uint8Array} bytes @returns {Promise<Core>} */
-  static async start(bytes) {
+  static async start(bytes) { return Core.of(await WebAssembly.compile(bytes)); }
+
+  /** @param {WebAssembly.Module} module @returns {Promise<Core>} */
+  static async of(module) {
     /** @type {WebAssembly.Memory} */
     let memory;
     // What WebAssembly's system interface asks for: a clock, an end, no files, no environment.
@@ -38,7 +45,6 @@ class Core {
         throw new Error('The core has ended (' + code + '). Reload the page.');
       },
     };
-    const module = await WebAssembly.compile(bytes);
     /** @type {Record<string, any>} */
     const imports = {};
     for (const { module: from, name } of WebAssembly.Module.imports(module))
@@ -46,7 +52,14 @@ class Core {
     const calls = (await WebAssembly.instantiate(module, imports)).exports;
     memory = /** @type {WebAssembly.Memory} */ (calls.memory);
     /** @type {any} */ (calls)._initialize();
-    return new Core(calls);
+    return new Core(module, calls);
+  }
+
+  /** Becomes the core whose memory this was: that is all the state there is between two calls. @param {ArrayBuffer} memory */
+  become(memory) {
+    const page = 65536, missing = memory.byteLength - this.memory.byteLength;
+    if (missing > 0) this.calls.memory.grow(missing / page);
+    new Uint8Array(this.memory).set(new Uint8Array(memory));
   }
 
   get memory() { return this.calls.memory.buffer; }
@@ -61,6 +74,7 @@ class Core {
       new Uint8Array(this.memory, at, bytes.length).set(bytes);
       return [at, bytes.length];
     });
+    if (Core.changing.has(name)) ++this.changes;
     const done = this.calls[name](...passed);
     for (const at of held) this.calls.release(at);
     return done;

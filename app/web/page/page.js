@@ -19,9 +19,10 @@ function openPage(number, then = false) {
   if (number !== view.page || then !== view.then) verdict = null;
   page = core.ask('page', number, then ? 1 : 0);
   Object.assign(view, { page: number, then: page.then, pixel: page.pixel, channel: page.channel, level: page.level, step: null, compare: '', was: '', own: {} });
-  const shown = page.buffers.map(({ buffer, channel, range }) => ({ buffer, channel: channel > 2 ? -1 : channel, range }));
+  view.pictures = page.buffers.slice(0, 2).map(({ buffer, channel, range }) => ({ buffer, channel: channel > 2 ? -1 : channel, range }));
   settings = core.ask('settings');
-  view.pictures = [shown[0], shown[1] || { buffer: secondBuffer(shown[0].buffer), channel: -1, range: null }];
+  forgetFrame();
+  isLong = false;  // the page's own frame is there
   runFrame();
   view.part = view.fit = partDrawn();
   if (page.place) {
@@ -36,12 +37,6 @@ function openPage(number, then = false) {
   draw();
   one('#lessonbox').scrollTop = 0;
   say(`${page.heading}. ${one('#count').textContent}`);
-}
-
-/** Another buffer beside the one that a page shows, unless the page hides it. The frame has not run yet. */
-function secondBuffer(first) {
-  const choices = [...(settingOf('light.0.intensity') ? ['n_dot_l.0'] : []), 'polygon_id', 'z_view', 'color'];
-  return choices.find(name => name !== first && !page.hidden.buffers.includes(name)) || first;
 }
 
 function saveScene() {

@@ -235,6 +235,6 @@ function startPictures() {
 /** Shows a buffer in one of the pictures; computes it where it is not there. @param {number} i @param {string} name */
 function show(i, name) {
   view.pictures[i] = { buffer: name, channel: -1, range: null };
-  if (!view.step) runFrame();
-  draw();
+  if (view.step) draw();
+  else runFrame(draw);
 }

@@ -2,21 +2,36 @@
 
 
 /** One line of the equation; each part is a formula of its own, so that the line may break between them. */
-function mathLine(line) {
-  const goesOn = line.role !== 'row' && line.text.startsWith('=');
-  const box = element('div', { className: 'line' + (line.role === 'row' ? ' row' : '') + (goesOn ? ' more' : '') });
-  box.setAttribute('role', 'math');
+function fillLine(box, line) {
   box.setAttribute('aria-label', line.text);
-  for (const part of line.mathml) {
-    const holder = document.createElement('div');
-    fillHtml(holder, '<math>' + part + '</math>');
-    const math = holder.firstElementChild;
-    const first = math.firstElementChild;
-    if (first && first.localName === 'mo' && /^[=+]$/.test(first.textContent)) first.setAttribute('form', 'infix');
-    box.append(math, ' ');
-  }
-  if (line.remark && line.role === 'row') box.append(element('span', { className: 'remark', textContent: line.remark }));
-  return box;
+  const remark = line.role === 'row' ? line.remark : '';
+  /** @type {[string, () => Element][]} */
+  const parts = line.mathml.map(part => [part, () => mathPart(part)]);
+  if (remark) parts.push([remark, () => element('span', { className: 'remark', textContent: remark })]);
+  fillKept(box, parts);
+}
+
+/** @param {string} part */
+function mathPart(part) {
+  const holder = element('span');
+  fillHtml(holder, '<math>' + part + '</math> ');
+  const first = holder.firstElementChild.firstElementChild;
+  if (first && first.localName === 'mo' && /^[=+]$/.test(first.textContent)) first.setAttribute('form', 'infix');
+  return holder;
+}
+
+function fillEquation(box, lines) {
+  const rows = lines.flatMap(line => [line, ...(line.role === 'result' && view.was ? [null] : [])]);  // null: the line before
+  const kinds = rows.map(line => (line === null ? 'was' : 'line' + (line.role === 'row' ? ' row' : line.text.startsWith('=') ? ' more' : '')));
+  fillKept(box, kinds.map(kind => [kind, () => {
+    const made = element('div', { className: kind });
+    if (kind !== 'was') made.setAttribute('role', 'math');
+    return made;
+  }]));
+  rows.forEach((line, i) => {
+    if (line) fillLine(box.children[i], line);
+    else if (box.children[i].textContent !== view.was) box.children[i].textContent = view.was;
+  });
 }
 
 function pixelWords() {
@@ -35,23 +50,33 @@ function drawPixel() {
   const hidden = hides('inspector');
   report = view.pixel && !hidden ? core.ask('inspect', ...view.pixel, view.channel) : null;
   head.hidden = !report;
-  if (hidden) return box.replaceChildren(note('Hidden until you answer the question.'));
-  if (!report) return box.replaceChildren(note('Click a pixel to see why it has its colour.'));
+  if (hidden) return fillKept(box, [kept('Hidden until you answer the question.')]);
+  if (!report) return fillKept(box, [kept('Click a pixel to see why it has its colour.')]);
   one('#pixel').textContent = report.pixel.join(', ');
   drawSwatch(report.color);
   one('#color').textContent = report.color.join(' ');
   one('#seen').textContent = !report.covered ? 'Nothing is drawn here.'
     : `Polygon ${report.polygon}, object ${report.object}` + (report.interpolation ? `, interpolated ${report.interpolation.split(':')[0]}` : '');
   all('#channel button').forEach((button, i) => button.setAttribute('aria-pressed', String(i === view.channel)));
-  const lines = report.equation && !hides('equation') ? report.equation : [];
-  const equation = element('div', { className: 'equation' });
-  for (const line of lines) {
-    equation.append(mathLine(line));
-    if (line.role === 'result' && view.was) equation.append(element('div', { className: 'was', textContent: view.was }));
-  }
-  const parts = lines.length ? [equation] : hides('equation') && report.covered ? [note('The equation is hidden until you answer the question.')] : [];
-  const remarks = lines.filter(line => line.remark && line.role !== 'row').map(line => note(line.remark));
-  box.replaceChildren(...parts, ...terms(), ...remarks, ...fragments());
+  const lines = report.equation && !hides('equation') ? report.equation : [], terms = termRows(), rows = fragmentRows();
+  /** @type {[string, () => Element][]} */
+  const parts = [];
+  if (lines.length) parts.push(['equation', () => element('div', { className: 'equation' })]);
+  else if (hides('equation') && report.covered) parts.push(kept('The equation is hidden until you answer the question.'));
+  if (terms.length) parts.push(['terms', () => table('terms', 'Terms')]);
+  parts.push(...termNotes().map(kept), ...lines.filter(line => line.remark && line.role !== 'row').map(line => kept(line.remark)));
+  if (rows.length) parts.push(['fragments', () => table('fragments', 'Fragments')]);
+  fillKept(box, parts);
+  if (lines.length) fillEquation(one('.equation', box), lines);
+  if (terms.length) fillKept(one('.terms tbody', box), terms);
+  if (rows.length) fillKept(one('.fragments tbody', box), rows);
+}
+
+/** @param {string} text @returns {[string, () => Element]} */
+const kept = text => [text, () => note(text)];
+
+function table(className, caption) {
+  return element('table', { className }, element('caption', { textContent: caption }), element('tbody'));
 }
 
 function drawSwatch(color) {
@@ -60,35 +85,39 @@ function drawSwatch(color) {
   context.fillRect(0, 0, canvas.width, canvas.height);
 }
 
-function terms() {
-  if (!report.covered || !report.i_max || report.outline || hides('equation')) return [];
+const hasTerms = () => report.covered && report.i_max && !report.outline && !hides('equation');
+
+/** @returns {[string, () => Element][]} */
+function termRows() {
+  if (!hasTerms()) return [];
   const c = view.channel, rows = [['ambient', report.ambient[c]]];
   report.diffuse.forEach((value, k) => rows.push([`diffuse ${k}`, value[c]]));
   report.specular.forEach((value, k) => rows.push([`specular ${k}`, value[c]]));
   if (report.emission[c]) rows.push(['emission', report.emission[c]]);
-  const table = element('table', { className: 'terms' }, element('caption', { textContent: 'Terms' }));
-  for (const [name, value] of rows) {
+  return rows.map(([name, value]) => [[name, value, report.i_max].join(), () => {
     const bar = element('i');
     bar.style.width = 100 * Math.max(0, Math.min(1, value / report.i_max)) + '%';  // of I_max
-    table.append(element('tr', {}, element('th', { scope: 'row', textContent: name }),
+    return element('tr', {}, element('th', { scope: 'row', textContent: name }),
       element('td', { ariaHidden: 'true' }, element('span', { className: 'share' }, bar)),
-      element('td', { className: 'number', textContent: withMinus(value.toFixed(3)) })));
-  }
-  const notes = report.evaluations.flatMap(evaluation => [...evaluation.lights.map(light => light.note)]).filter(text => text);
-  return [table, ...[...new Set(notes)].map(note)];
+      element('td', { className: 'number', textContent: withMinus(value.toFixed(3)) }));
+  }]);
 }
 
-function fragments() {
+function termNotes() {
+  if (!hasTerms()) return [];
+  return [...new Set(report.evaluations.flatMap(evaluation => evaluation.lights.map(light => light.note)).filter(text => text))];
+}
+
+/** @returns {[string, () => Element][]} */
+function fragmentRows() {
   const rows = report.fragments.map(fragment => [fragment.polygon, fragment.text, fragment.verdict, fragment.shadows])
     .concat(report.culled.map(polygon => [polygon.polygon, '', polygon.reason, []]));
   if (!rows.length) return [];
-  const table = element('table', { className: 'fragments' }, element('caption', { textContent: 'Fragments' }),
-    element('tr', {}, ...['polygon', 'depth, and what was stored', 'verdict'].map(text => element('th', { scope: 'col', textContent: text }))));
-  for (const [polygon, text, verdict, shadows] of rows)
-    table.append(element('tr', {}, element('td', { className: 'number', textContent: polygon }),
+  const head = () => element('tr', {}, ...['polygon', 'depth, and what was stored', 'verdict'].map(text => element('th', { scope: 'col', textContent: text })));
+  return [['head', head], ...rows.map(([polygon, text, verdict, shadows]) => [JSON.stringify([polygon, text, verdict, shadows]), () =>
+    element('tr', {}, element('td', { className: 'number', textContent: polygon }),
       element('td', { className: 'number', textContent: text }),
-      element('td', {}, verdict, ...shadows.map(words => element('div', { className: 'note', textContent: words })))));
-  return [table];
+      element('td', {}, verdict, ...shadows.map(words => element('div', { className: 'note', textContent: words }))))])];
 }
 
 /** The result of the equation now, for "was …". */

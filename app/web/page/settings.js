@@ -77,35 +77,61 @@ function showValue(row, setting) {
   row.classList.toggle('own', setting.key in view.own);
 }
 
-/** @param {string} key @param {string} text */
-function setSetting(key, text) {
-  const before = { ...settingOf(key) }, result = resultText();
+/** The promise is kept when the picture is drawn. @param {string} key @param {string} text @returns {Promise<void>} */
+async function setSetting(key, text) {
+  const before = { ...settingOf(key) }, result = resultText(), assignment = `${key}=${text}`;
   try {
-    core.ask('set', `${key}=${text}`);
+    core.ask('set', assignment);
   } catch (error) {
     say(error.message), one('#refused').textContent = error.message;
     drawSettings();
     return;
   }
+  running?.since.push(assignment);
   one('#refused').textContent = '';
   if (!(key in view.own)) view.own[key] = before.text;
   readValues();
   if (settingOf(key).text === view.own[key]) delete view.own[key];
-  const sameSize = key !== 'width' && key !== 'height';
-  runFrame();
-  view.was = result ? `was ${result}, with ${before.label.split(' ')[0]} = ${before.text}` : '';
-  if (!sameSize) view.pixel = null, view.part = view.fit = partDrawn();
-  draw();
+  const sameSize = key !== 'width' && key !== 'height', was = result ? `was ${result}, with ${before.label.split(' ')[0]} = ${before.text}` : '';
+  return runFrame(() => {
+    view.was = was;
+    if (!sameSize) view.pixel = null, view.part = view.fit = partDrawn();
+    draw();
+  });
 }
 
-/** The reader's frame with what is shown; steps begin anew. */
-function runFrame() {
-  const names = view.pictures.map(shown => shown.buffer).filter(name => core.call('want', name));
-  core.ask('want', [...new Set([...names, 'color', 'polygon_id', 'object_id', 'vertices.world', 'vertices.screen'])].join(','));
-  core.calls.frame(0);
+/** The calls that make the reader's frame. @returns {any[][]} */
+const frameCalls = () => [['frame', 0], ...(view.compare ? [['compare', view.compare]] : [])];
+
+/** The reader's frame with what is shown, then `work`; at once, or in the worker where the frame before took long.
+ * @param {() => void} [work] @returns {Promise<void>|undefined} */
+function runFrame(work = () => {}) {
+  if (!isLong) {
+    wantShown();
+    for (const [name, ...values] of frameCalls()) core.call(name, ...values);
+    frameIsThere();
+    work();
+    return undefined;
+  }
+  return new Promise(done => {
+    afterFrame.push({ work, done: () => done() });
+    if (!running) sendFrame();
+  });
+}
+
+/** Wants what the views show, of what there is, beside what the core wants for a page. */
+function wantShown() {
+  core.ask('want', view.pictures.map(shown => shown.buffer).filter(name => core.call('want', name)).join(','));
+}
+
+/** Whether the last frame took so long that the page would stand still. */
+let isLong = false;
+
+/** Steps begin anew. */
+function frameIsThere() {
   view.step = null;
-  if (view.compare) core.ask('compare', view.compare);
   plan = core.ask('plan'), mesh = null;
+  isLong = plan.milliseconds > kLongFrame;
 }
 
 /** What a setting is stays; what it is set to moves. A choice may bring others with it. */
@@ -133,8 +159,8 @@ function startSettings() {
   one('#putback').addEventListener('click', () => guarded(() => openPage(view.page, view.then)));
   one('#compare').addEventListener('change', event => guarded(() => {
     view.compare = event.target.value;
-    core.ask('compare', view.compare);
-    draw();
+    if (!isLong || view.compare === '') core.ask('compare', view.compare), draw();
+    else runFrame(draw);
     say(view.compare ? `The second picture shows B, with ${view.compare}.` : 'The second picture shows a buffer.');
   }));
 }

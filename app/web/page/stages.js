@@ -12,11 +12,10 @@ function drawStages() {
     else button.removeAttribute('aria-current');
     const inside = i === at && view.step ? `${view.step.progress.done} of ${view.step.progress.of} ${view.step.progress.unit}` : stage.counts;
     const told = isOut ? (hides('plan') ? '' : stage.why) : isLater || hides('counts') ? '' : inside;
-    button.replaceChildren(
-      element('span', { className: 'name' }, element('span', { className: 'number', textContent: i + 1 }), element('span', { className: 'label', textContent: stage.label }),
-        element('span', { className: 'state ' + state, textContent: `${mark} ${word}` })),
-      element('span', { className: 'told', textContent: told }),
-      element('span', { className: 'time', textContent: isOut || isLater ? '' : timeText(stage.milliseconds) }));
+    /** @returns {[string, () => Element]} */
+    const span = (className, text) => [className + text, () => element('span', { className, textContent: text })];
+    fillKept(button, [['name', () => element('span', { className: 'name' })], span('told', told), span('time', isOut || isLater ? '' : timeText(stage.milliseconds))]);
+    fillKept(button.firstElementChild, [span('number', i + 1), span('label', stage.label), span('state ' + state, `${mark} ${word}`)]);
     button.title = hides('plan') ? '' : [stage.why, ...stage.parts.filter(part => part.action === 'left out').map(part => `${part.part} left out: ${part.why}`)].join('\n');
   });
   one('#frame').textContent = `frame ${plan.number}, ${timeText(plan.milliseconds)}`;

@@ -17,6 +17,19 @@ function element(tag, properties = {}, ...children) {
 /** HTML from the page's writer and the core, which escape what people have typed. @param {Element} box @param {string} html */
 function fillHtml(box, html) { box.innerHTML = html; }
 
+/** Children by key: one that has its key stays, so that the browser lays out only what has changed.
+ * @param {Element} box @param {[string, () => Element][]} wanted */
+function fillKept(box, wanted) {
+  while (box.children.length > wanted.length) box.lastElementChild.remove();
+  wanted.forEach(([key, make], i) => {
+    const there = /** @type {any} */ (box.children[i]);
+    if (there && there.keptAs === key) return;
+    const made = Object.assign(make(), { keptAs: key });
+    if (there) there.replaceWith(made);
+    else box.append(made);
+  });
+}
+
 /** A word with a script, as "k_s specular". @param {string} text @returns {(Node|string)[]} */
 const withScripts = text => text.split(/([A-Za-z]_[A-Za-z0-9]+)/).map((part, i) => {
   if (i % 2 === 0) return part;
