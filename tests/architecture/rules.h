@@ -35,6 +35,10 @@ Breaches longFiles(const SourceTree& tree);
 Breaches unlistedSources(const SourceTree& tree);
 // No path of one person's machine.
 Breaches machinePaths(const SourceTree& tree);
+// README.md, CONTRIBUTING.md and the pages of the manual, without tables and code: at most 25 words a sentence.
+Breaches longSentences(const SourceTree& tree);
+// The same pages, with tables: no word that has a better one. Code and labels of the window, *in italics*, do not count.
+Breaches replacedWords(const SourceTree& tree);
 // At the root only what the layout in CONTRIBUTING.md names.
 Breaches strangersAtTheTop(const std::vector<std::string>& names);
 

@@ -177,6 +177,31 @@ TEST(Architecture, NoPathOfOneMachine) {
     expectKept(machinePaths(project()));
 }
 
+TEST(Architecture, SentencesAreShort) {
+    const std::string ten = "one two three four five six seven eight nine ten ";
+    const auto page = [](std::vector<std::string> lines) { return SourceTree{{"README.md", std::move(lines)}}; };
+    expectOne(longSentences(page({"# Title", "", ten + ten, "and then it goes to six."})), "README.md:3:");
+    expectOne(longSentences(page({"- " + ten + ten + "and then five words more, **no**."})), "README.md:1:");
+    expectKept(longSentences(page({ten + ten + "and only five words more."})));
+    expectKept(longSentences(page({ten + ten + "end.", ten + "end. " + ten + "end"})));
+    expectKept(longSentences(page({"- " + ten + ten, "- " + ten + ten, "", ten + ten})));
+    expectKept(longSentences(page({"```", ten + ten + ten, "```", "| " + ten + ten + ten + " |"})));
+    expectKept(longSentences(page({ten + ten + "`" + ten + "` [a link](to/a/page.md) ![" + ten + "](a.png)"})));
+    expectKept(longSentences({{"lessons/pyramid/lesson.md", {ten + ten + ten}}}));
+    expectKept(longSentences(project()));
+}
+
+TEST(Architecture, WordsAreTheFieldsAndTheDesktops) {
+    const auto page = [](std::string line) {
+        return SourceTree{{"resources/manual/window.md", {"# Title", std::move(line)}}};
+    };
+    expectOne(replacedWords(page("| foot | the timeline |")), "resources/manual/window.md:2:");
+    expectOne(replacedWords(page("**All Processors** are used.")), "resources/manual/window.md:2:");
+    expectKept(replacedWords(page("`foot`, a footing, and *At the foot*")));
+    expectKept(replacedWords({{"resources/manual/reference.md", {"foot"}}}));  // written from the program's tables
+    expectKept(replacedWords(project()));
+}
+
 TEST(Architecture, TheRootHoldsItsEntriesOnly) {
     expectOne(strangersAtTheTop({"app", "notes.txt"}), "notes.txt:1:");
     expectKept(strangersAtTheTop(topLevel(SHADESCOPE_ROOT)));
