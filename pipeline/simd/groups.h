@@ -14,7 +14,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace pipeline::HWY_NAMESPACE {
 
-// What is seen in a row of blocks, object by object where that makes a difference.
+// Groups the pixels of a row of blocks by object, if objects have to be told apart.
 class Groups {
 public:
     void find(const SurfaceRow& row, bool byObject) {
@@ -36,10 +36,10 @@ public:
     }
     std::span<const Group> all() const { return {m_groups.data(), m_count}; }
     bool areOne() const { return m_count == 1; }
-    std::uint32_t blocks() const { return m_blocks; }  // as bits, those in which anything is seen
+    std::uint32_t blocks() const { return m_blocks; }  // bit mask of the blocks in which something was drawn
 
 private:
-    // Without a branch, for nobody can guess where a row's surfaces end.
+    // Without a branch: a CPU cannot predict where the surfaces of a row end.
     void takeAll(const SurfaceRow& row) {
         Group& all = of(0);
         std::size_t count = 0;
@@ -59,7 +59,7 @@ private:
         added.object = object, added.count = 0;
         return added;
     }
-    std::vector<Group> m_groups;  // with room for those of other rows
+    std::vector<Group> m_groups;  // keeps its capacity from row to row
     std::size_t m_count = 0;
     std::uint32_t m_blocks = 0;
 };

@@ -8,12 +8,12 @@
 namespace pipeline {
 namespace {
 
-// What they leave of a pixel's surface in Phong shading, where every pixel has one.
+// Buffers of a pixel's surface in Phong shading, where each pixel has its own.
 BufferSet ofSurfaces() {
     using enum BufferId;
     return setOf({Normal, ViewVector, LightVector, ReflectionVector, HalfwayVector, NDotL, RDotV, NDotH});
 }
-// In every shading; the last four are made of their intensity.
+// Buffers in every shading; the last four are computed from the intensity.
 BufferSet always() {
     using enum BufferId;
     return setOf({Position, Shadow, Ambient, Diffuse, Specular, Emission, Intensity, Color, Translucent, Transmittance,

@@ -6,8 +6,8 @@
 
 namespace pipeline {
 
-// What the kernels of this folder have beside the stages' own text. Each says why they do not have a scene's, one sentence,
-// or is empty.
+// Says whether the kernels of this folder support a scene's settings. Each function returns one sentence with the
+// reason if they do not, else an empty string.
 
 // The z-buffer.
 std::string whyNotDrawnInVectors(const Settings& settings);

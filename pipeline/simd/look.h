@@ -6,27 +6,27 @@
 
 namespace pipeline {
 
-// A light that shines on pixels.
+// A light, ready for shading pixels.
 struct Shining {
     bool atInfinity;
-    Vec3<float> source;  // the direction towards it, or where it stands
+    Vec3<float> source;  // direction towards it, or its position
     explicit Shining(const Light& light) : atInfinity(light.kind == LightKind::AtInfinity), source(light.position) {
         if (atInfinity) source = normalized(source);
     }
 };
-// What a material makes of a light.
+// The products of a material and a light's colour.
 struct Reflected {
     Vec3<float> diffuse, specular;
 };
-// What of it a highlight is a power of: of R·V or of N·H.
+// The base of a highlight's power: R·V or N·H.
 enum class SpecularForm : std::uint8_t { None, Reflection, Halfway };
-// What of an object its pixels are shaded by.
+// The shading constants of an object.
 struct Look {
     SpecularForm highlight = SpecularForm::None;
     float exponent;
     BaseTerms<float> base;
     std::vector<Reflected> lights;
-    bool isFinite = true;  // they are: times 0 they are 0
+    bool isFinite = true;  // all of them are finite, so times 0 they are 0
 
     Look(const ShadingInputs& inputs, const Material& material) : base(baseTerms<float>(inputs, material)) {
         const bool halfway = usesHalfway(inputs.illumination.model, material);

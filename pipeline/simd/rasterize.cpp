@@ -21,12 +21,13 @@ namespace {
 
 constexpr float kFar = SeenBlocks::kNowhere;
 
-// How many fragments there were in each pixel of a tile.
+// The number of fragments in each pixel of a tile.
 struct CountedTile {
     std::array<Block<std::int32_t>, kBlocks> arrived{}, won{};
 };
 
-// By vectors, for what the library does for that many equal bytes does not gain from lines that are on their way.
+// Stores with SIMD: std::fill becomes memset here, which does not profit from cache lines that are already being
+// fetched.
 template <class T>
 HWY_INLINE void fillTileOf(BlockBuffer2D<T>& buffer, std::size_t index, T value) {
     const hn::CappedTag<T, 16> d;
@@ -37,17 +38,17 @@ HWY_INLINE void fillTileOf(BlockBuffer2D<T>& buffer, std::size_t index, T value)
 
 struct DrawnTile {
     Block<float>* z;
-    Block<std::uint32_t>* name;  // null where nobody asks
-    CountedTile* counted;        // null where nobody asks
+    Block<std::uint32_t>* name;  // null if not requested
+    CountedTile* counted;        // null if not requested
 };
 
-// Counts lane by lane: such sums stay in registers.
+// Counts in each lane, so that the sum stays in a register.
 HWY_INLINE void countWhere(Mask mask, Ints& sum) {
     sum = hn::IfThenElse(hn::RebindMask(I(), mask), hn::Add(sum, hn::Set(I(), 1)), sum);
 }
 HWY_INLINE std::int32_t total(Ints sum) { return hn::GetLane(hn::SumOfLanes(I(), sum)); }
 
-// How many fragments there were.
+// The number of fragments so far, counted in each lane.
 class Sums {
 public:
     HWY_INLINE Sums() : m_arrived(hn::Zero(I())), m_won(hn::Zero(I())) {}
@@ -65,8 +66,8 @@ HWY_INLINE Floats nowhereOutside(Inside, Floats z) { return z; }
 HWY_INLINE Mask isInside(Ints outside) { return asFloats(hn::Gt(outside, hn::Set(I(), -1))); }
 HWY_INLINE Mask isInside(Inside) { return hn::FirstN(F(), kLanes); }
 
-// Calls visit(at, outside, w) for the vectors of a tile that a triangle which is not small covers a part of, and
-// visitPixel(pixel, e) for its pixels where no vectors hold its edge functions.
+// For a triangle that is not small: calls visit(at, outside, w) for the vectors of the tile that it touches. If its
+// edge functions do not fit SIMD lanes, it calls visitPixel(pixel, e) for its pixels instead.
 template <class Visit, class VisitPixel>
 HWY_INLINE void forEachOfOther(const RasterTriangle<float>& t, Tile tile, int bits, Visit visit,
                                VisitPixel visitPixel) {
@@ -75,8 +76,8 @@ HWY_INLINE void forEachOfOther(const RasterTriangle<float>& t, Tile tile, int bi
     forEachCovered(t.snapped, tile, visitPixel);
 }
 
-// Draws triangles into a tile. kPlain: all pixels of its blocks are in the picture, and nobody counts by pixel. kNames:
-// somebody asks which triangle is seen.
+// Draws triangles into a tile. kPlain: all pixels of the blocks are in the picture, and fragments are not counted per
+// pixel. kNames: the visible triangle of each pixel is stored too.
 template <bool kPerspective, bool kPlain, bool kNames>
 class TileDrawer {
 public:
@@ -121,13 +122,13 @@ private:
         if (!kPlain && m_out.counted)
             ++numbersOf(m_out.counted->arrived.data())[at], numbersOf(m_out.counted->won.data())[at] += won;
     }
-    // Those of runs of small ones. By itself, for its sums to stay in registers.
+    // Draws runs of small triangles. A function of its own, so that the sums stay in registers.
     HWY_NOINLINE void drawSmall(const TrianglePiece& piece, std::span<const TriangleRun> runs, FetchedAhead& ahead) {
         Sums sums;
         std::uint32_t i = 0;
         while (!runs.empty()) {
             ahead.fetch();
-            if constexpr (kNames) m_next.fetch();  // of depths alone the processor fetches enough by itself
+            if constexpr (kNames) m_next.fetch();  // for depth alone the CPU's own prefetching is enough
             const SmallTriangle& t = piece.small[runs.front().first + i];
             if (++i == runs.front().count) i = 0, runs = runs.subspan(1);
             forEachVector(t, m_tile, [&](std::size_t at, Ints outside, Floats w) HWY_ATTR {
@@ -147,7 +148,7 @@ private:
             });
         sums.addTo(m_counts);
     }
-    // What a triangle has in one vector.
+    // Draws a triangle's fragments in one vector.
     HWY_INLINE void drawVector(std::size_t at, Mask inside, Floats w, hn::Vec<U> name, Sums& sums) {
         float* const to = numbersOf(m_out.z) + at;
         if (!kPlain) inside = hn::And(inside, within(m_tile, at));
@@ -155,7 +156,8 @@ private:
         const Floats stored = hn::Load(F(), to);
         const Mask won = hn::And(inside, hn::Lt(z, stored));
         sums.add(inside, won);
-        // Stored as a whole: what follows may load the same block, and a store through a mask is not passed on to it.
+        // Stores the whole vector: the next triangle may load the same block, and masked stores are not forwarded to
+        // loads.
         hn::Store(hn::IfThenElse(won, z, stored), F(), to);
         if constexpr (kNames) {
             std::uint32_t* const seen = numbersOf(m_out.name) + at;
@@ -176,7 +178,7 @@ private:
     TileCounts m_counts;
 };
 
-// Whether a triangle was turned round for its corners to run clockwise. One that clipping has cut counts as facing.
+// False if the vertices were swapped to make the triangle clockwise. A clipped triangle counts as facing.
 bool facesViewer(const RasterTriangle<float>& t) {
     int own[3]{};
     for (std::size_t corner = 0; corner < 3; ++corner) {
@@ -187,7 +189,7 @@ bool facesViewer(const RasterTriangle<float>& t) {
     return own[1] != (own[0] + 1) % 3;
 }
 
-// The farthest depth that is stored in each square of a tile.
+// The farthest stored depth in each square of a tile.
 class Farthest {
 public:
     explicit Farthest(const Block<float>* blocks) {
@@ -202,12 +204,12 @@ public:
                 m_of[y][x] = hn::GetLane(hn::MaxOfLanes(F(), most));
             }
     }
-    // Whether no pixel of a triangle whose corners have w from `low` to `high` can be nearer than what is there; box: its
-    // pixels.
+    // True if no pixel of a triangle can be nearer than the stored depth. w of its vertices is from `low` to `high`;
+    // box: its pixels.
     bool hides(float low, float high, Tile box, Tile tile, bool perspective) const {
-        // w errs by less than 2^-19 of the largest |w|: the plane's by 3 + 8 kSteepest halves of a last place; that of
-        // weights by two products and three sums of at most twice as much, and shares with four roundings. The reciprocal
-        // errs by twice as much.
+        // w errs by less than 2^-19 of the largest |w|. The plane's w errs by 3 + 8 kSteepest halves of a last place.
+        // The w from weights takes two products and three sums of at most twice that size, and weights with four
+        // roundings. The reciprocal doubles the error.
         static_assert(kSteepest <= 1);
         const float nearest =
             perspective ? (1 - 0x1p-18F) / high : low - 0x1p-19F * std::max(std::abs(low), std::abs(high));
@@ -224,7 +226,7 @@ private:
     float m_of[kAcross][kAcross];
 };
 
-// The weights of what is seen in a tile, as rows.
+// Writes the barycentric weights of a tile as rows of pixels.
 void writeWeights(const SetUpInputs& inputs, const SeenBlocks& seen, std::size_t index, Buffer2D<Vec3<float>>& out) {
     const Tile tile = tileOf(seen.pieces.size, index);
     const SeenIn in{inputs.view, inputs.topology, *inputs.vertices, seen.pieces, tile, numbersOf(seen.z.tile(index))};
@@ -259,7 +261,7 @@ TileCounts drawTile(const SetUpInputs& in, std::size_t index, SeenBlocks& seen, 
     if (!all.touches(index)) return {};
     const bool hasNames = !seen.name.blocks.empty();
     fillTileOf(seen.z, index, kFar);
-    // Not an optional: GCC sets its room to 0 even when it is empty, which takes as long as all the depths.
+    // Not std::optional: GCC zeroes its storage even when it is empty, which takes as long as clearing all the depths.
     const auto counted = out.overdraw.empty() ? nullptr : std::make_unique<CountedTile>();
     const DrawnTile drawn{seen.z.tile(index), hasNames ? seen.name.tile(index) : nullptr, counted.get()};
     const BlocksAhead next = BlocksAhead::from(index + 1, seen.z, hasNames ? &seen.name : nullptr);
@@ -285,8 +287,9 @@ TileCounts drawTile(const SetUpInputs& in, std::size_t index, SeenBlocks& seen, 
     return counts;
 }
 
-// Draws triangles into a tile of a shadow buffer. The nearest remains, whatever the order. What faces the light comes
-// first: of a solid, it hides the rest. Of fragments, to draw them takes no longer than to ask.
+// Draws triangles into a tile of a shadow buffer. The nearest depth remains in any order. Triangles that face the light
+// are drawn first, because in a solid they hide the others. Fragments of tiny triangles are drawn at once: testing them
+// would take as long.
 template <bool kPerspective>
 class ShadowDrawer {
 public:

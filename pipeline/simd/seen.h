@@ -19,51 +19,52 @@
 HWY_BEFORE_NAMESPACE();
 namespace pipeline::HWY_NAMESPACE {
 
-// In which pixels of a vector of SeenBlocks::z something is seen.
+// The lanes of a vector of SeenBlocks::z in which something was drawn.
 HWY_INLINE Mask seenIn(const float* z) { return hn::Lt(hn::Load(F(), z), all(SeenBlocks::kNowhere)); }
 
-// And in which of them this triangle is; in those where nothing is seen, either.
+// The lanes whose pixel shows this triangle. Lanes without a triangle may be set too.
 HWY_INLINE Mask seesIn(const std::uint32_t* names, std::uint32_t name) {
     return hn::RebindMask(F(), hn::Eq(hn::Load(U(), names), hn::Set(U(), name)));
 }
 
-// The weights of corners 1 and 2 in a pixel; what they leave of 1 is that of corner 0.
+// Barycentric weights of vertices 1 and 2 at a pixel; vertex 0 has the rest up to 1.
 struct Shares {
     Floats one, two;
 };
 
-// What the triangles that are seen in a tile are found in.
+// The data of a tile in which the visible triangles are looked up.
 struct SeenIn {
     const View& view;
     const Topology& topology;
     const SnappedVertices& vertices;
-    const TrianglePieces& pieces;  // whose others are seen
+    const TrianglePieces& pieces;  // for triangles that are not small
     Tile tile;
-    const float* z;  // of the tile's blocks: z_view of what is seen
+    const float* z;  // z_view of the visible surface, in the blocks of the tile
 
-    // What makes weights that are linear in the picture perspective-correct, beside the corners' 1/z: 1 where they are.
+    // The factor that makes weights linear in the picture perspective-correct, together with the vertices' 1/z. 1
+    // without perspective.
     HWY_INLINE Floats zAt(const VectorPlace& place) const {
         return view.perspective ? hn::Load(F(), z + place.at) : all(1);
     }
 };
 
-// Whether none of what is seen in a vector are other triangles.
+// True if every lane that shows something shows a small triangle.
 HWY_INLINE bool areSmall(const std::uint32_t* names, Mask seen) {
     const auto other = hn::And(hn::Load(U(), names), hn::Set(U(), TriangleRun::kOther));
     return hn::AllFalse(F(), hn::And(seen, hn::RebindMask(F(), hn::Ne(other, hn::Zero(U())))));
 }
 
-// The triangles that the pixels of a vector see, each its own and none of the others, and their weights there, with the
-// bits of SeenTriangle's. Where nothing is seen, any triangle of them.
+// For lanes that each show a different triangle: these triangles, and their weights, with the bits of
+// SeenTriangle::weights. Lanes without a triangle get an arbitrary one of them.
 struct SeenInPixels {
     HWY_ALIGN std::uint32_t id[16], vertices[3][16], polygon[16];
     Shares weights;
 
-    // seen: at least one.
+    // seen: at least one lane.
     HWY_INLINE SeenInPixels(const SeenIn& in, const VectorPlace& place, const std::uint32_t* names, Mask seen) {
         const auto some = hn::Set(U(), names[hn::FindKnownFirstTrue(F(), seen)]);
         hn::Store(hn::IfThenElse(hn::RebindMask(U(), seen), hn::Load(U(), names), some), U(), id);
-        // The fourth number is the next triangle's; behind the last one there is none.
+        // A load of four reads the next triangle's first number too; the last triangle has no next one.
         const std::span<const Triangle> all = in.topology.triangles;
         const auto& last = all.back().vertices;
         const std::uint32_t end[4]{last[0], last[1], last[2], 0};
@@ -89,37 +90,37 @@ struct SeenInPixels {
     }
 };
 
-// Of the edges opposite corners 1 and 2 of a triangle: how many units the edge functions have, bias included, what is
-// below, and 1 over the area; for linearWeight.
+// For the edges opposite vertices 1 and 2 of a triangle: the edge functions in units, bias included, the rest below a
+// unit, and 1 over the area. Input of linearWeight.
 struct NarrowWeights {
     PixelFunction edges[2];
-    float inverse, unit, below[2];                    // the last two of middle ones; small ones are whole units
-    alignas(64) std::int32_t steps[2][kBlockPixels];  // what the pixels of a block have more than its first one
+    float inverse, unit, below[2];                    // the last two: of middle triangles; small ones have whole units
+    alignas(64) std::int32_t steps[2][kBlockPixels];  // of each pixel of a block: more than at its first pixel
 
     HWY_INLINE void findSteps() {
         for (std::size_t i = 0; i < 2; ++i)
             for (int l = 0; l < kBlockPixels; l += kLanes)
                 hn::Store(edges[i].inBlock(columnOf(l), rowOf(l)), I(), steps[i] + l);
     }
-    // Of edge i, in a vector of the tile.
+    // The units of edge i at the pixels of a vector.
     HWY_INLINE Ints units(std::size_t i, const VectorPlace& place) const {
         const glm::ivec2 block = place.block();
         return hn::Add(hn::Load(I(), steps[i] + place.first()), hn::Set(I(), edges[i].atPixel(block.x, block.y)));
     }
 };
 
-// A triangle that is seen in a tile, for any vector of it. Its corners are its own, or, where clipping has cut it, those
-// of a piece.
+// A visible triangle of a tile, evaluated at any vector of the tile. Its vertices are its own, or those of a piece if
+// clipping has cut it.
 class SeenTriangle {
 public:
-    // What is known of one that is not small.
+    // Data for a triangle that is not small.
     struct Other {
         const RasterTriangle<float>* triangle;
-        glm::ivec3 drawn;  // in which place each corner is drawn
+        glm::ivec3 drawn;  // the position in drawing order of each vertex
         std::optional<MiddleEdges> middle;
-        std::optional<LargeEdges> large;  // where `middle` does not fit
+        std::optional<LargeEdges> large;  // if `middle` does not fit
     };
-    // other: where to keep that, as long as this is asked.
+    // other: storage for that data; it must live as long as this object is used.
     HWY_NOINLINE void become(const SeenIn& in, std::uint32_t name, std::unique_ptr<Other>& other) {
         if (TrianglePieces::isOther(name)) return becomeOther(in, in.pieces.other(name), other);
         m_id = name, m_kind = Kind::Small;
@@ -149,18 +150,18 @@ public:
         m_firstPixel = {firstPixel(x), firstPixel(y)};
     }
     std::uint32_t id() const { return m_id; }  // index into Topology::triangles
-    // Else it is so large that weights() is all that is known of it.
+    // False if the triangle is so large that only weights() is available.
     bool isLinear() const { return m_kind == Kind::Small || m_other->middle; }
     float w(std::size_t corner) const { return m_w[corner]; }
-    // A quantity of the triangle's own corners at one of its corners.
+    // A vertex attribute at one of the triangle's own vertices.
     Vec3<float> atCorner(std::span<const Vec3<float>> values, const std::uint32_t (&v)[3], std::size_t corner) const {
         if (m_kind != Kind::Cut) return values[v[corner]];
         const Vec3<float>& share = m_other->triangle->weights[corner];
         return share.x * values[v[0]] + share.y * values[v[1]] + share.z * values[v[2]];
     }
-    // Its first pixel in the tile.
+    // The triangle's first pixel in the tile.
     glm::ivec2 firstPixel(Tile tile) const { return glm::max(m_firstPixel - tile.min, 0); }
-    // The weight of a corner, 1 or 2, that is linear in the picture.
+    // The weight of vertex 1 or 2, linear in the picture.
     Slope slope(int corner, glm::ivec2 first) const {
         if (m_kind != Kind::Small) return m_other->middle->slope(m_other->drawn[corner], first);
         const PixelFunction& edge = m_narrow.edges[corner - 1];
@@ -168,8 +169,8 @@ public:
         return {float(edge.atPixel(first.x, first.y)) * inverse, float(edge.column) * inverse,
                 float(edge.row) * inverse};
     }
-    // Perspective-correct weights over the triangle's own corners, the bits of interpolate; where the triangle is not
-    // seen, any numbers. z: in.zAt of the place.
+    // Perspective-correct weights of the triangle's own vertices, with the bits of interpolate. Lanes that do not show
+    // the triangle get arbitrary numbers. z: in.zAt of the place.
     HWY_INLINE Shares weights(const SeenIn& in, const VectorPlace& place, Floats z) const {
         if (HWY_UNLIKELY(m_kind > Kind::Middle)) return weightsOfLarge(in, place.at);
         const auto share = [&](std::size_t i) HWY_ATTR {
@@ -239,10 +240,10 @@ private:
     }
 
     enum class Kind : std::uint8_t { Small, Middle, Large, Cut };
-    NarrowWeights m_narrow;   // of small and middle ones
-    Other* m_other;           // of all but small ones
+    NarrowWeights m_narrow;   // for small and middle triangles
+    Other* m_other;           // for all but small triangles
     glm::ivec2 m_firstPixel;  // of its box, in the picture
-    float m_w[3];             // 1/z of the corners where the picture is in perspective, else 1
+    float m_w[3];             // 1/z of the vertices in perspective, else 1
     std::uint32_t m_id;
     Kind m_kind;
 };

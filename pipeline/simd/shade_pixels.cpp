@@ -26,7 +26,7 @@ HWY_BEFORE_NAMESPACE();
 namespace pipeline::HWY_NAMESPACE {
 namespace {
 
-// What a light adds to pixels.
+// The terms that one light adds, in each lane.
 struct Terms {
     Floats3 diffuse, specular;
 };
@@ -35,25 +35,25 @@ HWY_INLINE Mask isZero(Floats3 v) {
     return hn::And(hn::Eq(v.x, all(0)), hn::And(hn::Eq(v.y, all(0)), hn::Eq(v.z, all(0))));
 }
 HWY_INLINE Mask isZero(const Terms& of) { return hn::And(isZero(of.diffuse), isZero(of.specular)); }
-// Of the three numbers the one farthest from 0.
+// The largest absolute value of the three components.
 HWY_INLINE float largest(Vec3<float> v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
-// A row of blocks on its way to the picture: what one of the loops over it leaves for the next.
+// A row of blocks while it is shaded. Each loop over the row leaves its results here for the next loop.
 struct ShadedRow {
     SurfaceRow surface;
-    Row3 V;                    // where more than one asks for it
-    Row nDotL, q, log, power;  // of a light; q: 1 - R·V or 1 - N·H; log: of what q leaves of 1, where that is kept
-    ElementRow elements;       // of flat and Gouraud shading
-    Row3 diffuse, specular;    // of a light, where they were gathered
+    Row3 V;                    // stored if several lights or buffers read it
+    Row nDotL, q, log, power;  // of one light; q: 1 - R·V or 1 - N·H; log: log(1 - q), where it is kept
+    ElementRow elements;       // in flat and Gouraud shading
+    Row3 diffuse, specular;    // of one light, in flat and Gouraud shading
     Row S;
     Row3 intensity;  // the sum
 };
 
-// The pixels of a tile.
+// Shades the pixels of one tile.
 template <class A>
 class TileShader {
 public:
-    // Polygons or vertices of `out` have been shaded.
+    // The polygons or vertices in `out` must have been shaded before.
     TileShader(const ShadingInputs& inputs, const ShadingSources<float>& in, Tile tile, ShadingOutput<float>& out)
         : m_inputs(inputs),
           m_in(in),
@@ -112,7 +112,7 @@ private:
         if (!buffers.empty()) putPixels(value, mask, m_first + i, m_tile.min, buffers[k]);
     }
 
-    // Of a group, which leaves the other pixels of its vectors alone where these are of another.
+    // Writes the intensity of a group's pixels; lanes that belong to another group keep theirs.
     HWY_INLINE void putIntensity(Floats3 v, Mask mask, std::size_t i) {
         store(m_isAlone ? v : choose(mask, v, load(m_row.intensity, i)), m_row.intensity, i);
     }
@@ -121,7 +121,7 @@ private:
     void shadePhong(const Group& group) {
         const Look& look = m_looks[group.object];
         const Floats3 base = all(sumOf(look.base));
-        // Where no other group and nobody else asks, the first light begins with what is there without any.
+        // With one group and no other buffers the first light starts from the base, without a pass that writes it.
         bool isLeft = kKeeps || !m_isAlone;
         if (isLeft) leaveBase<kKeeps>(group, look);
         if (m_keeper) m_keeper->add(group, look.highlight);
@@ -139,14 +139,14 @@ private:
                 const std::size_t i = group.at[n];
                 const Floats nDotL = load(m_row.nDotL, i), power = shines ? load(m_row.power, i) : all(0);
                 const Floats3 specular = scaled(all(reflected.specular), power);
-                // Never -0 where it is kept: what is left out is +0. A sum that begins with +0 is never -0.
+                // Kept terms are never -0, because a term left out is +0. A sum that begins with +0 is never -0.
                 return Terms{where(hn::Gt(nDotL, all(0)), scaled(all(reflected.diffuse), nDotL)),
                              kKeeps ? specular + all(Vec3<float>(0)) : specular};
             };
             const Floats mostDiffuse = all(largest(reflected.diffuse)), mostSpecular = all(largest(reflected.specular));
             const auto areZero = [&](std::size_t n) HWY_ATTR {
                 if (HWY_UNLIKELY(!look.isFinite)) return isZero(terms(n));
-                // Of products with the same number that with the largest is the last to be rounded to 0.
+                // All products have the same factor, so the product with the largest one is the last to round to 0.
                 const std::size_t i = group.at[n];
                 const Floats nDotL = load(m_row.nDotL, i), power = shines ? load(m_row.power, i) : all(0);
                 const Mask dark = hn::Or(hn::Not(hn::Gt(nDotL, all(0))), hn::Eq(hn::Mul(mostDiffuse, nDotL), all(0)));
@@ -170,7 +170,7 @@ private:
             if (const Mask seen = m_row.surface.seenAt(i); !hn::AllFalse(F(), seen))
                 store(m_views.template at<A>(i, seen), m_row.V, i);
     }
-    // Leaves what is there without any light.
+    // Writes the intensity without any light: emission and ambient.
     template <bool kKeeps>
     void leaveBase(const Group& group, const Look& look) {
         const Floats3 base = all(sumOf(look.base));
@@ -188,7 +188,7 @@ private:
         }
     }
 
-    // Leaves N·L of light k, and of its highlight q, kNoHighlight where there is none.
+    // Writes N·L of light k, and q of its highlight: kNoHighlight where there is none.
     template <bool kKeeps, SpecularForm kForm>
     void reflect(const Group& group, std::size_t k) {
         const LightDetail& detail = m_inputs.illumination.detail;
@@ -234,7 +234,7 @@ private:
         m_counts.vanished += counts.vanished, m_counts.powers += counts.there - counts.vanished;
     }
 
-    // What light k adds, added to the intensity, or to `base` where that is given. terms(n): in its shadow.
+    // Adds the terms of light k to the intensity, or to `base` if it is given. terms(n): of vector n, with the shadow.
     template <bool kKeeps, class TermsOf>
     void addLight(const Group& group, std::size_t k, const Floats3* base, TermsOf terms) {
         for (std::size_t n = 0; n < group.count; ++n) {
@@ -250,13 +250,13 @@ private:
         }
     }
     bool isDimmed(std::size_t k) const { return m_casters.lights[k].casts() || m_casters.lights[k].looksUp(); }
-    // S is 1, or any number, where the terms are 0.
+    // Where the terms are 0, S may be any finite number.
     HWY_INLINE Terms dimmed(const Terms& of, std::size_t i) const {
         const Floats S = load(m_row.S, i);
         return {scaled(of.diffuse, S), scaled(of.specular, S)};
     }
-    // Leaves S of light k where its terms are not 0, if it casts a shadow; whether it does. areZero(n): of vector n, where
-    // they are.
+    // Writes S of light k for the lanes whose terms are not 0. Returns whether the light can be dimmed by a shadow.
+    // areZero(n): the lanes of vector n whose terms are 0.
     template <bool kKeeps, class AreZero>
     bool dim(const Group& group, std::size_t k, AreZero areZero) {
         if (!isDimmed(k)) return false;
@@ -282,7 +282,7 @@ private:
         return true;
     }
 
-    // S of the pixels of a group in which it is not wanted.
+    // Marks S as unknown for the pixels of a group that needed no look-up.
     void markUnknown(const Group& group, const Group& wanted) {
         const Floats unknown = all(Incidence::kUnknownShadow);
         for (std::size_t n = 0, w = 0; n < group.count; ++n) {
@@ -293,7 +293,7 @@ private:
         }
     }
 
-    // Flat or Gouraud shading: what polygons or vertices have, and the shadows of the pixels.
+    // Flat or Gouraud shading: gathers the terms of polygons or vertices, and adds the shadows of the pixels.
     template <bool kKeeps>
     void shadeGathered(const Group& group) {
         const bool isFlat = m_inputs.shading == Shading::Flat;
@@ -316,7 +316,7 @@ private:
         const auto lights = std::int32_t(m_lights.size());
         for (std::int32_t k = 0; k < lights; ++k) {
             if (!m_inputs.parts.of(Part::Light, std::size_t(k))) continue;
-            for (std::size_t n = 0; n < group.count; ++n) {  // gathered once
+            for (std::size_t n = 0; n < group.count; ++n) {  // gathered once for all uses below
                 const Elements<A> at = elementsAt(n);
                 store(at.sum(elements.terms, lights, k, 0), m_row.diffuse, group.at[n]);
                 store(at.sum(elements.terms, lights, k, 1), m_row.specular, group.at[n]);
@@ -341,17 +341,17 @@ private:
     Surfaces<A> m_surfaces;
     ViewVectors m_views;
     bool m_sharesViews;
-    float m_vanishesFrom;  // n q of a highlight
+    float m_vanishesFrom;  // vanishing threshold for n q of a highlight
     ToBytes m_bytes;
-    bool m_keeps = false;           // any buffer beside color and intensity
-    std::vector<Look> m_looks;      // per object
-    std::vector<Shining> m_lights;  // per light
+    bool m_keeps = false;           // any buffer except color and intensity
+    std::vector<Look> m_looks;      // one for each object
+    std::vector<Shining> m_lights;  // one for each light
     Groups m_groups;
-    bool m_isAlone = false;  // whether there is one group, whose vectors are its own
+    bool m_isAlone = false;  // there is only one group, so all lanes are its own
     std::optional<IncidenceKeeper> m_keeper;
-    std::size_t m_first = 0;  // of the row, in the tile
+    std::size_t m_first = 0;  // first pixel of the row in the tile
     ShadedRow m_row;
-    std::vector<LookUps> m_lookUps;  // of each light that has biases for whole polygons
+    std::vector<LookUps> m_lookUps;  // one for each light whose bias is constant over a polygon
     ShadingCounts m_counts;
 };
 

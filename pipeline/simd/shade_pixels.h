@@ -3,20 +3,20 @@
 
 namespace pipeline {
 
-// Stage 6 in the processor's vectors: what shadePixels does, 4 to 16 pixels at a time. In exact arithmetic every bit is
-// shadePixels'. In fast arithmetic multiply and add are one operation where the processor has one and roots are
-// estimated, so that bits differ between processors; the formulas are the same, and so are the decisions but for rounding.
+// Stage 6 with SIMD: does what shadePixels does, for 4 to 16 pixels at a time. In exact arithmetic it gives the bits of
+// shadePixels. In fast arithmetic it uses fused multiply-add where the CPU has it, and estimates roots, so bits differ
+// between CPUs. The formulas and decisions are the same, except for rounding.
 
-// The pixels of one tile, into every buffer that is there. Interpolation in perspective; polygons are lit from one side;
-// formulas in their stable forms. Phong shading is that of the models Phong and Blinn-Phong; flat and Gouraud shading that
-// of any model, without N, V and the vectors of lights, which no pixel has there.
+// Shades the pixels of one tile and writes every buffer that `out` has room for. Supports perspective interpolation,
+// one-sided lighting and the stable forms of the formulas. Phong shading supports the models Phong and Blinn-Phong.
+// Flat and Gouraud shading support every model, but not N, V and the vectors of lights, which pixels do not have there.
 ShadingCounts shadePixelsInVectors(const ShadingInputs& inputs, const ShadingSources<float>& in, Tile tile,
                                    ShadingOutput<float>& out);
 
-// A tile in which nothing is seen: 0 everywhere.
+// A tile in which nothing was drawn: 0 everywhere.
 void leaveTileDark(Tile tile, ShadingOutput<float>& out);
 
-// The vectors' width, pixels.
+// Number of SIMD lanes, one pixel each.
 int vectorLanes();
 
 }  // namespace pipeline
