@@ -18,7 +18,7 @@ namespace pipeline::HWY_NAMESPACE {
 
 HWY_INLINE std::size_t blockAt(int x, int y) { return std::size_t(y * kBlocksAcross + x) * kBlockPixels; }
 
-// Where the pixels of the vector from pixel `first` of a block on stand in it.
+// Column and row in a block of each lane, for the vector that starts at pixel `first` of the block.
 alignas(64) constexpr std::int32_t kColumns[kBlockPixels]{0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3};
 alignas(64) constexpr std::int32_t kRows[kBlockPixels]{0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3};
 HWY_INLINE Ints columnOf(int first) { return hn::Load(I(), kColumns + first); }
@@ -26,11 +26,11 @@ HWY_INLINE Ints rowOf(int first) { return hn::Load(I(), kRows + first); }
 
 constexpr int kLanes = int(hn::MaxLanes(F())), kVectors = kBlockPixels / kLanes;  // of a vector; of a block
 
-// A vector of a tile. Where its pixels stand: what their block begins with, and what they have more.
+// A vector of pixels in a tile. A lane's pixel is the first pixel of the block plus an offset in it.
 struct VectorPlace {
-    std::uint32_t at;  // of its first pixel in the tile's blocks
+    std::uint32_t at;  // index of its first pixel in the tile's blocks
     HWY_INLINE explicit VectorPlace(std::size_t place) : at(std::uint32_t(place)) {}
-    HWY_INLINE glm::ivec2 block() const {  // its first pixel, in the tile
+    HWY_INLINE glm::ivec2 block() const {  // the block's first pixel, in the tile
         constexpr std::uint32_t kAcross = kBlocksAcross, kPixels = kBlockPixels;
         return glm::ivec2(at / kPixels % kAcross, at / kPixels / kAcross) * kBlock;
     }
@@ -39,20 +39,20 @@ struct VectorPlace {
     HWY_INLINE Ints column() const { return hn::Add(columnInBlock(), hn::Set(I(), block().x)); }
     HWY_INLINE Ints row() const { return hn::Add(rowInBlock(), hn::Set(I(), block().y)); }
 
-    HWY_INLINE int first() const {  // in its block
+    HWY_INLINE int first() const {  // index of its first pixel in the block
         return kVectors == 1 ? 0 : int(at % std::uint32_t(kBlockPixels));
     }
 };
 
-// An affine function over the pixels of a tile, in 32 bits: exact wherever its value fits, for sums wrap round.
+// An affine function over the pixels of a tile, in 32 bits. Sums wrap round, so it is exact wherever the value fits.
 struct PixelFunction {
-    std::int32_t value, column, row;  // at the tile's first pixel; more at the next column, at the next row
+    std::int32_t value, column, row;  // value at the tile's first pixel; step to the next column and to the next row
 
     std::int32_t atPixel(int x, int y) const {
         using Wraps = std::uint32_t;
         return std::int32_t(Wraps(value) + Wraps(column) * Wraps(x) + Wraps(row) * Wraps(y));
     }
-    // More than at the first pixel of a block, in these columns and rows of it.
+    // Offset from the value at the block's first pixel, in these columns and rows of the block.
     HWY_INLINE Ints inBlock(Ints columns, Ints rows) const {
         return hn::Add(hn::Mul(hn::Set(I(), column), columns), hn::Mul(hn::Set(I(), row), rows));
     }
@@ -62,7 +62,7 @@ struct PixelFunction {
     }
 };
 
-// A quantity that is linear in the picture: at a pixel, and what a step to the right and one down add.
+// A quantity that is linear in the picture: its value at a pixel, and its steps to the right and down.
 struct Slope {
     float value, column, row;
 };
@@ -77,16 +77,16 @@ struct BlockRange {
           maxY((std::min(high.y, tile.max.y) - tile.min.y + kBlock - 1) / kBlock) {}
 };
 
-// PlaneEquation at the pixels of a tile.
+// A PlaneEquation in the coordinates of a tile.
 class PlaneInTile {
 public:
-    // from: the plane's first pixel, in the tile.
+    // from: the pixel at which the plane has the value `first`, in the tile.
     HWY_INLINE PlaneInTile(float first, float column, float row, glm::ivec2 from)
         : m_first(first), m_column(column), m_row(row), m_from(from) {}
     PlaneInTile(const PlaneEquation<float>& plane, Tile tile)
         : PlaneInTile(plane.first, plane.column, plane.row, plane.from - tile.min) {}
 
-    // At the first pixels of blocks, of these columns and rows of the tile.
+    // At the first pixels of blocks; column and row: of these pixels in the tile.
     HWY_INLINE Floats atBlocks(Ints column, Ints row) const {
         const Ints right = hn::Sub(column, hn::Set(I(), m_from.x)), down = hn::Sub(row, hn::Set(I(), m_from.y));
         return hn::Add(all(m_first), sum(right, down));
@@ -94,7 +94,7 @@ public:
     float atBlock(int column, int row) const {
         return m_first + (m_column * float(column - m_from.x) + m_row * float(row - m_from.y));
     }
-    // What pixels have more than the first one of their block, in these columns and rows of it.
+    // Offset from the value at the first pixel of the block, in these columns and rows of the block.
     HWY_INLINE Floats within(Ints column, Ints row) const { return sum(column, row); }
     HWY_INLINE Floats at(const VectorPlace& place) const {
         const glm::ivec2 block = place.block();
@@ -110,20 +110,21 @@ private:
     glm::ivec2 m_from;
 };
 
-// What has to be known of the edge functions at a pixel.
+// The edge functions at the pixels of a vector.
 struct EdgesAt {
-    Ints outside;   // below 0 where an edge leaves the pixel outside
-    Floats l1, l2;  // the linear weights of corners 1 and 2
+    Ints outside;   // negative if the pixel is outside an edge
+    Floats l1, l2;  // the linear weights of vertices 1 and 2
 };
 
-// For the rows of blocks of a tile: between which blocks of it a triangle's edge functions leave pixels inside.
+// For each row of blocks in a tile: the range of blocks in which a triangle's edge functions leave pixels inside.
 class EdgeRows {
 public:
-    // Of each edge function its value at the tile's first pixel, at least 0 where covered, and what it has more at the
+    // For each edge function: its value at the tile's first pixel, not negative where covered, and its steps to the
     // next column and row.
     EdgeRows(const double (&value)[3], const double (&column)[3], const double (&row)[3]) {
         for (int i = 0; i < 3; ++i) {
-            // Where it is largest in the first block: at one of its corners. And more at the next block's.
+            // Its largest value in the first block, which is at one of the block's corners; and its step to the next
+            // block.
             const double most = value[i] + (std::max(column[i], 0.0) + std::max(row[i], 0.0)) * (kBlock - 1);
             const double right = column[i] * kBlock, down = row[i] * kBlock;
             if (right == 0)
@@ -134,8 +135,8 @@ public:
                 m_right[m_rights++] = {-most / right, -down / right};
         }
     }
-    // Of the blocks [min, max) in row y of blocks, those outside of which an edge function leaves no pixel; one or two
-    // more, which rounding may not lose.
+    // The range within the blocks [min, max) of row y that the edge functions leave. One or two blocks more, so that
+    // rounding loses none.
     std::pair<int, int> blocksInRow(int y, int min, int max) const {
         double low = min, high = max;
         for (int i = 0; i < m_lefts; ++i) low = std::max(low, m_left[i].at(y));
@@ -151,23 +152,23 @@ private:
         double first, more;
         double at(int y) const { return first + more * y; }
     };
-    Line m_left[3], m_right[3], m_level[3];  // which block it begins in, which it ends in; the largest value
+    Line m_left[3], m_right[3], m_level[3];  // first block; last block; largest value
     int m_lefts = 0, m_rights = 0, m_levels = 0;
 };
 
-// The linear weight of a corner from its edge function: whole numbers of a unit, of at most 24 bits or of unit 1, and what
-// is below; inverse: 1 over the area.
+// The linear weight of a vertex from its edge function: `units` whole units plus `below`. Either units have at most 24
+// bits or the unit is 1. inverse: 1 over the area.
 HWY_INLINE Floats linearWeight(Ints units, float unit, float below, float inverse) {
-    // Times the unit nothing is rounded, so that multiplying and adding at once leaves the same bits.
+    // units times unit is exact, so a fused multiply-add gives the same bits.
     return hn::Mul(hn::MulAdd(hn::ConvertTo(F(), units), all(unit), all(below)), all(inverse));
 }
 
-// Those of a triangle of up to some thousands of pixels, in a tile. From pixel to pixel an edge function grows by
-// multiples of 2^bits steps²: how many of these it has, rounded down, fits into 32 bits, and what is below is the same
-// everywhere.
+// Edge functions of a triangle of up to some thousands of pixels, in a tile. From pixel to pixel an edge function
+// changes by multiples of 2^bits steps². The number of these multiples, rounded down, fits into 32 bits. The rest is
+// the same at every pixel.
 class MiddleEdges {
 public:
-    // bits: of the grid that corners stand on.
+    // bits: of the grid that vertices are snapped to.
     HWY_INLINE MiddleEdges(const RasterTriangle<float>& t, Tile tile, int bits)
         : m_bits(bits), m_unit(float(1 << bits)), m_inverse(std::ldexp(t.inverseArea2, 2 * (kSubPixelBits - bits))) {
         const auto& c = t.snapped.corners;
@@ -185,17 +186,17 @@ public:
             m_below[i] = float(value - (high << bits) + bias);
         }
     }
-    bool fits() const { return m_fits; }          // else nothing of it holds
-    bool isNarrow() const { return m_isNarrow; }  // how many multiples there are fits into 24 bits
-    // Edge function i in a tile, bias included, is unit() · edge(i) + below(i); inverse(): of the area.
+    bool fits() const { return m_fits; }          // if false, nothing else of it is valid
+    bool isNarrow() const { return m_isNarrow; }  // the number of multiples fits into 24 bits
+    // Edge function i in a tile, bias included, is unit() · edge(i) + below(i). inverse(): 1 over the area.
     const PixelFunction& edge(int i) const { return m_edges[i]; }
     float below(int i) const { return m_below[i]; }
     float unit() const { return m_unit; }
     float inverse() const { return m_inverse; }
     HWY_INLINE Floats linear(int i, const VectorPlace& place) const { return linear(m_edges[i].in(place), i); }
-    // l_i. high: how many of these multiples its edge function has.
+    // The linear weight l_i. high: the number of multiples in its edge function.
     HWY_INLINE Floats linear(Ints high, int i) const {
-        // The edge function is rounded once: it is a sum of two numbers that have at most 24 bits each.
+        // The edge function is rounded once: it is a sum of two numbers with at most 24 bits each.
         if (HWY_LIKELY(m_isNarrow)) return linearWeight(high, m_unit, m_below[i], m_inverse);
         const int split = 23 - m_bits;
         const Ints part = hn::And(high, hn::Set(I(), (1 << split) - 1));
@@ -215,10 +216,10 @@ private:
     PixelFunction m_edges[3]{};
     int m_bits = 1;
     float m_unit = 2, m_inverse = 0, m_below[3]{};
-    bool m_fits = true, m_isNarrow = true;  // whether 24 bits are enough
+    bool m_fits = true, m_isNarrow = true;  // 24 bits are enough
 };
 
-// Those of any other triangle, in double, from the tile's first pixel on.
+// Edge functions of any larger triangle, in double, from the tile's first pixel on.
 class LargeEdges {
 public:
     LargeEdges(const RasterTriangle<float>& t, Tile tile) : m_inverse(t.inverseArea2) {
@@ -226,7 +227,7 @@ public:
         const EdgeFunction edges[3]{{c[1], c[2]}, {c[2], c[0]}, {c[0], c[1]}};
         std::int64_t bits = kSubPixels / 2;
         for (const glm::i64vec2& corner : c) bits |= corner.x | corner.y;
-        // Corners stand on a grid, and pixels' centres on one of half pixels: the edge functions are multiples of the
+        // Vertices are on a grid, and pixels' centres on a grid of half pixels. So edge functions are multiples of the
         // square of the finer step, and double holds 2^53 of these.
         const auto step = double(bits & -bits);
         for (int i = 0; i < 3; ++i) {
@@ -238,7 +239,7 @@ public:
             m_exact = m_exact && most < 0x1p53 * step * step;
         }
     }
-    bool exact() const { return m_exact; }  // double holds all of them in the tile
+    bool exact() const { return m_exact; }  // double holds all of its values in the tile
     EdgeRows rows() const {
         const double value[3]{m_value[0] - m_bias[0], m_value[1] - m_bias[1], m_value[2] - m_bias[2]};
         return {value, m_column, m_row};
@@ -259,7 +260,7 @@ public:
 #endif
     }
 
-    // l_i alone.
+    // The linear weight l_i only.
     HWY_INLINE Floats linear(int i, const VectorPlace& place) const {
 #if HWY_TARGET == HWY_SCALAR
         return hn::Mul(hn::DemoteTo(H(), edge(i, place.column(), place.row())), all(m_inverse));
@@ -275,11 +276,11 @@ private:
 #if HWY_TARGET == HWY_SCALAR
     using H = F;
 #else
-    using H = hn::Half<F>;  // as many floats as there are doubles in a vector
+    using H = hn::Half<F>;  // as many floats as a vector has doubles
 #endif
     using D = hn::Rebind<double, H>;
     struct Values {
-        hn::Vec<H> least, e1, e2;  // least: below 0 where not all three cover, and never -0
+        hn::Vec<H> least, e1, e2;  // least: negative where an edge does not cover, and never -0
     };
     using HalfInts = hn::Vec<hn::RebindToSigned<H>>;
     // Edge function i, in double.
@@ -301,7 +302,7 @@ private:
     bool m_exact = true;
 };
 
-// interpolate's formulas, in its order.
+// The formulas of interpolate(), with the operations in its order.
 struct Distances {
     Floats w0, toW1, toW2;
     HWY_INLINE Distances(float first, float second, float third)
@@ -317,14 +318,14 @@ HWY_INLINE Floats zOf(Floats w) {
     return kPerspective ? hn::Div(all(1), w) : w;
 }
 
-// Where a pixel of a tile stands in its blocks.
+// The index of a pixel of a tile in the tile's blocks.
 HWY_INLINE std::size_t placeOf(std::uint32_t x, std::uint32_t y) {
     constexpr std::uint32_t kSide = kBlock;
     return blockAt(int(x / kSide), int(y / kSide)) + std::size_t(y % kSide) * kSide + x % kSide;
 }
 HWY_INLINE std::size_t placeOf(glm::ivec2 pixel) { return placeOf(std::uint32_t(pixel.x), std::uint32_t(pixel.y)); }
 
-// Blocks reach beyond a picture whose size 4 does not divide: those of their pixels count for nothing.
+// The lanes inside the picture: blocks reach beyond it if its size is no multiple of 4.
 HWY_INLINE Mask within(Tile tile, std::size_t at) {
     const VectorPlace place(at);
     return hn::RebindMask(F(), hn::And(hn::Lt(place.column(), hn::Set(I(), tile.max.x - tile.min.x)),

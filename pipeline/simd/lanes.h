@@ -18,7 +18,7 @@ namespace pipeline::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// One number a pixel; at most 16 of them.
+// One number for each pixel; at most 16 lanes.
 using F = hn::CappedTag<float, 16>;
 using I = hn::RebindToSigned<F>;
 using U = hn::RebindToUnsigned<F>;
@@ -39,24 +39,24 @@ HWY_INLINE Mask asFloats(hn::Mask<I> mask) { return hn::RebindMask(F(), mask); }
 HWY_INLINE Floats3 where(Mask mask, Floats3 v) {
     return {hn::IfThenElseZero(mask, v.x), hn::IfThenElseZero(mask, v.y), hn::IfThenElseZero(mask, v.z)};
 }
-// Bit i: of lane i.
+// Bit i is set for lane i.
 HWY_INLINE std::uint32_t bitsOf(Mask mask) {
     std::uint64_t bits = 0;
     hn::StoreMaskBits(F(), mask, reinterpret_cast<std::uint8_t*>(&bits));
     return std::uint32_t(bits);
 }
-// And back.
+// The inverse of bitsOf.
 HWY_INLINE Mask maskOf(std::uint64_t bits) {
     return hn::LoadMaskBits(F(), reinterpret_cast<const std::uint8_t*>(&bits));
 }
 
-// 4 words at a place of each lane, turned: `of[i]` has word i of every lane. To load whole places takes a fraction of the
-// time of gathers, which load word by word.
+// 4 words at an address for each lane, transposed: `of[i]` has word i of every lane. Loading whole addresses takes a
+// fraction of the time of gathers, which load single words.
 template <class D>
 struct Fours {
     hn::Vec<D> of[4];
 };
-// place(l): where the words of lane l stand.
+// place(l): the address of the words of lane l.
 template <class D, class Place>
 HWY_INLINE Fours<D> loadFours(D d, Place place) {
 #if HWY_TARGET == HWY_SCALAR
@@ -64,7 +64,8 @@ HWY_INLINE Fours<D> loadFours(D d, Place place) {
 #else
     constexpr std::size_t kLanes = hn::MaxLanes(d);
     static_assert(kLanes == 4 || kLanes == 8 || kLanes == 16);
-    // Row i has lanes i, 4 + i, 8 + i and 12 + i side by side: turned within each four, lane l comes to stand at l.
+    // Row i has lanes i, 4 + i, 8 + i and 12 + i side by side. After the transposition within each four, lane l is at
+    // l.
     const auto row = [&](std::size_t i) HWY_ATTR {
         const hn::CappedTag<hn::TFromD<D>, 4> four;
         const hn::CappedTag<hn::TFromD<D>, 8> eight;
@@ -92,10 +93,10 @@ HWY_INLINE Fours<D> loadFours(D d, Place place) {
 #endif
 }
 
-// The 3-vectors of these numbers of an array of them. indexOf(l): that of lane l.
+// Loads a 3-vector for each lane. indexOf(l): its index for lane l.
 template <class IndexOf>
 HWY_INLINE Floats3 loadThrees(std::span<const Vec3<float>> values, IndexOf indexOf) {
-    // The fourth number is the next vector's; behind the last one there is none.
+    // A load of four reads the next vector's first number too; the last vector has no next one.
     const std::size_t last = values.size() - 1;
     const float end[4]{values[last].x, values[last].y, values[last].z, 0};
     const Fours<F> fours = loadFours(F(), [&](std::size_t l) {

@@ -24,23 +24,23 @@
 namespace pipeline {
 namespace {
 
-// The largest side of a small triangle's box, steps. An edge function is a difference of two products, of a side of the
-// triangle and the distance of a pixel up to three pixels beyond the box: L (L + 3 pixels) < 2^30 keeps it below 2^31.
-// And its pixels have to be counted in 8 bits.
+// The largest side of a small triangle's box, in steps. An edge function is a difference of two products: a side of the
+// triangle times the distance of a pixel, which is up to three pixels beyond the box. L (L + 3 pixels) < 2^30 keeps it
+// below 2^31. And the number of pixels has to fit into 8 bits.
 std::int32_t largestBox(int bits) {
     const double beyond = 3.0 * double(1 << bits);
     const double exact = (std::sqrt(beyond * beyond + 4 * 0x1p30) - beyond) / 2;
     return std::int32_t(std::min(exact - 1, 250.0 * double(1 << bits)));
 }
 
-// Of so many triangles of a piece the vertices are snapped at once: with these they fit into the nearer caches.
+// The number of triangles whose vertices are snapped together, so that these vertices fit into the inner caches.
 std::size_t snappedAtOnce(std::size_t triangles) {
     constexpr std::size_t kLeast = 1 << 14;
     const std::size_t parts = std::max<std::size_t>(1, triangles / kLeast);
     return std::max<std::size_t>(16, (triangles / parts + 15) / 16 * 16);
 }
 
-// One that is not small, or has to be clipped.
+// Sets up a triangle that is not small, or that has to be clipped.
 void setUpOther(const SetUpInputs& in, const SnappedVertices& vertices, std::uint32_t id, Binner& binner) {
     const auto& v = in.topology.triangles[id].vertices;
     const auto planesOf = [&](int corner) { return vertices.at(v[corner]).planes; };
@@ -62,12 +62,13 @@ HWY_BEFORE_NAMESPACE();
 namespace pipeline::HWY_NAMESPACE {
 namespace {
 
-// As many triangles as a vector holds, set up: the records in quarters, of 4 words each. And their boxes of pixels.
+// The fields of one vector of triangles after set-up: the records in quarters of 4 words each, and their boxes of
+// pixels.
 struct Fields {
     HWY_ALIGN std::int32_t quarters[4][16 * 4];
     HWY_ALIGN std::int32_t lowX[16], lowY[16], highX[16], highY[16];
-    HWY_ALIGN std::int32_t tile[16];  // of the box's first pixel
-    std::uint32_t inOneTile = 0;      // bit i: whether the whole box lies there
+    HWY_ALIGN std::int32_t tile[16];  // tile of the box's first pixel
+    std::uint32_t inOneTile = 0;      // bit i: the whole box is in that tile
     TinyFragments fragments;
 
     HWY_INLINE void storeQuarter(int i, Ints one, Ints two, Ints three, Ints four) {
@@ -82,7 +83,7 @@ struct Fields {
     }
 };
 
-// Bit i: whether the object of triangle first + i is turned inside out.
+// Bit i: the object of triangle first + i is mirrored.
 HWY_INLINE std::uint32_t mirroredOf(const SetUpInputs& in, std::size_t first, std::uint32_t live) {
     if (in.facing.mirrored.empty()) return 0;
     std::uint32_t mirrored = 0;
@@ -94,14 +95,14 @@ HWY_INLINE std::uint32_t mirroredOf(const SetUpInputs& in, std::size_t first, st
     return mirrored;
 }
 
-// Of as many triangles as a vector holds, those that are set up together, of which some are tiny and stand in no quarters,
-// and those that are set up one by one.
+// Bit masks for a vector of triangles: those set up together, those of them that are tiny and have no record, and those
+// set up one at a time.
 struct SetUpBits {
     std::uint32_t drawn = 0, tiny = 0, others = 0;
 };
 
-// The triangles in `live`, set up together where their boxes are below `limit`; of tiny ones the fragments are taken up.
-// firstId: the index of the first in Topology::triangles.
+// Sets up the triangles in `live` together if their boxes are below `limit`, and collects the fragments of tiny ones.
+// firstId: index of the first triangle in Topology::triangles.
 HWY_INLINE SetUpBits setUpVector(const SetUpInputs& in, const SnappedVertices& vertices, const Triangle* triangles,
                                  std::size_t firstId, std::int32_t limit, std::uint32_t live, int tilesAcross,
                                  Fields& out, Fragments& fragments) {
@@ -112,7 +113,7 @@ HWY_INLINE SetUpBits setUpVector(const SetUpInputs& in, const SnappedVertices& v
     const Ints beside = hn::Or(hn::Or(p[0], p[1]), p[2]), outside = hn::And(hn::And(p[0], p[1]), p[2]);
     const auto has = [&](Ints bits, std::uint32_t mask)
                          HWY_ATTR { return hn::Ne(hn::And(bits, hn::Set(whole, std::int32_t(mask))), zero); };
-    // What is beyond one plane with all of its corners, clipping would leave nothing of.
+    // If all vertices are beyond the same plane, clipping would leave nothing.
     if (!in.clipAll) live &= ~bitsOf(asFloats(has(outside, SnappedVertex::kOutside)));
     const auto cut = has(beside, SnappedVertex::kCut);
     const Ints lowX = hn::Min(x[0], hn::Min(x[1], x[2])), highX = hn::Max(x[0], hn::Max(x[1], x[2]));
@@ -125,7 +126,7 @@ HWY_INLINE SetUpBits setUpVector(const SetUpInputs& in, const SnappedVertices& v
     found.others = live & ~found.drawn;
     if (found.drawn == 0) return found;
 
-    // SnappedTriangle::pixels, and what of them is within the picture.
+    // SnappedTriangle::pixels, cut to the picture.
     const int bits = vertices.bits;
     const Ints half = hn::Set(whole, 1 << (bits - 1));
     const auto behind = [&](Ints steps)
@@ -140,7 +141,7 @@ HWY_INLINE SetUpBits setUpVector(const SetUpInputs& in, const SnappedVertices& v
     const Mask turned = asFloats(hn::Lt(area, zero));
     std::uint32_t& drawn = found.drawn;
     drawn &= bitsOf(asFloats(seen));
-    if (in.facing.cull != ShadowCull::None) {  // FacingFilter::keeps
+    if (in.facing.cull != ShadowCull::None) {  // as FacingFilter::keeps
         const std::uint32_t faces = bitsOf(turned) ^ mirroredOf(in, firstId, drawn);
         drawn &= in.facing.cull == ShadowCull::Back ? faces : ~faces;
     }
@@ -150,10 +151,10 @@ HWY_INLINE SetUpBits setUpVector(const SetUpInputs& in, const SnappedVertices& v
     const Ints atX = SnappedCorners::centre(minX, bits), atY = SnappedCorners::centre(minY, bits);
     const auto edge = [&](int from, int to) HWY_ATTR { return corners.edge(from, to, bits, atX, atY); };
     const EdgeInVectors edge1 = edge(2, 0), edge2 = edge(0, 1);
-    const Ints bias0 = edge(1, 2).bias;  // what else there is of that of corner 0 follows from the others
+    const Ints bias0 = edge(1, 2).bias;  // the rest of edge 0 follows from the other two
     const Ints width = hn::Sub(maxX, minX), height = hn::Sub(maxY, minY);
 
-    // Of the whole box, of which a border of the picture may cut a part.
+    // Of the whole box, also where the picture's border cuts it.
     const Ints across = hn::Sub(toX, fromX), down = hn::Sub(toY, fromY);
     const auto areWithin = [&](int side) HWY_ATTR {
         const Ints beyond = hn::Set(whole, side + 1);
@@ -200,10 +201,10 @@ HWY_INLINE SetUpBits setUpVector(const SetUpInputs& in, const SnappedVertices& v
     return found;
 }
 
-// Bit i: whether triangle first + i goes on, which is counted.
+// Bit i: triangle first + i is drawn. Counts them.
 HWY_INLINE std::uint32_t liveOf(const SetUpInputs& in, std::size_t first, std::size_t count, TrianglePiece& out) {
     const hn::Rebind<std::uint8_t, I> bytes;
-    // Bit i: whether there is one of two numbers at the polygon of triangle i.
+    // Bit i: the polygon of triangle i has the value `one` or `two`.
     const auto bitsWhere = [&](const auto* of, auto one, auto two) HWY_ATTR {
         std::uint32_t bits = 0;
         if (in.topology.polygons.empty() && count == hn::Lanes(bytes)) {
@@ -228,7 +229,7 @@ HWY_INLINE std::uint32_t liveOf(const SetUpInputs& in, std::size_t first, std::s
     return live;
 }
 
-// The vertices of triangles [begin, end), and those between them.
+// Snaps the vertices of triangles [begin, end), and those with indices between them.
 HWY_NOINLINE void snapFor(std::size_t begin, std::size_t end, const SetUpInputs& in, SnappedVertices& out) {
     const VertexRange range = in.topology.verticesOf(begin, end);
     const std::size_t count = range.last - range.first;
@@ -244,15 +245,15 @@ void setUpTriangles(const SetUpInputs& in, std::size_t begin, std::size_t end, c
     const std::span<const Triangle> triangles = in.topology.triangles;
     const std::size_t lanes = hn::Lanes(F());
     Binner binner(all, out);
-    // Of a closed object, half face away.
+    // In a closed object half of the triangles face away.
     out.small.reserve(in.verdicts.empty() && in.facing.cull == ShadowCull::None ? end - begin : (end - begin) / 2);
     out.fragments.named = in.named;
-    // As many fragments as triangles, but not more than most pieces have.
+    // As many fragments as triangles, but no more than most pieces have.
     out.fragments.makeRoomFor(std::min<std::size_t>(end - begin, 1 << 15));
     const std::int32_t limit = in.clipAll ? 0 : largestBox(in.view.subPixelBits) + 1;
     Fields fields{};
     Triangle rest[16]{};
-    // Of [base, snapped) the vertices are there.
+    // The vertices [base, snapped) are ready.
     SnappedVertices own;
     own.bits = in.view.subPixelBits;
     const SnappedVertices& vertices = in.vertices ? *in.vertices : own;
@@ -268,7 +269,7 @@ void setUpTriangles(const SetUpInputs& in, std::size_t begin, std::size_t end, c
         const std::uint32_t live = liveOf(in, base, count, out);
         if (live == 0) continue;
         if (count < lanes) {
-            // What is read in the other lanes counts for nothing, but has to be there.
+            // The other lanes are read too, so they need some value.
             std::fill(std::copy_n(from, count, rest), std::end(rest), *from);
             from = rest;
         }
@@ -298,7 +299,7 @@ void setUpTriangles(const SetUpInputs& in, std::size_t begin, std::size_t end, c
         if (bits.tiny != 0) addFragments(tiny.count);
     }
     binner.finish();
-    // Most of a fine mesh is tiny, and most of a coarse one is not: room that turned out not to be needed is given back.
+    // A fine mesh is mostly tiny triangles, a coarse one has few. So memory that was not needed is freed.
     if (out.small.size() < out.small.capacity() / 2) out.small.shrink_to_fit();
     if (out.fragments.count < out.fragments.z.size() / 2) out.fragments.giveBackRoom();
 }
@@ -341,13 +342,13 @@ bool snapsSeldom(const SetUpInputs& inputs, const TrianglePieces& pieces) {
             const VertexRange range = inputs.topology.verticesOf(i, end);
             vertices += range.last - range.first;
         }
-    // Once more each, for the piece in which a closed row of rows ends where it began.
+    // A quarter more: a grid that closes in itself ends in the piece of its beginning.
     return vertices <= 2 * inputs.world.size() + inputs.world.size() / 4;
 }
 
 TrianglePieces prepareSetUp(const SetUpInputs& inputs) {
-    // Enough for the threads of a large machine to share, few enough for their lists of tiles not to count. Where no name
-    // has to tell them apart there may be more, for those that are set up at once to be many.
+    // Enough pieces for the threads of a large machine, but few enough to keep their lists of tiles short. Without
+    // names there may be more pieces, which are then set up in larger groups.
     constexpr std::size_t kEach = 4096, kMost = TrianglePieces::kMostPieces, kLargest = 1 << 17;
     const std::size_t count = inputs.topology.triangles.size();
     const auto piecesOf = [&](std::size_t each) { return (count + each - 1) / each; };

@@ -20,15 +20,15 @@
 HWY_BEFORE_NAMESPACE();
 namespace pipeline::HWY_NAMESPACE {
 
-// Columns or rows, whole numbers up to 2^22, as the bits of a sum whose last ones they are.
+// Columns or rows, whole numbers up to 2^22, as bits: adding kToWhole moves the number into the last bits.
 HWY_INLINE Ints wholeBits(Floats v) { return hn::BitCast(I(), hn::Add(v, all(kToWhole))); }
 HWY_INLINE Ints wholeOf(Ints bits) { return hn::Sub(bits, hn::BitCast(I(), all(kToWhole))); }
 
-// Where a texel stands in the blocks of a buffer: its column and row, wholeBits of a texel that there is.
+// The index of a texel in the blocks of a buffer; column and row: wholeBits of an existing texel.
 HWY_INLINE Ints texelPlace(const BlockBuffer2D<float>& depth, Ints column, Ints row) {
     static_assert(kTileSize == 64 && kBlock == 4);
     const auto bits = [](std::int32_t mask) HWY_ATTR { return hn::Set(I(), mask); };
-    constexpr std::int32_t kTile = (1 << 22) - 64;  // of a tile's first column or row
+    constexpr std::int32_t kTile = (1 << 22) - 64;  // mask: first column or row of the tile
     Ints inTiles = hn::And(column, bits(3));
     inTiles = hn::OrAnd(inTiles, hn::ShiftLeft<2>(row), bits(3 << 2));
     inTiles = hn::OrAnd(inTiles, hn::ShiftLeft<2>(column), bits(60 << 2));
@@ -37,43 +37,43 @@ HWY_INLINE Ints texelPlace(const BlockBuffer2D<float>& depth, Ints column, Ints 
     return hn::Add(inTiles, hn::Mul(hn::And(row, bits(kTile)), bits(depth.tiles.x << 6)));
 }
 
-// Points as a face of a light sees them: across its buffer and along its view, world units; the normal n of their
-// polygons along the same axes, and n·p.
+// Points in the coordinates of a light's face: across its buffer and along its view, in world units. n is the normal of
+// their polygons in the same axes; nDotP is n·p.
 struct SeenByLight {
     Floats x, y, z;
     Floats3 n;
     Floats nDotP;
 };
 
-// What the pixels of a row look up on a face of a light: where the nearest that there is to their texel stands in the
-// blocks, how far away they are and the bias of their triangle. Of orthographic views the texel may lie beyond the buffer:
-// filtering asks for its column and row; without any it is nearer than everything.
+// The look-ups of a row of pixels on one face of a light: the index of the nearest existing texel in the blocks, the
+// points' distances and the bias of their triangles. In orthographic views a texel may be beyond the buffer. Filtering
+// needs its column and row; without filtering the point counts as nearer than everything.
 struct LookUps {
     Row x, y, z, bias;
-    Row right, down;  // of the texel's centre, how far the points are, texels
+    Row right, down;  // distance of the points from the texel's centre, texels
     alignas(64) std::int32_t place[kRowPixels];
 };
 
-// The faces of a cube adjoin: what lies beyond the last texel counts as that.
+// The faces of a cube adjoin, so a point beyond the last texel uses that texel.
 HWY_INLINE Floats nearestTexel(const LightFace& face, Floats x) {
     return hn::Min(hn::IfThenElseZero(hn::Gt(x, all(0)), x), all(face.last()));
 }
 
 constexpr std::size_t kManyBlocks = (8 << 20) / (kBlockPixels * sizeof(float));  // 8 MB
 
-// A buffer is larger than the caches next to the processor, and neighbours in the picture may be far apart in it: what
-// vector i of a row looks up is on its way while the rest of the row is worked out.
+// A shadow buffer is larger than the inner caches, and pixels beside each other may be far apart in it. So the texels
+// of vector i are prefetched while the rest of the row is computed.
 HWY_INLINE void preparePlaces(const LightFace& face, Ints places, std::size_t i, LookUps& out) {
     const std::int32_t* const at = out.place + i;
     hn::Store(places, I(), out.place + i);
-    // Of a small one some do: the others' texels mostly stand beside theirs.
+    // In a small buffer a few prefetches are enough, because the other lanes' texels are mostly beside them.
     const std::size_t step = face.depth->blocks.size() > kManyBlocks ? 1 : 5;
     for (std::size_t l = 0; l < hn::Lanes(F()); l += step) hwy::Prefetch(numbersOf(face.depth->blocks.data()) + at[l]);
 }
 HWY_INLINE Ints nearestPlace(const LightFace& face, Floats x, Floats y) {
     return texelPlace(*face.depth, wholeBits(nearestTexel(face, x)), wholeBits(nearestTexel(face, y)));
 }
-// Texels at x, y that points at right, down fall on, all in texels.
+// The texels x, y of points at right, down; all in texels.
 HWY_INLINE void storeTexel(Floats x, Floats y, Floats right, Floats down, std::size_t i, LookUps& out) {
     store(x, out.x, i), store(y, out.y, i);
     store(hn::Sub(hn::Sub(right, x), all(0.5F)), out.right, i);
@@ -90,7 +90,7 @@ HWY_INLINE void prepareTexelAtInfinity(const LightFace& face, int filter, Floats
         store(p.z, out.z, i);
         return;
     }
-    // As numbers without a sign, what is beyond any side of the buffer is beyond the last texel; NaN, too.
+    // As unsigned numbers, all texels beyond any side of the buffer are beyond the last one; NaN is too.
     const Ints column = wholeBits(x), row = wholeBits(y);
     const auto unsignedOf = [](Ints bits) HWY_ATTR { return hn::BitCast(U(), wholeOf(bits)); };
     const auto farther = hn::Max(unsignedOf(column), unsignedOf(row));
@@ -129,11 +129,11 @@ HWY_INLINE void prepareLookUps(const LightFace& face, const ShadowSettings& sett
 HWY_INLINE Floats storedAt(const LightFace& face, Ints place) {
     return hn::GatherIndex(F(), numbersOf(face.depth->blocks.data()), place);
 }
-// heldSlope of texels x, y that hold `stored`.
+// heldSlope for texels x, y that hold `stored`.
 HWY_NOINLINE Floats heldSlopes(const LightFace& face, Floats stored, Floats x, Floats y, Floats right, Floats down) {
     const auto away = [](Floats texel, Floats offset)
                           HWY_ATTR { return hn::Add(texel, hn::IfThenElse(hn::Gt(offset, all(0)), all(-1), all(1))); };
-    // Beyond the buffer it is the texel itself, from which nothing differs.
+    // Beyond the buffer the neighbour is the texel itself, so there is no difference.
     const auto along = [&](Ints beside, Floats offset) HWY_ATTR {
         const Floats nearer = storedAt(face, beside), recedes = hn::Sub(stored, nearer);
         const Floats rate = face.perspective ? hn::Div(recedes, nearer) : recedes;
@@ -144,7 +144,7 @@ HWY_NOINLINE Floats heldSlopes(const LightFace& face, Floats stored, Floats x, F
     if (!face.perspective) return sum;
     return hn::IfThenElseZero(hn::Lt(sum, all(1)), hn::Mul(stored, hn::Div(sum, hn::Sub(all(1), sum))));
 }
-// Where points at distance z are farther than what their texels x, y, at `place`, hold: testTexel.
+// The lanes whose points, at distance z, are farther than the depth in their texels: testTexel.
 HWY_INLINE Mask shadowedAt(const LightFace& face, const ShadowSettings& settings, Ints place, Floats z, Floats bias,
                            Floats x, Floats y, Floats right, Floats down) {
     const Floats stored = storedAt(face, place);
@@ -154,7 +154,7 @@ HWY_INLINE Mask shadowedAt(const LightFace& face, const ShadowSettings& settings
     const Floats held = heldSlopes(face, stored, x, y, right, down);
     return hn::And(shadowed, hn::Gt(z, hn::Add(stored, held)));
 }
-// How many of the texels that are looked at see the points of vector i of a row lit: litTexels.
+// The number of tested texels from which the points of vector i of a row are lit: litTexels.
 HWY_INLINE Floats litInTexel(const LightFace& face, const ShadowSettings& settings, const LookUps& lookUps, Floats bias,
                              std::size_t i) {
     const Mask shadowed =
@@ -184,7 +184,7 @@ HWY_NOINLINE Floats litInTexels(const LightFace& face, const ShadowSettings& set
     return sum;
 }
 
-// A light as pixels see it, whose shadow they may be in.
+// One light with the data for the shadow tests of pixels.
 class ShadowLight {
 public:
     ShadowLight(const ShadingInputs& inputs, const ShadingSources<float>& in, std::size_t k)
@@ -207,13 +207,14 @@ public:
     }
     bool casts() const { return m_casts; }
     bool looksUp() const { return !m_faces.empty(); }
-    // Its bias where that is the same all over a triangle.
+    // Its bias, if it is constant over a triangle.
     std::optional<PolygonBias> polygonBias() const {
         if (!m_casts || !m_atInfinity || m_places.size() != 1) return {};
         return PolygonBias{m_settings, m_places[0], looksUp() ? &m_faces[0] : nullptr};
     }
 
-    // What the pixels of a row will look up, of those whose triangles do not all face away: well before they do.
+    // Prepares and prefetches the look-ups of a row, long before they are used. Pixels on triangles that face away need
+    // none.
     template <class A>
     HWY_NOINLINE void prepare(const SurfaceRow& row, const Row& bias, LookUps& out) const {
         if (!looksUp()) return;
@@ -225,7 +226,7 @@ public:
                                       out);
         }
     }
-    // S of the pixels of vector i of a row, from the bias of their triangles: shadowAt.
+    // S for vector i of a row, with the bias of its triangles: shadowAt.
     HWY_INLINE Floats factorByPolygon(const LookUps& lookUps, const Row& bias, std::size_t i) const {
         const Floats of = load(bias, i);
         Floats share = all(1);
@@ -236,7 +237,7 @@ public:
         }
         return hn::IfThenZeroElse(PolygonBias::turnsAway(of), share);
     }
-    // S of the pixels of a row that are wanted: shadowAt. Else 1.
+    // S for the pixels in `wanted`: shadowAt. The other lanes of their vectors get 1.
     template <class A>
     HWY_NOINLINE void factors(const SurfaceRow& row, const Group& wanted, Row& S) const {
         const int texels = filteredTexels(m_settings);
@@ -247,7 +248,7 @@ public:
             facesAll[n] =
                 isFacedByAll<A>(load(row.position, wanted.at[n]), load(row.facing, wanted.at[n]), wanted.mask(n));
         }
-        std::size_t face = 0;  // of a cube, on which points fell last: those of all places have the same axes
+        std::size_t face = 0;  // index of the cube face that the last points were on; all samples have the same axes
         for (std::size_t i = 0; i < m_places.size(); ++i) {
             for (std::size_t n = 0; n < wanted.count; ++n) {
                 if (facesAll[n]) {
@@ -274,7 +275,7 @@ public:
     }
 
 private:
-    // Where planes with these normals face a place: n·L > 0, L normalised as the stage's own text does it.
+    // The lanes whose plane faces a place: n·L > 0, with L normalised as in the scalar stage.
     template <class A>
     HWY_INLINE Mask isFaced(Vec3<float> from, Floats3 position, Floats3 normal, Mask wanted) const {
         const Floats3 place = all(from);
@@ -282,8 +283,8 @@ private:
         const Floats3 L = place - position;
         const Floats along = A::dot(normal, L);
         if constexpr (!A::kExact) return hn::Gt(along, all(0));
-        // Rounding errs by less than 2^-21 |L|, and by less than 2^-20 once L is normalised: only nearer to 0 than that
-        // may it change the sign.
+        // Rounding errs by less than 2^-21 |L|, and by less than 2^-20 once L is normalised. So the sign can only
+        // change for numbers nearer to 0.
         const Floats size = hn::Add(hn::Add(hn::Abs(L.x), hn::Abs(L.y)), hn::Abs(L.z));
         const Mask sure =
             hn::And(hn::Gt(hn::Abs(along), hn::Mul(size, all(0x1p-18F))),
@@ -292,8 +293,8 @@ private:
         return hn::Gt(A::dot(normal, A::unit(L, wanted)), all(0));
     }
 
-    // Whether all of these polygons face all places, for they face those at the corners of their rectangle, and so
-    // clearly that no rounding matters.
+    // True if all of these polygons face every place of the light. It tests the corners of the rectangle of places,
+    // with a margin so that rounding does not matter.
     template <class A>
     HWY_INLINE bool isFacedByAll(Floats3 position, Floats3 normal, Mask wanted) const {
         if (m_corners.empty()) return false;
@@ -312,7 +313,7 @@ private:
     HWY_INLINE static void addLit(Floats lit, Mask mask, std::size_t i, Row& to) {
         store(hn::Add(load(to, i), hn::IfThenElseZero(mask, lit)), to, i);
     }
-    // Adds what the pixels of a row have prepared, in vectors of which some are wanted.
+    // Adds the number of lit texels for prepared look-ups, for the pixels in `wanted`.
     HWY_INLINE void addLookUps(const LightFace& face, const LookUps& lookUps, const Group& wanted, Row& lit) const {
         for (std::size_t n = 0; n < wanted.count; ++n) {
             const std::size_t i = wanted.at[n];
@@ -337,7 +338,7 @@ private:
         }
         addLookUps(face, lookUps, asking, lit);
     }
-    // Each point on the face of a cube that it falls on. first: the number of the face to try first.
+    // Looks up each point on the cube face that it is on. first: the index of the face to try first.
     template <class A>
     HWY_INLINE void addCube(const LightFace* faces, std::size_t& first, const SurfaceRow& row, Group& faced,
                             Row& lit) const {
@@ -351,7 +352,7 @@ private:
             if (done) return;
         }
     }
-    // Those that fall on the face along axis kAxis, and takes them out of `left`; whether none are left.
+    // Looks up the points on the face along axis kAxis and removes them from `left`; returns whether none are left.
     template <class A, int kAxis>
     HWY_NOINLINE bool addCubeFace(const LightFace& face, bool backwards, const SurfaceRow& row, Group& left,
                                   Row& lit) const {
@@ -387,9 +388,9 @@ private:
 
     const ShadowSettings& m_settings;
     bool m_casts, m_atInfinity;
-    std::vector<LightFace> m_faces;      // place after place, six of a point light; none without a shadow buffer
-    std::vector<Vec3<float>> m_places;   // of its samples; at infinity the direction towards it
-    std::vector<Vec3<float>> m_corners;  // of the rectangle of places, where these are more
+    std::vector<LightFace> m_faces;      // sample after sample, six of a point light; none without a shadow buffer
+    std::vector<Vec3<float>> m_places;   // of its samples; for a light at infinity the direction towards it
+    std::vector<Vec3<float>> m_corners;  // corners of the rectangle of places, if there are more than four
 };
 
 }  // namespace pipeline::HWY_NAMESPACE

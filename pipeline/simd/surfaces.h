@@ -28,22 +28,22 @@
 HWY_BEFORE_NAMESPACE();
 namespace pipeline::HWY_NAMESPACE {
 
-// What is seen in a row of blocks. Numbers of pixels in which nothing is seen are any.
+// The visible surfaces of a row of blocks. Lanes that show nothing have arbitrary numbers.
 struct SurfaceRow {
-    std::uint32_t seen[kRowVectors];                // of each vector, the pixels in which something is, as bits
-    alignas(64) std::int32_t triangle[kRowPixels];  // of Gouraud shading
-    alignas(64) std::int32_t polygon[kRowPixels];   // of flat shading
-    alignas(64) std::int32_t object[kRowPixels];    // of Phong shading, where objects are told apart
-    Row3 N;                                         // unit, of Phong shading
-    Row3 position;                                  // where it is asked for
-    Row3 weights;                                   // of Gouraud shading
-    Row3 facing;                                    // the normal of the triangle's plane, where it is asked for
-    std::vector<Row> bias;                          // its bias, of each light that has one for whole triangles
+    std::uint32_t seen[kRowVectors];                // for each vector, the bit mask of the lanes that show something
+    alignas(64) std::int32_t triangle[kRowPixels];  // in Gouraud shading
+    alignas(64) std::int32_t polygon[kRowPixels];   // in flat shading
+    alignas(64) std::int32_t object[kRowPixels];    // in Phong shading, if objects are told apart
+    Row3 N;                                         // unit length, in Phong shading
+    Row3 position;                                  // if it is needed
+    Row3 weights;                                   // in Gouraud shading
+    Row3 facing;                                    // the normal of the triangle's plane, if it is needed
+    std::vector<Row> bias;                          // for each light whose bias is constant over triangles
 
     HWY_INLINE Mask seenAt(std::size_t i) const { return maskOf(seen[i / hn::Lanes(F())]); }
 };
 
-// A quantity of a triangle: at one place, and what it has more at the ends of two ways from there.
+// An attribute of a triangle: its value at one vertex, and its differences to the other two.
 struct Corners {
     Vec3<float> origin, toSecond, toThird;
     void become(Vec3<float> first, Vec3<float> second, Vec3<float> third) {
@@ -58,24 +58,24 @@ struct Corners {
     }
 };
 
-// A triangle that is seen in a tile, ready for any vector of it.
+// A visible triangle of a tile, prepared for any vector of the tile.
 struct SeenSurface {
     SeenTriangle triangle;
     std::uint32_t id;  // index into Topology::triangles
     std::int32_t polygon, object;
     Corners normals, positions;
-    Vec3<float> facing;  // of its plane
-    // Whether `normals` are those of pixels: at firstPixel, and what a step to the right and one down add.
+    Vec3<float> facing;  // normal of its plane
+    // Whether `normals` is linear in the picture: its value at firstPixel, and the steps to the right and down.
     bool isPlane;
     Vec2<float> firstPixel;
 };
 
-// Finds what is seen in a tile, row of blocks after row of blocks. In fast arithmetic a normal is interpolated linearly
-// in the picture, as n/z of the corners, which has its direction, unless positions are found.
+// Finds the visible surfaces of a tile, one row of blocks at a time. Fast arithmetic interpolates n/z of the vertices
+// linearly in the picture, which has the direction of the normal. It does not do so if positions are needed.
 template <class A>
 class Surfaces {
 public:
-    // biases: of the lights that have one for whole triangles. facing: whether others ask for the planes' normals.
+    // biases: of the lights whose bias is constant over triangles. facing: whether others need the planes' normals.
     Surfaces(const ShadingInputs& inputs, const ShadingSources<float>& in, Tile tile,
              std::span<const PolygonBias> biases, bool facing)
         : m_inputs(inputs),
@@ -95,7 +95,7 @@ public:
             m_seenIn.emplace(
                 SeenIn{from.view, *from.topology, from.snapped, seen->pieces, tile, seen->z.tile(m_index)->of});
             m_isFine = in.zBuffer.seenPixels < 4 * static_cast<long long>(seen->triangles);
-            m_findsPlanes = !A::kExact && !m_positioned;  // else the weights are found, and serve the normals too
+            m_findsPlanes = !A::kExact && !m_positioned;  // else the weights, which give the normals too
         }
         m_names.fill(kNoTriangle), m_bias.resize(kSlots * biases.size());
     }
@@ -103,7 +103,7 @@ public:
 
     void find(int row, SurfaceRow& out) {
         out.bias.resize(m_biases.size());
-        if (!m_isDrawn) {  // its blocks are not written
+        if (!m_isDrawn) {  // its blocks were not written
             std::ranges::fill(out.seen, 0);
             return;
         }
@@ -117,7 +117,7 @@ public:
     }
 
 private:
-    // The triangle that the first pixel of a vector sees which sees any, and the pixels, as bits, that see others.
+    // The first triangle that a vector shows, and the bit mask of the lanes that show other ones.
     struct FirstSeen {
         std::uint32_t name, others;
         static HWY_INLINE FirstSeen of(const std::uint32_t* names, std::uint32_t seen) {
@@ -126,21 +126,21 @@ private:
         }
     };
 
-    // The vectors of the row of blocks that begins with pixel `begin` of the tile. What few scenes ask for is kept out of
-    // the loop of the others, whose time goes into what has to be asked and kept at hand as much as into numbers.
+    // The vectors of the row of blocks that begins with pixel `begin` of the tile. Rare needs have a loop of their own:
+    // in the common loop, checking for them would cost as much time as the arithmetic.
     template <bool kPerPixel, bool kPositions>
     void findRow(std::size_t begin, SurfaceRow& out) {
         if constexpr (kPerPixel)
             if (m_drawnNames && !m_facing && !m_tellsObjects) return findVectors<true, kPositions, false>(begin, out);
         findVectors<kPerPixel, kPositions, true>(begin, out);
     }
-    // kMore: whether any of the above.
+    // kMore: handles the rare needs too.
     template <bool kPerPixel, bool kPositions, bool kMore>
     void findVectors(std::size_t begin, SurfaceRow& out) {
         const bool areNamed = !kMore || m_drawnNames != nullptr;
         if (!areNamed) m_drawn.read(m_in.zBuffer, m_tile, begin);
         const std::uint32_t* const rowNames = areNamed ? m_drawnNames + begin : m_drawn.triangle;
-        // Before all else and without a branch: whatever is interpolated waits for it.
+        // First of all and without a branch, because all interpolation waits for it.
         FirstSeen firsts[kRowVectors];
         for (std::size_t i = 0; i < kRowPixels; i += hn::Lanes(F())) {
             const std::uint32_t seen = bitsOf(areNamed ? seenIn(m_seenIn->z + begin + i) : m_drawn.seenAt(i));
@@ -222,8 +222,8 @@ private:
             if constexpr (kPositions) store(found.position, out.position, i);
         }
     }
-    // In the pixels of vector i of a row, each of which sees a triangle of its own: to go through triangles would compute
-    // whole vectors for the sake of one pixel.
+    // For vector i of a row if each lane shows a different triangle: going through the triangles would compute a whole
+    // vector for each pixel.
     template <bool kPositions>
     HWY_NOINLINE void findByPixel(const VectorPlace& place, Mask seen, std::size_t i, SurfaceRow& out) const {
         const SeenInPixels in(*m_seenIn, place, m_drawnNames + place.at, seen);
@@ -261,8 +261,8 @@ private:
         for (std::size_t l = 0; m_tellsObjects && l < hn::Lanes(F()); ++l)
             out.object[i + l] = std::int32_t(topology.objectOfPolygon(in.polygon[l]));
     }
-    // Of a fine mesh each pixel has another triangle, and nothing of it is in the caches next to the processor: what later
-    // vectors ask for is on its way while this one is looked at.
+    // In a fine mesh each pixel shows another triangle, which is not in the inner caches. So the triangles of later
+    // vectors are prefetched while this one is computed.
     HWY_INLINE void fetchAhead(std::size_t at) const {
         constexpr std::size_t kTriangles = 48, kVertices = 16;  // pixels
         const std::size_t lanes = hn::Lanes(F());
@@ -283,11 +283,11 @@ private:
             }
         }
     }
-    // Of the polygon of one of the surfaces kept.
+    // The bias of a cached surface for light k.
     HWY_INLINE float& biasOf(const SeenSurface& surface, std::size_t k) {
         return m_bias[std::size_t(&surface - m_surfaces.get()) * m_biases.size() + k];
     }
-    // By the name of a triangle in the blocks, where they are; else its index.
+    // name: the triangle's name in the blocks if there are blocks, else its index.
     HWY_INLINE const SeenSurface& surfaceOf(std::uint32_t name) {
         const std::size_t slot = name % kSlots;
         if (m_names[slot] != name) m_names[slot] = name, become(m_surfaces[slot], name);
@@ -308,8 +308,8 @@ private:
         if (m_findsPlanes && seen.triangle.isLinear()) becomePlane(seen, triangle);
         if (!seen.isPlane) seen.normals.become(m_in.normals.vertex, triangle.vertices);
     }
-    // What is linear in the picture is the normal over z_view, which has the normal's direction. Where the triangle is
-    // so thin that steps of a pixel are large against it, sums of them are not accurate.
+    // The normal over z_view is linear in the picture and has the normal's direction. In a triangle thinner than a few
+    // pixels the sums of its steps are not accurate enough.
     void becomePlane(SeenSurface& seen, const Triangle& triangle) const {
         constexpr float kSteepest = 64;
         const auto divided = [&](std::size_t corner) {
@@ -326,12 +326,12 @@ private:
         seen.normals = {n.origin + one.value * n.toSecond + two.value * n.toThird,
                         one.column * n.toSecond + two.column * n.toThird, one.row * n.toSecond + two.row * n.toThird};
     }
-    // Weights linear in the picture instead of in space, in the row of blocks that begins with pixel `begin` of the tile:
-    // vertexWeights.
+    // Replaces the weights by ones that are linear in the picture, for the row of blocks that begins with pixel `begin`
+    // of the tile: vertexWeights.
     void makeAffine(std::size_t begin, SurfaceRow& out) const {
         const TransformOutput<float>& in = m_in.transform;
         const auto* words = reinterpret_cast<const std::int32_t*>(in.topology->triangles.data());
-        auto nearest = float(in.view.near);  // the least z in front of the near plane
+        auto nearest = float(in.view.near);  // the smallest z in front of the near plane
         const Floats3 pivot = all(Vec3<float>(in.view.pivot)), forward = all(Vec3<float>(in.view.forward));
         const Floats depth = all(float(in.view.pivotDepth));
         if (double(nearest) < in.view.near) nearest = std::nextafter(nearest, std::numeric_limits<float>::infinity());
@@ -354,7 +354,7 @@ private:
             const Floats3 l{scaledByZ(b.x, 0), scaledByZ(b.y, 1), scaledByZ(b.z, 2)};
             const Floats sum = hn::Add(hn::Add(l.x, l.y), l.z);
             store(choose(isInFront, {hn::Div(l.x, sum), hn::Div(l.y, sum), hn::Div(l.z, sum)}, b), out.weights, i);
-            // Of what clipping has cut the stage's own text finds the piece.
+            // For a clipped polygon the scalar code finds the piece that covers the pixel.
             for (std::uint32_t rest = bitsOf(hn::AndNot(isInFront, seen)); rest != 0; rest &= rest - 1) {
                 const std::size_t at = i + std::size_t(std::countr_zero(rest));
                 Row3& weights = out.weights;
@@ -370,20 +370,20 @@ private:
     const ShadingInputs& m_inputs;
     const ShadingSources<float>& m_in;
     Tile m_tile;
-    bool m_isFine = false;       // for triangles of few pixels
-    bool m_findsPlanes = false;  // SeenSurface::isPlane
+    bool m_isFine = false;       // for meshes with few pixels per triangle
+    bool m_findsPlanes = false;  // whether SeenSurface::isPlane is used
     std::span<const PolygonBias> m_biases;
     bool m_facing, m_perPixel, m_positioned, m_tellsObjects, m_mirrors, m_isDrawn = true;
     std::size_t m_index = 0;                      // of the tile
-    const std::uint32_t* m_drawnNames = nullptr;  // in the tile; null where the stage's own text drew
-    std::optional<SeenIn> m_seenIn;               // likewise
-    DrawnRow m_drawn;                             // where it did
-    // Triangles as they were seen last. Neighbours mostly see the same few.
+    const std::uint32_t* m_drawnNames = nullptr;  // in the tile; null if the scalar stage drew it
+    std::optional<SeenIn> m_seenIn;               // null if the scalar stage drew it
+    DrawnRow m_drawn;                             // the row, if the scalar stage drew it
+    // The surfaces that were used last: pixels beside each other mostly show the same few.
     static constexpr std::size_t kSlots = 128;
     std::array<std::uint32_t, kSlots> m_names;
-    std::vector<float> m_bias;  // of each of them, lights side by side
+    std::vector<float> m_bias;  // of each of these surfaces, all lights side by side
     std::unique_ptr<SeenSurface[]> m_surfaces = std::make_unique_for_overwrite<SeenSurface[]>(kSlots);
-    std::array<std::unique_ptr<SeenTriangle::Other>, kSlots> m_others;  // of each of them, where there has been one
+    std::array<std::unique_ptr<SeenTriangle::Other>, kSlots> m_others;  // for those of them that need it
 };
 
 }  // namespace pipeline::HWY_NAMESPACE

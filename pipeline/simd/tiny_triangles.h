@@ -16,7 +16,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace pipeline::HWY_NAMESPACE {
 
-// For each byte, codeOf its bits that are set, the lowest first, a byte each.
+// For each byte: the codes of its set bits, lowest first, one byte each.
 template <class CodeOf>
 constexpr std::array<std::uint64_t, 256> setBits(CodeOf codeOf) {
     std::array<std::uint64_t, 256> all{};
@@ -25,13 +25,12 @@ constexpr std::array<std::uint64_t, 256> setBits(CodeOf codeOf) {
             if (bits >> bit & 1) all[bits] |= std::uint64_t(codeOf(bit)) << 8 * at++;
     return all;
 }
-// Pixels of two rows of a block; and of two triangles that cover no more than the first two pixels of two rows.
+// The pixels of two rows of a block; and those of two triangles that each cover at most a square of 2 × 2 pixels.
 constexpr auto kBitsOfHalfBlock = setBits([](unsigned bit) { return bit; });
 constexpr auto kBitsOfSquares =
     setBits([](unsigned bit) { return bit / 4 * kBlockPixels + bit / 2 % 2 * kBlock + bit % 2; });
 
-// Which pixels of a square triangles cover, of biased edge functions at its first pixel:
-// TinyTriangles::covered.
+// The covered pixels of a square, from biased edge functions at its first pixel: TinyTriangles::covered.
 template <int kSide>
 HWY_INLINE Ints coveredIn(Ints e0, Ints e1, Ints e2, const EdgeInVectors& edge1, const EdgeInVectors& edge2) {
     const Ints a0 = hn::Neg(hn::Add(edge1.a, edge2.a)), b0 = hn::Neg(hn::Add(edge1.b, edge2.b));
@@ -48,7 +47,7 @@ HWY_INLINE Ints coveredIn(Ints e0, Ints e1, Ints e2, const EdgeInVectors& edge1,
     return covered;
 }
 
-// The same bits of all pixels of boxes up to a block in size; of others any.
+// The bits of all pixels of a box up to the size of a block; any bits for larger boxes.
 HWY_INLINE Ints pixelsOfBox(Ints width, Ints height) {
     const Ints one = hn::Set(I(), 1), most = hn::Set(I(), kBlock);
     const auto first = [&](Ints count) HWY_ATTR { return hn::Sub(hn::Shl(one, count), one); };
@@ -56,29 +55,30 @@ HWY_INLINE Ints pixelsOfBox(Ints width, Ints height) {
     return hn::And(columns, first(hn::Mul(hn::Min(height, most), most)));
 }
 
-// In which tile of a picture pixels lie.
+// The index of the tile of pixels.
 HWY_INLINE Ints tileAt(Ints x, Ints y, int tilesAcross) {
     static_assert(kTileSize == 64);
     return hn::Add(hn::Mul(hn::ShiftRight<6>(y), hn::Set(I(), tilesAcross)), hn::ShiftRight<6>(x));
 }
 
-// Tiny triangles, as many as a vector holds. Too small for a plane to pay, their w comes from the weights of their corners.
+// A vector of tiny triangles. They are too small for a plane equation to pay off: w comes from the weights of their
+// vertices.
 struct TinyTriangles {
-    EdgeInVectors edge1, edge2;  // c at their boxes' first pixels
-    Floats inverse;              // of their areas
+    EdgeInVectors edge1, edge2;  // c: at their boxes' first pixels
+    Floats inverse;              // 1 over their areas
     Distances distances;
-    Ints x, y;          // the boxes' first pixels
-    Ints covered;       // bit kBlock y + x: whether it covers the pixel in column x and row y of its box; of others 0
-    std::size_t id;     // index of the first of them into Topology::triangles
-    bool areInSquares;  // of two pixels' side: no other bits are set than 0, 1, 4 and 5
+    Ints x, y;          // first pixels of the boxes
+    Ints covered;       // bit kBlock y + x: covers the pixel in column x and row y of its box; else 0
+    std::size_t id;     // index of the first triangle in Topology::triangles
+    bool areInSquares;  // boxes of 2 × 2 pixels: only bits 0, 1, 4 and 5 are set
 };
 
-// The fragments of tiny triangles, appended to those of a piece, as many at a time as a vector has lanes: a vector of
-// pixels would hold the two or three that one of them covers, and many that it does not.
+// Appends the fragments of tiny triangles to those of a piece, one fragment in each lane. A vector of pixels would hold
+// the two or three pixels that a tiny triangle covers, and many that it does not.
 struct TinyFragments {
     std::size_t first = 0, count = 0;  // in TrianglePiece::fragments
     bool areInOneTile = true;
-    HWY_ALIGN std::int32_t tile[17 * 16];  // of each; and numbers behind them
+    HWY_ALIGN std::int32_t tile[17 * 16];  // of each fragment, with some spare entries
 
     HWY_INLINE void append(const TinyTriangles& t, const SetUpInputs& in, int tilesAcross, Fragments& out) {
         HWY_ALIGN std::uint8_t codes[17 * 16];
@@ -99,7 +99,7 @@ struct TinyFragments {
         out.count += count;
     }
 
-    // Of the triangles in lanes below l.
+    // The number of fragments of the triangles in lanes below l.
     HWY_INLINE std::size_t countBefore(std::size_t l) const {
         std::size_t before = 0;
         for (std::size_t i = 0; i < l; ++i) before += std::size_t(std::popcount(m_covered[i]));
@@ -109,8 +109,8 @@ struct TinyFragments {
 private:
     HWY_ALIGN std::uint16_t m_covered[16];  // of each triangle
 
-    // Which pixels they cover, triangle after triangle: kBlockPixels l + pixel, of lane l; returns how many. By table, for
-    // nobody could guess where a loop over bits ends; `codes` has room for one entry more.
+    // Lists the covered pixels, triangle after triangle, as kBlockPixels l + pixel for lane l; returns their number. By
+    // a table, because a CPU cannot predict the end of a loop over bits. `codes` needs room for one more entry.
     HWY_INLINE static std::size_t listBlocks(const std::uint16_t* covered, std::uint8_t* codes) {
         std::size_t count = 0;
         for (std::size_t half = 0; half < 2 * std::size_t(kLanes); ++half)
@@ -124,7 +124,7 @@ private:
             count += put(kBitsOfSquares, square(l) | square(l + 1) << 4, kBlockPixels * l, codes + count);
         return count;
     }
-    // An entry, its codes from `first` on; returns how many it has.
+    // Writes an entry with its codes offset by `first`; returns their number.
     HWY_INLINE static std::size_t put(const std::array<std::uint64_t, 256>& table, std::size_t bits, std::size_t first,
                                       std::uint8_t* to) {
         static_assert(std::endian::native == std::endian::little && kBlockPixels == 16);
@@ -132,7 +132,7 @@ private:
         std::memcpy(to, &entry, sizeof entry);
         return std::size_t(std::popcount(bits));
     }
-    // A vector of them, put at `at`; gives their tiles.
+    // Computes one vector of fragments and writes it at `at`; returns their tiles.
     template <bool kPerspective>
     HWY_INLINE static Ints find(const TinyTriangles& t, const std::uint8_t* codes, int tilesAcross, std::size_t at,
                                 Fragments& out) {
@@ -163,7 +163,7 @@ private:
         hn::StoreU(hn::DemoteTo(shorts, place), shorts, &out.at[at]);
         return tileAt(x, y, tilesAcross);
     }
-    // placeOf is the sum of the two.
+    // placeOf is the sum of placeOfColumn and placeOfRow.
     HWY_INLINE static Ints placeOfColumn(Ints x) {
         return hn::Add(hn::ShiftLeft<4>(hn::ShiftRight<2>(x)), hn::And(x, hn::Set(I(), 3)));
     }
