@@ -10,7 +10,7 @@ namespace pipeline {
 namespace {
 
 std::uint32_t keptOf(const CullOutput& cull) {
-    std::uint32_t kept = 0;  // count_if counts in 64 bits, which took several times as long
+    std::uint32_t kept = 0;  // count_if counts in 64 bits and takes several times as long
     for (const Verdict verdict : cull.verdicts) kept += goesOn(verdict);
     return kept;
 }

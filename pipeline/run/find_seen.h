@@ -9,18 +9,18 @@
 #include "pipeline/simd/seen_blocks.h"
 #include "pipeline/stages/shading.h"
 
-// Which polygons and vertices flat and Gouraud shading evaluate, where the plan leaves the hidden ones out.
+// The polygons and vertices that flat and Gouraud shading evaluate if the plan leaves out hidden ones.
 namespace pipeline {
 
-// Marks the polygons that the pixels of a tile show; tiles may run at the same time.
+// Marks the polygons that the pixels of a tile show. Tiles may run at the same time.
 template <class Real>
 void markShown(const ShadingSources<Real>& in, std::size_t tile, std::vector<std::uint8_t>& isSeen) {
-    std::uint32_t last = kNoTriangle;  // neighbours mostly show the same
+    std::uint32_t last = kNoTriangle;  // neighbours mostly show the same triangle
     const auto mark = [&](std::uint32_t name, const auto& triangleOf) {
         if (name == last || name == kNoTriangle) return;
         last = name;
         const std::uint32_t polygon = in.transform.topology->polygonOf(triangleOf(name));
-        std::atomic_ref(isSeen[polygon]).store(1, std::memory_order_relaxed);  // other tiles may show it as well
+        std::atomic_ref(isSeen[polygon]).store(1, std::memory_order_relaxed);  // other tiles may mark it too
     };
     const Tile pixels = tileOf(in.transform.view.size, tile);
     if (const SeenBlocks* seen = in.zBuffer.seen.get()) {
@@ -38,15 +38,15 @@ void markShown(const ShadingSources<Real>& in, std::size_t tile, std::vector<std
             mark(in.zBuffer.triangle->at({x, y}), [](std::uint32_t triangle) { return triangle; });
 }
 
-// Those that go on, a byte a polygon; where they are fine, those of them that a pixel shows.
+// One byte for each polygon that is kept. In a fine mesh only those that a pixel shows.
 template <class Real>
 std::vector<std::uint8_t> seenPolygons(const ShadingInputs& inputs, const ShadingSources<Real>& in, Threads& threads) {
     std::vector<std::uint8_t> isSeen(in.transform.topology->polygonCount());
     for (std::size_t i = 0; i < isSeen.size(); ++i) isSeen[i] = in.goesOn(i);
-    // To look at a pixel costs a small part of an evaluation: it pays where polygons are not much fewer than pixels.
+    // Checking a pixel costs a small part of an evaluation, so it pays unless there are far fewer polygons than pixels.
     constexpr long long kPixels = 4;
     const bool isFine = kPixels * std::ranges::count(isSeen, 1) > in.zBuffer.seenPixels;
-    if (!isFine || inputs.layers.drawn) return isSeen;  // layers show more than the z-buffer
+    if (!isFine || inputs.layers.drawn) return isSeen;  // layers show more polygons than the z-buffer
     std::ranges::fill(isSeen, 0);
     const std::vector<std::uint8_t>& drawn = in.zBuffer.tileIsDrawn;
     threads.forRange(drawn.size(), 1, [&](std::size_t begin, std::size_t end) {
@@ -56,7 +56,7 @@ std::vector<std::uint8_t> seenPolygons(const ShadingInputs& inputs, const Shadin
     return isSeen;
 }
 
-// One after the other; place 0 is of those that are not seen.
+// Consecutive places for those that are seen; place 0 is for those that are not.
 inline std::vector<std::uint32_t> placesOf(const std::vector<std::uint8_t>& isSeen) {
     std::vector<std::uint32_t> places(isSeen.size());
     std::uint32_t last = 0;
@@ -64,7 +64,7 @@ inline std::vector<std::uint32_t> placesOf(const std::vector<std::uint8_t>& isSe
     return places;
 }
 
-// Which polygons and vertices are evaluated: nothing where all are.
+// The polygons and vertices to evaluate; empty if all are.
 template <class Real>
 ElementPlaces findSeen(const ShadingInputs& inputs, const ShadingSources<Real>& in, Threads& threads) {
     const bool polygons = inputs.parts[Part::PolygonTerms] && !inputs.parts[Part::HiddenPolygons];

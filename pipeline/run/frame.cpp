@@ -8,7 +8,7 @@
 namespace pipeline {
 namespace {
 
-// Wraps what a buffer stands in, without copying it; what has more digits than double is rounded to it.
+// Wraps the memory of a buffer without copying it. Numbers with more digits than double are rounded to it.
 template <class T>
 AnyBuffer view(const BufferName& name, std::vector<std::size_t> shape, const T* data, std::size_t count,
                std::shared_ptr<const void> owner) {
@@ -21,7 +21,7 @@ AnyBuffer view(const BufferName& name, std::vector<std::size_t> shape, const T* 
     }
 }
 
-// Takes over values that were computed for the asking.
+// Takes over values that were computed for this request.
 template <class T>
 AnyBuffer own(const BufferName& name, std::vector<std::size_t> shape, std::vector<T> values) {
     const auto kept = std::make_shared<const std::vector<T>>(std::move(values));
@@ -47,14 +47,14 @@ AnyBuffer view(const BufferName& name, const Buffer2D<T>& b, std::shared_ptr<con
                 std::move(owner));
 }
 
-// Nothing where it was not kept.
+// Empty if the buffer was not kept.
 template <class T>
 std::optional<AnyBuffer> kept(const BufferName& name, const Buffer2D<T>& b, std::shared_ptr<const void> owner) {
     if (b.empty()) return {};
     return view(name, b, std::move(owner));
 }
 
-// object_id or polygon_id, from the triangle seen in each pixel.
+// object_id or polygon_id, from the visible triangle of each pixel.
 template <class Real>
 AnyBuffer ids(const BufferName& name, const FrameData<Real>& data) {
     const Topology& topology = *data.transform->topology;
@@ -68,7 +68,7 @@ AnyBuffer ids(const BufferName& name, const FrameData<Real>& data) {
     return own(name, {std::size_t(seen.size.y), std::size_t(seen.size.x)}, std::move(values));
 }
 
-// In float where that holds what is stored, or where the run is in float; 32 bits of fixed point need a double.
+// In float if that holds the stored number, or if the run is in float. 32-bit fixed point needs a double.
 template <class Real>
 std::optional<AnyBuffer> depth(const BufferName& name, const FrameData<Real>& data) {
     if (data.keys.zBuffer.visibility != Visibility::ZBuffer) return {};
@@ -80,7 +80,7 @@ std::optional<AnyBuffer> depth(const BufferName& name, const FrameData<Real>& da
                std::vector<float>(stored.pixels.begin(), stored.pixels.end()));
 }
 
-// The faces of a light one after the other, sample by sample.
+// The faces of a light in sequence, sample by sample.
 template <class Real>
 std::optional<AnyBuffer> shadowDepth(const BufferName& name, const FrameData<Real>& data) {
     const auto& lights = data.shadowBuffer->lights;

@@ -16,28 +16,28 @@
 
 namespace pipeline {
 
-// How often something was done in a stage, or left out by a rule.
+// How often a stage did something, or how often a rule left it out.
 struct Tally {
     std::string_view what;  // "shadow look-ups"
     long long done = 0, leftOut = 0;
-    std::optional<Rule> rule{};  // nothing where no rule leaves it out
+    std::optional<Rule> rule{};  // empty if no rule leaves it out
     bool operator==(const Tally&) const = default;
 };
 
-// What happened in a stage when it last ran.
+// What happened when a stage last ran.
 struct StageRun {
     double milliseconds = 0;
     std::string counts;  // "5 vertices", "3 of 5 polygons kept"
     std::vector<Tally> tallies;
-    std::optional<Remark> remark{};  // where what it leaves is not what was asked for
+    std::optional<Remark> remark{};  // if its output is not what was requested
 };
 
-// What is asked of a frame beside the scene.
+// The request for a frame, apart from the scene.
 struct FrameRequest {
-    BufferSet wanted;                  // buffers that must be there afterwards
+    BufferSet wanted;                  // buffers that must exist afterwards
     StageId until = StageId::Shading;  // later stages do not run
     int threads = 0;                   // 0: as many as the machine has
-    Stop stop;                         // asks to give up; checked per tile
+    Stop stop;                         // checked for each tile
 };
 
 struct FrameStages;  // the stages' outputs; pipeline/run/frame_data.h
@@ -48,22 +48,22 @@ class Frame {
 public:
     const Scene& scene() const { return *m_scene; }
     const std::shared_ptr<const Scene>& sharedScene() const { return m_scene; }
-    const Plan& plan() const;  // its parts are put into words when it is first read
+    const Plan& plan() const;  // its texts are made when it is first read
     const StageRun& run(StageId stage) const { return m_runs[index(stage)]; }
     double milliseconds() const { return m_milliseconds; }          // wall clock of this frame alone
-    double planMilliseconds() const { return m_planMilliseconds; }  // of that, for deciding what to do
+    double planMilliseconds() const { return m_planMilliseconds; }  // the part of it that planning took
     long number() const { return m_number; }                        // counts from 1 along a chain of frames
     StageId until() const { return m_until; }
 
-    // The buffer, or nothing where the plan left it out or its stage has not run. What a stage keeps in another form is
-    // put into this one when it is first read.
+    // The buffer, or nothing if the plan left it out or its stage has not run. If a stage keeps it in another form, the
+    // first read converts it.
     std::optional<AnyBuffer> buffer(const BufferName& name) const;
-    // Why buffer() gives nothing; empty when it gives something.
+    // The reason if buffer() returns nothing, else empty.
     std::string whyAbsent(const BufferName& name) const;
-    // What there is, in the order of the stages.
+    // All existing buffers, in the order of the stages.
     std::vector<AnyBuffer> buffers() const;
 
-    // Polygons are counted over all objects in scene order, as in the buffers.
+    // A polygon's object and its number in it. Buffers count polygons over all objects in scene order.
     struct PolygonPlace {
         std::size_t object, polygon;
     };
@@ -74,9 +74,9 @@ public:
     BufferSet wanted() const { return m_wanted; }  // the request's
     BufferSet made() const {
         return m_made;
-    }  // what shading keeps beside; all of them where unread ones are not left out
+    }  // the buffers that were written; all if unread ones are not left out
     const Topology& topology() const { return *m_topology; }
-    // The same for all frames in a row that have the same meshes.
+    // Shared by all frames in a row that have the same meshes.
     const std::shared_ptr<const Topology>& sharedTopology() const { return m_topology; }
 
 private:
@@ -93,7 +93,7 @@ private:
     BufferSet m_wanted, m_made;
     std::shared_ptr<const FrameStages> m_stages;
     mutable std::mutex m_readMutex;
-    mutable std::vector<AnyBuffer> m_read;  // in this form for a reader; guarded by m_readMutex
+    mutable std::vector<AnyBuffer> m_read;  // converted for readers; guarded by m_readMutex
 };
 
 using FramePtr = std::shared_ptr<const Frame>;

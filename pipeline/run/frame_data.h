@@ -9,8 +9,8 @@
 
 namespace pipeline {
 
-// The stages' outputs, each immutable and shared by every frame that it holds for; null where the
-// plan left the stage out.
+// The outputs of the stages. Each is immutable and shared by every frame that it is valid for. Null if the plan left
+// the stage out.
 template <class Real>
 struct FrameData {
     StageKeys keys;
@@ -36,36 +36,36 @@ struct FrameData {
         static const RawVector<Verdict> kNone;
         return cull ? cull->verdicts : kNone;
     }
-    // Whether visibility none draws a polygon's outline: with cull = none of every polygon, degenerate ones too, but of
-    // none of a transparent object.
+    // Whether `visibility none` draws a polygon's outline. With cull = none it draws every polygon, degenerate ones
+    // too, except those of transparent objects.
     bool hasOutline(std::uint32_t polygon) const {
         const std::vector<std::uint8_t>& transparent = transform->transparent;
         if (!transparent.empty() && transparent[transform->topology->objectOfPolygon(polygon)] != 0) return false;
         return keys.cull.mode == CullMode::None || goesOn(cull->verdicts[polygon]);
     }
     ShadingSources<Real> shadingSources() const {
-        static const NormalsOutput<Real> kNone;  // outlines have no use for any
+        static const NormalsOutput<Real> kNone;  // outlines need no normals
         return {*transform, normals ? *normals : kNone, shadowBuffer.get(), *zBuffer, cull.get()};
     }
 };
 
-// A frame's outputs, in the precision that it was computed in.
+// The outputs of a frame, in its precision.
 struct FrameStages {
     std::variant<FrameData<float>, FrameData<double>, FrameData<long double>, FrameData<Quad>> data;
 };
 
-// read(FrameData) of a frame that has them, in whatever precision.
+// Calls read(FrameData) in the frame's precision.
 template <class Read>
 auto readStages(const Frame& frame, Read read) {
     return std::visit(read, frame.stages().data);
 }
-// Null where the frame was computed in another precision.
+// Null if the frame has another precision.
 template <class Real>
 const FrameData<Real>* dataOf(const Frame& frame) {
     return std::get_if<FrameData<Real>>(&frame.stages().data);
 }
 
-// The topology of the scene's meshes: the one of `before` where the meshes are the same.
+// The topology of the scene's meshes; that of `before` if the meshes are the same.
 std::shared_ptr<const Topology> topologyOf(const Scene& scene, const FramePtr& before);
 
 }  // namespace pipeline

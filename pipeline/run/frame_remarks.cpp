@@ -24,7 +24,7 @@ std::string_view form(std::size_t count, std::string_view ofOne, std::string_vie
     return count == 1 ? ofOne : ofMany;
 }
 
-// What to set so that the camera looks from the other side.
+// The setting that makes the camera look from the other side.
 std::string otherSide(const Camera& camera) {
     if (camera.kind == CameraKind::LookAt) return "move camera.eye to the other side";
     const double theta = camera.theta > 0 ? camera.theta - 180 : camera.theta + 180;
@@ -32,7 +32,7 @@ std::string otherSide(const Camera& camera) {
                        shortestText(180 - camera.phi));
 }
 
-// Of polygons none of which is drawn.
+// For objects of which no polygon is drawn.
 Remark whyNoneIsDrawn(const Scene& scene, const Counts& counts, std::size_t all) {
     const auto of = [&](Verdict verdict) { return counts[static_cast<std::size_t>(verdict)]; };
     const auto are = [&](std::string_view rest) {
@@ -83,7 +83,7 @@ bool showsBlackAlone(const AnyBuffer& color) {
     return std::ranges::all_of(bytes, [](std::uint8_t byte) { return byte == 0; });
 }
 
-// What the stages have drawn; nothing where the last of them that could tell has not run.
+// What the stages have drawn; empty if the last stage that could tell has not run.
 struct Drawn {
     bool isKnown = false;
     bool any = false;
@@ -123,7 +123,7 @@ std::vector<Remark> frameRemarks(const Frame& frame) {
     for (const StageId stage : kStages)
         if (const auto& remark = frame.run(stage).remark) remarks.push_back(*remark);
     auto nothing = whyNothingIsSeen(frame);
-    // What is certain before anything is drawn the scene's remarks have said.
+    // The scene's remarks have already said what is certain before drawing.
     const bool isSaid = nothing && (frame.scene().objects.empty() ||
                                     (isBlack(frame.scene()) && nothing->about == whyBlack(frame.scene()).about));
     if (nothing && !isSaid) remarks.push_back(*std::move(nothing));

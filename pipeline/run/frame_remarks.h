@@ -6,12 +6,12 @@
 
 namespace pipeline {
 
-// Why nothing of a frame's objects is seen, as far as its stages tell, and which setting shows them: polygons that face
-// away, are outside the picture, before the near or behind the far plane, without area, wholly transparent or smaller than
-// a pixel; or drawn and black, with what the illumination model in force does not read. Nothing where something is seen.
+// Why nothing of a frame's objects is visible, and which setting shows them. Polygons may face away, be outside the
+// picture, before the near or behind the far plane, without area, transparent or smaller than a pixel. Or they are
+// black, because the illumination model does not read a coefficient. Empty if something is visible.
 std::optional<Remark> whyNothingIsSeen(const Frame& frame);
 
-// What is strange about the frame's scene, what its stages did not do as they were asked, and why nothing is seen.
+// Strange values of the scene, requests that its stages could not meet, and why nothing is visible.
 std::vector<Remark> frameRemarks(const Frame& frame);
 
 }  // namespace pipeline

@@ -3,7 +3,7 @@
 #ifdef __SANITIZE_THREAD__
 #include <sanitizer/tsan_interface.h>
 
-// Asked by the sanitizer, whose name it is: nor does it see what oneTBB does among its own threads.
+// Called by the sanitizer, which gives the name. It does not see what oneTBB does among its own threads either.
 extern "C" const char* __tsan_default_suppressions() { return "called_from_lib:libtbb.so\n"; }
 #endif
 

@@ -9,8 +9,8 @@
 #include "pipeline/simd/transform.h"
 #include "pipeline/stages/shading.h"
 
-// The pieces of a stage as the runner calls them: in float the kernel of pipeline/simd, in every other arithmetic the
-// stage's own text, which has the same bits. Which of the two is meant, overloading tells.
+// The pieces of a stage as the runner calls them. Overloads choose the SIMD kernel of pipeline/simd in float, and the
+// scalar stage in every other precision. Both give the same bits.
 namespace pipeline::piece {
 
 template <class Real>
@@ -23,14 +23,14 @@ inline void transform(const TransformInputs& inputs, std::size_t object, std::si
     transformInVectors(inputs, object, begin, end, out);
 }
 
-// Room for the snapped vertices, which kernels alone read.
+// Room for the snapped vertices, which only kernels read.
 template <class Real>
 void makeRoomForSnapped(TransformOutput<Real>&) {}
 inline void makeRoomForSnapped(TransformOutput<float>& out) {
     out.snapped.bits = out.view.subPixelBits;
     out.snapped.of.resize(out.world.size());
 }
-// Of vertices that have been transformed, where the view has moved since.
+// Snaps vertices again after the view has moved.
 template <class Real>
 void snap(std::size_t, std::size_t, TransformOutput<Real>&) {}
 inline void snap(std::size_t begin, std::size_t end, TransformOutput<float>& out) {
@@ -66,7 +66,7 @@ inline void unitVertexNormals(const NormalsInputs& inputs, const TransformOutput
     unitVertexNormalsInVectors(inputs, in, object, begin, end, out);
 }
 
-// Without room: drawShadows makes it, face by face, for there may be thousands, and a stop among them.
+// Without memory for the faces: drawShadows allocates each face, because there may be thousands, and a stop in between.
 template <class Real>
 ShadowBufferOutput<Real> prepareShadowBuffer(const ShadowBufferInputs& inputs, const TransformOutput<Real>& in) {
     return pipeline::prepareShadowBuffer(inputs, in, {boundsIn<Real>, largestIn<Real>, false});
@@ -86,13 +86,13 @@ inline ShadingCounts shadePixels(const ShadingInputs& inputs, const ShadingSourc
     return inputs.parts[Part::ShadedInVectors] ? shadePixelsInVectors(inputs, in, tile, out)
                                                : pipeline::shadePixels(inputs, in, tile, out);
 }
-// A tile in which nothing is seen: the stage's own text has left it dark from the start.
+// A tile in which nothing was drawn. The scalar stage has cleared it before.
 template <class Real>
 void leaveDark(const ShadingInputs&, Tile, ShadingOutput<Real>&) {}
 inline void leaveDark(const ShadingInputs& inputs, Tile tile, ShadingOutput<float>& out) {
     if (inputs.parts[Part::ShadedInVectors]) leaveTileDark(tile, out);
 }
-// Whether the light that the frame before has kept for tile i is enough to shade it.
+// Whether the light that the last frame kept for tile i suffices to shade it.
 template <class Real>
 bool relight(const ShadingInputs&, std::span<const Look>, std::size_t, Tile, ShadingOutput<Real>&, ShadingCounts&) {
     return false;

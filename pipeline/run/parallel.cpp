@@ -16,8 +16,8 @@
 namespace pipeline {
 namespace {
 
-// Arenas that nobody uses, by how many threads they have. A thread that joins a new arena wakes up first, which takes as
-// long as a small frame: the next frame gets the arena that the last one has left, where the threads still look for work.
+// Unused arenas, by their number of threads. A thread that joins a new arena must wake up first, which takes as long as
+// a small frame. So the next frame gets the arena of the last one, whose threads still look for work.
 class ArenaPool {
 public:
     using Arena = std::unique_ptr<oneapi::tbb::task_arena>;
@@ -35,9 +35,9 @@ public:
     }
 
 private:
-    static std::multimap<int, Arena>& free() {  // under the lock
+    static std::multimap<int, Arena>& free() {  // the lock must be held
         static auto* const arenas =
-            new std::multimap<int, Arena>;  // never destroyed: threads may outlive what is static
+            new std::multimap<int, Arena>;  // never destroyed: threads may outlive static objects
         return *arenas;
     }
     static inline constinit std::mutex s_mutex;
@@ -47,7 +47,7 @@ private:
 
 struct Threads::Team {
     explicit Team(int threads) : count(threads) {
-        // Asked for more than the machine has, it gets them all the same: tests compare 7 threads with 1.
+        // The caller may ask for more threads than the machine has: tests compare 7 threads with 1.
         if (count > oneapi::tbb::info::default_concurrency())
             more.emplace(oneapi::tbb::global_control::max_allowed_parallelism, std::size_t(count));
         arena = ArenaPool::take(count);
@@ -72,7 +72,7 @@ void Threads::share(std::size_t pieces, const std::function<void(std::size_t, st
     HandOver work, done;
     work.give();
     m_team->arena->execute([&] {
-        // Ranges of pieces, for TBB halves what it is given: its own pieces of a range would be no multiple of a vector.
+        // Ranges of pieces, because TBB halves what it gets, and its own pieces would be no multiple of a SIMD width.
         using Range = oneapi::tbb::blocked_range<std::size_t>;
         const auto runHere = [&](const Range& range) {
             work.take();

@@ -8,7 +8,7 @@
 
 namespace pipeline {
 
-// The runner's threads. Stages see ranges and tiles, never this.
+// The threads of the runner. Stages see ranges and tiles, never this class.
 class Threads {
 public:
     // count 0: as many as the machine has.
@@ -17,8 +17,8 @@ public:
     Threads(const Threads&) = delete;
     Threads& operator=(const Threads&) = delete;
 
-    // body(begin, end) over [0, count) in pieces of grain, of which the last may be shorter; one piece runs here and now.
-    // Pieces not begun when the request is stopped are dropped.
+    // Calls body(begin, end) over [0, count) in pieces of `grain`; the last one may be shorter. A single piece runs in
+    // this thread. If the request is stopped, pieces that have not begun are dropped.
     template <class Body>
     void forRange(std::size_t count, std::size_t grain, Body body) {
         if (count == 0 || stopped()) return;
@@ -31,14 +31,14 @@ public:
         m_team ? share(pieces, std::cref(run)) : run(0, pieces);
     }
     bool stopped() const { return m_stop.stop_requested(); }
-    const Stop& stop() const { return m_stop; }  // for a piece that is long in itself
+    const Stop& stop() const { return m_stop; }  // for a long piece to check
 
 private:
-    // run(begin, end) over [0, pieces), in parts of any length.
+    // Calls run(begin, end) over [0, pieces), in parts of any length.
     void share(std::size_t pieces, const std::function<void(std::size_t, std::size_t)>& run);
 
     struct Team;
-    std::unique_ptr<Team> m_team;  // none for one thread, which is the caller's
+    std::unique_ptr<Team> m_team;  // null for one thread, which is the caller's
     Stop m_stop;
 };
 

@@ -1,4 +1,4 @@
-// Where a build has no threads: every piece here and now.
+// For builds without threads: every piece runs in the calling thread.
 #include <utility>
 
 #include "pipeline/run/parallel.h"

@@ -17,7 +17,7 @@
 #include "pipeline/stages/sample_pattern.h"
 #include "pipeline/stages/translucent.h"
 
-// Each stage as a whole: its pieces on threads. runner.cpp alone reads it.
+// Runs each stage as a whole, its pieces on threads. Only runner.cpp includes it.
 namespace pipeline {
 
 template <class Real>
@@ -58,7 +58,7 @@ std::shared_ptr<const ShadowBufferOutput<Real>> runShadowBuffer(const ShadowBuff
     return out;
 }
 
-// As lights see the world: without the objects that are wholly transparent.
+// Without the transparent objects, which throw no shadow.
 template <class Real>
 std::shared_ptr<const ShadowBufferOutput<Real>> runShadowsOf(const ShadowBufferInputs& inputs,
                                                              const TransformOutput<Real>& in, Threads& threads) {
@@ -87,14 +87,14 @@ std::shared_ptr<const ZBufferOutput<Real>> runOutlines(const FrameData<Real>& da
     return out;
 }
 
-// What the stages before have left for stage 5; kept for as long as somebody may still ask which triangles are seen.
+// The inputs of stage 5; kept alive until nobody can ask for triangle ids any more.
 template <class Real>
 struct DrawingSources {
     std::shared_ptr<const TransformOutput<Real>> transform;
     std::shared_ptr<const CullOutput> cull;
     std::span<const Verdict> verdicts{};
     std::span<const std::uint8_t> marks{};
-    std::vector<std::uint8_t> drawn{};  // per polygon; empty: all are
+    std::vector<std::uint8_t> drawn{};  // for each polygon; empty: all are
 
     DrawingSources(const ZBufferInputs& inputs, std::shared_ptr<const TransformOutput<Real>> transformed,
                    std::shared_ptr<const CullOutput> culled)
@@ -138,7 +138,7 @@ std::shared_ptr<const ZBufferOutput<Real>> runZBuffer(const ZBufferInputs& input
     return out;
 }
 
-// By the kernels, with the same bits.
+// With the SIMD kernels; gives the same bits.
 inline std::shared_ptr<const ZBufferOutput<float>> runZBufferInVectors(const ZBufferInputs& inputs,
                                                                        const DrawingSources<float>& sources,
                                                                        Threads& threads) {
@@ -175,7 +175,7 @@ inline std::shared_ptr<const ZBufferOutput<float>> runZBufferInVectors(const ZBu
     const std::vector<std::uint8_t>& drawn = out->tileIsDrawn;
     out->zView = LateBuffer2D<float>([seen, drawn] { return rowsOf(seen->z, drawn, SeenBlocks::kNowhere); });
     if (!inputs.parts[Part::SeenPolygons]) {
-        // The stage once more, for the triangles alone; what the stages before have left is kept for it.
+        // Runs the stage again to get triangle ids only; keeps its inputs alive until then.
         out->triangle = LateBuffer2D<std::uint32_t>([again = inputs, sources]() mutable {
             Threads one(1, {});
             again.parts.whole.set(Part::SeenPolygons);
@@ -201,7 +201,7 @@ inline std::shared_ptr<const ZBufferOutput<float>> runZBuffer(const ZBufferInput
                                               : runZBuffer<float>(inputs, sources, threads);
 }
 
-// Stage 5 by the scene's visibility: the z-buffer, the painter's algorithm or outlines.
+// Stage 5 for the scene's visibility: the z-buffer, the painter's algorithm or outlines.
 template <class Real>
 std::shared_ptr<const ZBufferOutput<Real>> runVisibility(const FrameData<Real>& data, Threads& threads) {
     if (data.keys.zBuffer.visibility == Visibility::None) return runOutlines(data, threads);
@@ -209,11 +209,11 @@ std::shared_ptr<const ZBufferOutput<Real>> runVisibility(const FrameData<Real>& 
     return runZBuffer(inputs, DrawingSources<Real>(inputs, data.transform, data.cull), threads);
 }
 
-// Takes up the counts of pieces that run at the same time.
+// Adds up the counts of pieces that run at the same time.
 class CountSum {
 public:
     explicit CountSum(ShadingCounts& sum) : m_sum(sum) {}
-    void add(const ShadingCounts& counts) {  // once a piece: the lock does not show
+    void add(const ShadingCounts& counts) {  // once for each piece, so the lock costs nothing
         const std::scoped_lock lock(m_mutex);
         m_sum += counts;
     }
@@ -223,8 +223,8 @@ private:
     ShadingCounts& m_sum;
 };
 
-// The pixels of tile i, one by one or in vectors as the plan has chosen. A tile whose light has been kept is relit; where
-// light is to be kept the others keep it. looks: for those.
+// Shades the pixels of tile i, with SIMD or one at a time as the plan has chosen. A tile with kept light is lit again
+// from it. `looks` is for those tiles.
 template <class Real>
 ShadingCounts shadeTile(const ShadingInputs& inputs, const ShadingSources<Real>& in, std::span<const Look> looks,
                         std::size_t i, ShadingOutput<Real>& out) {
@@ -234,7 +234,7 @@ ShadingCounts shadeTile(const ShadingInputs& inputs, const ShadingSources<Real>&
     return piece::relight(inputs, looks, i, pixels, out, relit) ? relit : piece::shadePixels(inputs, in, pixels, out);
 }
 
-// The pixels of a picture whose polygons and vertices are shaded, and the translucent layers over them.
+// Shades the pixels of a picture after its polygons and vertices, then blends the translucent layers.
 template <class Real>
 void shadePicture(const ShadingInputs& inputs, const ShadingSources<Real>& in, ShadingOutput<Real>& out,
                   CountSum& counts, Threads& threads) {
@@ -268,10 +268,9 @@ void snapVertices(TransformOutput<Real>& out, Threads& threads) {
                      [&](std::size_t begin, std::size_t end) { piece::snap(begin, end, out); });
 }
 
-// The picture once more for each sample of a pixel, with the pixels' centres moved there, and their mean: an
-// accumulation buffer. Every other buffer stays that of the centres. What is shaded by polygon or vertex is shaded
-// once. P. Haeberli and K. Akeley, "The accumulation buffer: hardware support for high-quality rendering",
-// SIGGRAPH 1990.
+// Computes the picture again for each sample of a pixel, with the pixels' centres moved to the sample, and takes the
+// mean: an accumulation buffer. All other buffers are those of the centres. Polygons and vertices are shaded only once.
+// P. Haeberli and K. Akeley, "The accumulation buffer: hardware support for high-quality rendering", SIGGRAPH 1990.
 template <class Real>
 void antialias(const FrameData<Real>& data, ShadingOutput<Real>& out, CountSum& counts, Threads& threads) {
     const ShadingInputs& inputs = data.keys.shading;
@@ -287,7 +286,7 @@ void antialias(const FrameData<Real>& data, ShadingOutput<Real>& out, CountSum& 
         if (data.cull) sample.cull = runCull(data.keys.cull, *moved, threads);
         sample.zBuffer = runVisibility(sample, threads);
         ShadingOutput<Real> shaded = prepareShading(inputs, sample.shadingSources(), setOf({BufferId::Intensity}));
-        // Lent, since they may be as many as the mesh has.
+        // Swapped instead of copied, because there may be as many as the mesh has.
         const auto lend = [&] {
             std::swap(out.polygons, shaded.polygons);
             std::swap(out.vertices, shaded.vertices);
@@ -298,7 +297,7 @@ void antialias(const FrameData<Real>& data, ShadingOutput<Real>& out, CountSum& 
         lend();
         const auto& intensity = shaded.vectors[index(BufferId::Intensity)][0].pixels;
         if (i == 0) mean.pixels = first = intensity;
-        // Differences from the first: where all samples are alike, their mean is what each of them is.
+        // Adds differences from the first sample: if all samples are equal, the mean equals them exactly.
         for (std::size_t p = 0; p < first.size(); ++p)
             mean.pixels[p] += (intensity[p] - first[p]) / Real(places.size());
     }
@@ -306,7 +305,7 @@ void antialias(const FrameData<Real>& data, ShadingOutput<Real>& out, CountSum& 
         out.color.pixels[p] = frameBufferValue(Vec3d(mean.pixels[p]), out.iMax, inputs.planted);
 }
 
-// incidence: what the frame before has kept; null in tiles that are to keep it, empty where none are.
+// incidence: the light kept by the last frame; null in tiles that have to keep it, empty if no tile does.
 template <class Real>
 std::shared_ptr<const ShadingOutput<Real>> runShading(const FrameData<Real>& data, BufferSet wanted,
                                                       const Incidences& incidence, Threads& threads) {
@@ -327,7 +326,7 @@ std::shared_ptr<const ShadingOutput<Real>> runShading(const FrameData<Real>& dat
     if (inputs.samples > 1)
         antialias(data, *out, counts, threads);
     else if (!mean.empty())
-        mean = out->vectors[index(BufferId::Intensity)];  // of the one sample
+        mean = out->vectors[index(BufferId::Intensity)];  // of the only sample
     return out;
 }
 

@@ -1,4 +1,4 @@
-// The pipeline at a glance: six stages, in order, each a pure function of the ones before.
+// The pipeline at a glance: six stages in order, each a pure function of the ones before.
 #include "pipeline/run/runner.h"
 
 #include <fmt/format.h>
@@ -55,7 +55,7 @@ Plan makePlan(const Scene& scene, const FrameRequest& request, const FramePtr& b
     return plan;
 }
 
-// Has access to a frame's inside while it is made.
+// May write a frame's members while the frame is made.
 class Runner {
 public:
     static FramePtr run(std::shared_ptr<const Scene> scene, const FrameRequest& request, const FramePtr& before) {
@@ -65,7 +65,7 @@ public:
         const Clock::time_point decides = Clock::now();
         frame->m_needs = needsOf(*scene, request.wanted, request.until);
         const double needed = millisecondsSince(decides);
-        StageKeys keys = stageKeys(*scene, frame->m_needs, frame->m_topology);  // what the stages read
+        StageKeys keys = stageKeys(*scene, frame->m_needs, frame->m_topology);  // the inputs of the stages
         const Clock::time_point plans = Clock::now();
         frame->m_plan = decide(frame->m_needs, request.until, keys, pastOf(*scene, before));
         frame->m_planMilliseconds = needed + millisecondsSince(plans);
@@ -117,9 +117,9 @@ private:
         const FrameData<Real>* const old = before ? dataOf<Real>(*before) : nullptr;
         data.keys = std::move(keys);
 
-        // Carries out the plan for one stage: runs it, takes what the frame before has, or neither.
+        // Follows the plan for one stage: runs it, reuses the last frame's output, or leaves it out.
         const auto stage = [&](StageId id, auto member, auto compute) {
-            if (threads.stopped()) return;  // what the stage before has left is not whole
+            if (threads.stopped()) return;  // the last output may be incomplete
             switch (frame.m_plan[index(id)].action) {
                 case Action::LeaveOut: return;
                 case Action::Reuse:
@@ -173,7 +173,7 @@ std::shared_ptr<const FrameStages> alone(const Frame& whole, const StageKeys& ke
             break;
         case StageId::Cull: data.cull = runCull(data.keys.cull = keys.cull, *data.transform, threads); break;
         case StageId::Normals: {
-            // What takes the mesh's own normals to world space is found with the matrices, and is this stage's affair.
+            // The matrix for the mesh's own normals is computed with the other matrices, but belongs to this stage.
             auto in = std::make_shared<TransformOutput<Real>>(*data.transform);
             in->normalMatrix = prepareTransform<Real>(keys.transform).normalMatrix;
             data.transform = in;
@@ -204,7 +204,7 @@ FramePtr runAlone(const FramePtr& whole, StageId stage) {
     right.settings.defect = Defect::None, right.settings.leaveOut = false;
     const Needs needs = needsOf(right, whole->wanted(), whole->until());
     return readStages(*whole, [&]<class Real>(const FrameData<Real>& data) {
-        // Where the file is wrong every stage is right, given the file.
+        // If the file is wrong, every stage is right for that file.
         const StageKeys keys = isOfFile ? data.keys : stageKeys(right, needs, whole->sharedTopology());
         return unfinishedFrame(*whole, alone<Real>(*whole, keys, stage), stage);
     });

@@ -10,7 +10,7 @@
 namespace pipeline {
 namespace {
 
-// The largest difference over the largest magnitude in double, of numbers that both runs have finite.
+// The largest difference over the largest magnitude in double, for numbers that are finite in both runs.
 double largestRelative(const AnyBuffer& a, const AnyBuffer& b, const std::vector<bool>& compared) {
     double largest = 0, scale = 0;
     const auto channels = std::size_t(a.channels());
@@ -28,7 +28,7 @@ Vec3d vectorAt(const AnyBuffer& buffer, std::size_t i) {
     return {buffer.value(0, i, 0), buffer.value(0, i, 1), buffer.value(0, i, 2)};
 }
 
-// visit(ours, theirs) where both are there: next to a plane or to 0 one precision may have what the other has not.
+// Calls visit(ours, theirs) where both exist: near a plane or near 0 only one precision may have a value.
 template <class IsThere, class Visit>
 void forEachInBoth(const AnyBuffer& a, const AnyBuffer& b, IsThere isThere, Visit visit) {
     for (std::size_t i = 0; i < a.rows(); ++i)
@@ -56,7 +56,7 @@ StageError normalsError(const AnyBuffer& a, const AnyBuffer& b) {
     return {largest, fmt::format("{:.1e} rad", largest)};
 }
 
-// Pixels that show the same polygon in both runs: elsewhere the two do not compare the same thing.
+// Pixels that show the same polygon in both runs; at other pixels the comparison means nothing.
 std::vector<bool> sameSeen(const Frame& a, const Frame& b, std::size_t& different) {
     const AnyBuffer ids = *a.buffer({BufferId::PolygonId}), others = *b.buffer({BufferId::PolygonId});
     std::vector<bool> same(ids.count());

@@ -11,11 +11,11 @@
 #include "pipeline/simd/rasterize.h"
 #include "pipeline/stages/shadow_buffer.h"
 
-// Parts of stages, on threads and in vectors where there are any: what a whole stage is run from, and what steps into
-// one are.
+// Parts of stages, on threads and with SIMD if there are kernels. Whole stages and steps inside a stage are built from
+// them.
 namespace pipeline {
 
-// Enough work for one piece that handing it out does not show.
+// Work for one piece: large enough that starting it costs next to nothing.
 inline constexpr std::size_t kVertexGrain = 4096, kPolygonGrain = 1024, kTileGrain = 1, kSampleGrain = 1;
 inline constexpr std::size_t kPixelGrain = 65536;
 
@@ -35,7 +35,7 @@ void findPolygonNormals(const NormalsInputs& inputs, const TransformOutput<Real>
     if (inputs.planted) spoilPolygonNormals(inputs.planted, in, count, out);
 }
 
-// Of an object. Where every normal is the mesh's own nothing reads the sums, and no normal vanishes.
+// For one object. If all normals are the mesh's own, nothing reads the sums, and no normal vanishes.
 template <class Real>
 void findVertexNormals(const NormalsInputs& inputs, const TransformOutput<Real>& in, std::size_t object,
                        Threads& threads, NormalsOutput<Real>& out) {
@@ -57,14 +57,14 @@ inline void setUpPieces(const SetUpInputs& inputs, std::size_t first, std::size_
     });
 }
 
-// The rows of a buffer that is drawn in blocks.
+// The rows of a buffer drawn in blocks, made when they are first read.
 inline LateBuffer2D<float> rowsLater(const std::shared_ptr<const BlockBuffer2D<float>>& blocks) {
     return LateBuffer2D<float>(
         [blocks] { return rowsOf(*blocks, std::vector<std::uint8_t>(blocks->tileCount(), 1), 0.0F); });
 }
 
-// The face of a light that sees nothing: all such faces share one. Of a point light most do, and of an area light there
-// are hundreds.
+// The face of a light that sees nothing; all such faces share one. A point light has several of them, an area light may
+// have hundreds.
 class EmptyFace {
 public:
     std::shared_ptr<const BlockBuffer2D<float>> ofSize(glm::ivec2 size) {
@@ -82,7 +82,7 @@ private:
     std::shared_ptr<const BlockBuffer2D<float>> m_blocks;
 };
 
-// What a face of a light sees; drawn: per polygon, whether it takes part; empty: all do.
+// Draws what one face of a light sees. drawn: for each polygon, whether it casts; empty: all do.
 inline void drawShadowFace(const TransformOutput<float>& in, ShadowCull cull, std::span<const std::uint8_t> drawn,
                            LightView<float>& light, std::size_t number, EmptyFace& empty, Threads& threads) {
     const View& face = light.faces[number];
@@ -97,8 +97,8 @@ inline void drawShadowFace(const TransformOutput<float>& in, ShadowCull cull, st
         });
         setUp.vertices = &snapped;
     }
-    // So many at once that the lists of a fine mesh do not stand in memory side by side; the nearest remains, whatever the
-    // order.
+    // Limits the triangles set up at once, so that the lists of a fine mesh are not all in memory. The nearest depth
+    // remains in any order.
     constexpr std::size_t kMostAtOnce = 1 << 19;  // triangles
     const std::size_t each = std::max<std::size_t>(1, kMostAtOnce / (1 + trianglesOfPiece(setUp, pieces)));
     std::shared_ptr<BlockBuffer2D<float>> blocks;
@@ -114,7 +114,7 @@ inline void drawShadowFace(const TransformOutput<float>& in, ShadowCull cull, st
             for (std::size_t tile = begin; tile < end; ++tile)
                 shadowBufferInVectors(setUp, pieces, tile, isFirst, *blocks);
         });
-        for (TrianglePiece& piece : some) piece = {};  // with its room
+        for (TrianglePiece& piece : some) piece = {};  // keeps its capacity
     }
     light.blocks[number] = blocks ? blocks : empty.ofSize(face.size);
     light.depth[number] = rowsLater(light.blocks[number]);
@@ -137,7 +137,7 @@ void drawShadowFace(const TransformOutput<Real>& in, ShadowCull cull, std::span<
     });
 }
 
-// What all samples and faces of a light see.
+// Draws what all samples and faces of a light see.
 template <class Real>
 void drawShadows(const TransformOutput<Real>& in, ShadowCull cull, std::span<const std::uint8_t> drawn,
                  std::vector<LightView<Real>>& samples, Threads& threads) {
