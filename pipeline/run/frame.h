@@ -72,9 +72,7 @@ public:
     const FrameStages& stages() const { return *m_stages; }
 
     BufferSet wanted() const { return m_wanted; }  // the request's
-    BufferSet made() const {
-        return m_made;
-    }  // the buffers that were written; all if unread ones are not left out
+    BufferSet made() const { return m_made; }      // the buffers that were written; all if unread ones are not left out
     const Topology& topology() const { return *m_topology; }
     // Shared by all frames in a row that have the same meshes.
     const std::shared_ptr<const Topology>& sharedTopology() const { return m_topology; }

@@ -63,7 +63,7 @@ inline LateBuffer2D<float> rowsLater(const std::shared_ptr<const BlockBuffer2D<f
         [blocks] { return rowsOf(*blocks, std::vector<std::uint8_t>(blocks->tileCount(), 1), 0.0F); });
 }
 
-// The face of a light that sees nothing; all such faces share one. A point light has several of them, an area light may
+// The face of a light that sees nothing; all such faces share one. Most faces of a point light do, and area lights may
 // have hundreds.
 class EmptyFace {
 public:

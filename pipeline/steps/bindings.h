@@ -9,12 +9,12 @@
 
 namespace pipeline {
 
-// What the names in a text stand for in one step.
+// The values of the names in a text, for one step.
 struct Bindings {
     std::vector<AlgorithmValue> values;
     std::map<std::string, bool, std::less<>> tests;
-    std::map<std::string, std::vector<Bindings>, std::less<>> loops;  // of a loop inside the step, a turn each
-    std::array<bool, 4> begins{true, false, false, false};            // by Begins
+    std::map<std::string, std::vector<Bindings>, std::less<>> loops;  // of loops inside the step: one for each turn
+    std::array<bool, 4> begins{true, false, false, false};            // indexed by Begins
 
     AlgorithmValue& word(std::string name, std::string text, std::string from = {}) {
         return values.emplace_back(AlgorithmValue{name, name, std::move(text), {}, std::move(from)});
@@ -38,16 +38,16 @@ struct Bindings {
     }
 };
 
-// The step that is bound: number `within` of an element's.
+// The step to bind: number `within` of an element.
 struct BoundStep {
     const StepPhase* phase;
     std::size_t element;
     std::int64_t within;
     std::uint32_t number() const { return phase->number(element); }
 };
-// Binds the pixel of a step among the spans of its element: "x, y", and what begins with it.
+// Binds the pixel of a step, from the spans of its element: "x, y", and the loops that start with it.
 glm::ivec2 bindPixel(const std::vector<PixelSpan>& spans, std::int64_t within, Bindings& out);
-// A loop over the elements of a phase: "polygon", 2 of 5.
+// Binds a loop over the elements of a phase: "polygon", 2 of 5.
 void bindElement(const BoundStep& step, std::string name, Bindings& out);
 
 template <class Real>
@@ -55,12 +55,12 @@ void bindDrawing(const FrameData<Real>& data, const Drawing<Real>& drawing, cons
 
 template <class Real>
 void bindGeometry(const Frame& frame, const FrameData<Real>& data, StageId stage, const BoundStep& step, Bindings& out);
-// spans: of the element, where the phase goes by pixels.
+// spans: the element's, if the phase goes by pixels.
 template <class Real>
 void bindShading(const Frame& frame, const FrameData<Real>& data, const std::vector<PixelSpan>& spans,
                  const BoundStep& step, Bindings& out);
 
-// Goes through the lines of a text with what a step has bound.
+// Goes through the lines of a text with the bindings of a step.
 Walk walkThrough(Algorithm algorithm, const Bindings& bindings);
 
 }  // namespace pipeline

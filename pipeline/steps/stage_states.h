@@ -5,14 +5,14 @@
 
 namespace pipeline {
 
-// What each stage has left after the first so many of its steps, by the functions that the stage itself consists of.
-// data: the outputs of the whole frame, of which only those of the stages before are read, and of the stage itself
-// what no later step changes.
+// The output of each stage after a number of its steps, computed with the stage's own functions. data: the outputs of
+// the whole frame. Only those of earlier stages are read, and the parts of this stage's output that no later step
+// changes.
 
 template <class Real>
 TransformOutput<Real> transformSoFar(const FrameData<Real>& data, std::size_t vertices);
 
-// The polygons that it has not come to have the verdict NotYet.
+// Polygons still to come have the verdict NotYet.
 template <class Real>
 CullOutput cullSoFar(const FrameData<Real>& data, std::size_t polygons, Threads& threads);
 
@@ -20,22 +20,22 @@ template <class Real>
 NormalsOutput<Real> normalsSoFar(const FrameData<Real>& data, std::size_t polygons, std::size_t vertices,
                                  Threads& threads);
 
-// The lights before `light` are drawn, those after it cleared; of its polygons, in scene order and without those of
-// transparent objects, the first so many are drawn, into all its faces and samples alike.
+// The buffers of lights before `light` are drawn, those of later lights are cleared. Of its polygons, in scene order
+// and without transparent objects, the first `polygons` are drawn, into all its faces and samples.
 template <class Real>
 ShadowBufferOutput<Real> shadowBuffersSoFar(const FrameData<Real>& data, std::size_t light, std::size_t polygons,
                                             Threads& threads);
 
-// How far stage 6 has come.
+// The progress of stage 6.
 struct ShadingProgress {
-    std::size_t polygonTerms = 0, vertexTerms = 0;  // evaluated: all polygons and vertices with lower numbers
-    // Pixels: those that show a polygon with a lower number than this, and of its own those within `reach`.
+    std::size_t polygonTerms = 0, vertexTerms = 0;  // evaluated for all polygons and vertices with lower numbers
+    // Pixels: those that show a polygon with a lower number, and the pixels of this polygon within `reach`.
     std::uint32_t polygon = 0;
     Reach reach{};
-    bool layers = false, samples = false;  // laid over; averaged
+    bool layers = false, samples = false;  // blended; averaged
 };
-// The picture without translucent layers and with one sample a pixel, once all its pixels are shaded: that of the
-// frame itself where it has neither.
+// The finished picture without translucent layers and with one sample for each pixel. It is the frame's own picture if
+// it has neither layers nor samples.
 template <class Real>
 std::shared_ptr<const ShadingOutput<Real>> shadedOpaque(const FrameData<Real>& data, BufferSet made, Threads& threads);
 template <class Real>

@@ -11,16 +11,16 @@
 
 namespace pipeline {
 
-// A run of elements of one kind that a stage works through. Numbers of smallest steps count within the phase.
+// A sequence of elements of one kind that a stage works through. Smallest steps are counted within the phase.
 struct StepPhase {
     ElementKind kind = ElementKind::Polygon;
     int light = -1;                         // of a shadow buffer
-    std::int64_t first = 0;                 // smallest steps of the stage before it
+    std::int64_t first = 0;                 // smallest steps of the stage before this phase
     std::size_t count = 0;                  // elements
     std::vector<std::uint32_t> numbers{};   // of the elements; empty: 0, 1, 2…
-    std::vector<std::uint32_t> polygons{};  // of the elements, where those are no numbers of polygons
-    std::vector<std::int64_t> ends{};       // after the first i + 1 elements; empty: one step each
-    std::vector<std::int64_t> rows{};       // of the first i + 1 elements; empty where nothing goes by rows
+    std::vector<std::uint32_t> polygons{};  // of the elements, if their numbers are not polygons
+    std::vector<std::int64_t> ends{};       // smallest steps of the first i + 1 elements; empty: one step each
+    std::vector<std::int64_t> rows{};       // rows of the first i + 1 elements; empty if the phase has no rows
 
     std::uint32_t number(std::size_t i) const { return numbers.empty() ? std::uint32_t(i) : numbers[i]; }
     std::int64_t end(std::size_t i) const { return ends.empty() ? std::int64_t(i) + 1 : ends[i]; }
@@ -35,16 +35,16 @@ struct StepSource {
     std::array<bool, kStageCount> runs{};
 
     virtual ~StepSource() = default;
-    // The pixels of an element of a phase that goes by rows.
+    // The pixels of an element, for a phase with rows.
     virtual std::vector<PixelSpan> spans(StageId stage, std::size_t element) const = 0;
-    // What the names of the stage's algorithm stand for in smallest step number `within` of an element of the phase.
+    // Binds the names of the stage's algorithm for smallest step number `within` of an element of the phase.
     virtual void bind(StageId stage, const StepPhase& phase, std::size_t element, std::int64_t within,
                       Bindings& out) const = 0;
     virtual FramePtr at(Moment moment, int threads, Stop stop) const = 0;
 };
 std::shared_ptr<const StepSource> makeStepSource(FramePtr whole);
 
-// How far into an element's pixels `done` of them reach.
+// The part of an element's pixels that its first `done` steps cover.
 Reach reachOf(const std::vector<PixelSpan>& spans, std::int64_t done);
 
 }  // namespace pipeline
