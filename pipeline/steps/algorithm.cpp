@@ -9,7 +9,7 @@
 namespace pipeline {
 namespace {
 
-// Calls visit(word) for each of the words between separators, until it returns true. Whether it did.
+// Calls visit(word) for each word between separators, until it returns true. Returns whether it did.
 template <class Visit>
 bool anyWord(std::string_view words, char separator, Visit visit) {
     while (!words.empty()) {
@@ -30,7 +30,7 @@ bool hasMeans(const Scene& scene) {
            });
 }
 
-// The models whose terms have lines of their own; of others the values are shown.
+// The models whose terms have lines of their own; other models show only values.
 constexpr std::array kWrittenModels{Model::Phong, Model::BlinnPhong, Model::OpenGl, Model::CookTorrance};
 
 std::string_view formulaOf(Model model) {
@@ -44,13 +44,13 @@ std::string_view highlightOf(const Scene& scene) {
     return halfway == 0 ? "R" : halfway == scene.objects.size() ? "H" : "R or H";
 }
 
-// What lines depend on beside single settings.
+// What lines depend on apart from single settings.
 struct SceneFact {
     std::string_view key;
     std::string_view (*value)(const Scene&, ElementKind);
 };
 constexpr std::array kSceneFacts{
-    // The kind of element that is stepped through, as a place names it.
+    // The kind of element of the step, as a place names it.
     SceneFact{"element", [](const Scene&, ElementKind kind) { return name(kind); }},
     // Whether the illumination model is evaluated in this step.
     SceneFact{"evaluated",
@@ -59,7 +59,7 @@ constexpr std::array kSceneFacts{
               }},
     SceneFact{"highlight", [](const Scene& scene, ElementKind) { return highlightOf(scene); }},
     SceneFact{"formula", [](const Scene& scene, ElementKind) { return formulaOf(scene.settings.model); }},
-    // Whether the illumination model has shadows, and whether it clamps what it evaluates.
+    // Whether the illumination model has shadows, and whether it clamps its results.
     SceneFact{"shadows",
               [](const Scene& scene, ElementKind) -> std::string_view {
                   return modelFacts(scene.settings.model).shadows ? "on" : "off";
@@ -81,7 +81,7 @@ std::string valueOf(std::string_view key, const Scene& scene, ElementKind kind) 
     return setting ? formatSetting(*setting, setting->get(scene)) : std::string();
 }
 
-// Why the plan leaves out "shading/ambient term", or the stage "shadow-buffer"; empty where it does not.
+// The plan's reason for leaving out "shading/ambient term" or the stage "shadow-buffer"; empty if it runs.
 std::string whyLeftOut(const Plan& plan, std::string_view part) {
     const std::size_t slash = std::min(part.find('/'), part.size());
     const auto stage = findStage(part.substr(0, slash));
@@ -129,7 +129,7 @@ std::optional<Algorithm> algorithmOf(const Frame& frame, StageId stage, ElementK
     });
     if (row == algorithmTable().end()) return std::nullopt;
     Algorithm algorithm{&*row, {}};
-    int left = -1;  // indentation of a loop or branch that is left out: what is inside it is too
+    int left = -1;  // indentation of a loop or branch that is left out, with everything inside it
     for (const AlgorithmLine& one : row->lines) {
         if (!holds(one.when, frame.scene(), kind)) continue;
         Algorithm::Line line = resolved(one, frame.plan(), stage);

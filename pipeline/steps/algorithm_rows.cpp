@@ -1,4 +1,4 @@
-// An algorithm at a moment, line by line, and written out.
+// The lines of an algorithm at a moment, and its text output.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 namespace pipeline {
 namespace {
 
-// The parts of a line's text: what is between braces, and what is not.
+// The parts of a line's text inside and outside braces.
 template <class Plain, class Named>
 void eachPart(std::string_view text, Plain plain, Named named) {
     while (!text.empty()) {
@@ -23,7 +23,8 @@ void eachPart(std::string_view text, Plain plain, Named named) {
     }
 }
 
-// Of an If from its first value to its last, for what stands around them is the language's; else the values alone.
+// For an If the text from its first value to its last, because the signs around them belong to the language; otherwise
+// the values alone.
 std::string valuesText(const AlgorithmLine& line, const std::vector<AlgorithmValue>& values, bool named) {
     const auto written = [&](const AlgorithmValue& value) {
         return named ? value.shown + " = " + value.text : value.text;
@@ -45,7 +46,7 @@ std::string valuesText(const AlgorithmLine& line, const std::vector<AlgorithmVal
     return out;
 }
 
-// The visit at which a line was last passed up to the state's own; null where it has not been.
+// The last visit of a line up to the state's own visit; null if there is none.
 const Visit* lastVisitOf(const AlgorithmState& state, std::size_t line) {
     if (!state.visit) return nullptr;
     for (std::size_t i = *state.visit + 1; i-- > 0;)

@@ -1,4 +1,4 @@
-// The lectures' algorithms, in their own notation.
+// The lectures' algorithms in their own notation.
 #include "pipeline/steps/algorithm.h"
 
 namespace pipeline {
@@ -118,8 +118,8 @@ constexpr std::array kShadowBufferLines{
     Line{"    Z-buf[x][y] = z; FB[x][y] = intensity", Elsewhere, "in shading"},
 };
 
-// L1: Lambertian flat, Gouraud and Phong shading, with the models of both lectures and OpenGL's. What is evaluated for
-// polygons and vertices and what for pixels are the same lines.
+// L1: Lambertian flat, Gouraud and Phong shading, with the models of both lectures and OpenGL's. Polygons, vertices and
+// pixels are evaluated by the same lines.
 constexpr std::string_view kHere = "evaluated=here", kPixels = "element=polygon";
 constexpr std::string_view kShadow = "shadow-buffer";
 constexpr std::array kShadingLines{

@@ -19,7 +19,7 @@ void bindDrawing(const FrameData<Real>& data, const Drawing<Real>& drawing, cons
     }
     const glm::ivec2 pixel = bindPixel(spansOf(drawing, step.element), step.within, out);
     const PixelFragments fragments = fragmentsAt(data, drawing, step.element, pixel);
-    // Two triangles of a polygon that is not planar may cover the pixel: the one that stays counts.
+    // Two triangles of a polygon that is not planar may cover the pixel: the fragment that stays counts.
     const auto stays = std::ranges::find_if(fragments.own.rbegin(), fragments.own.rend(), &FragmentRecord::won);
     const FragmentRecord& own = stays == fragments.own.rend() ? fragments.own.front() : *stays;
     const auto below = std::ranges::find_if(fragments.before.rbegin(), fragments.before.rend(), &FragmentRecord::won);

@@ -103,7 +103,7 @@ void bindShadowBuffer(const FrameData<Real>& data, const BoundStep& step, Bindin
     const Topology::Corners corners = in.topology->corners(step.number());
     double nearest = std::numeric_limits<double>::infinity(), farthest = -nearest;
     for (std::size_t i = 0; i < corners.size(); ++i) {
-        // A point light sees the polygon in several of its faces: how far away it is holds for all of them.
+        // A point light sees the polygon in several of its faces; the distance is the same in all of them.
         const Vec3d p = Vec3d(in.world[corners[i]]);
         const double z = face.perspective ? glm::distance(p, face.eye) : double(toView(face, in.world[corners[i]]).z);
         nearest = std::min(nearest, z), farthest = std::max(farthest, z);

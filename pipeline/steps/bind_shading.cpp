@@ -1,4 +1,4 @@
-// The values of a step of the shading stage: what the inspector reads of the same frame.
+// The values of a step of the shading stage, as the inspector reads them from the same frame.
 #include <algorithm>
 
 #include "pipeline/core/text.h"
@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kIntensityDigits = 3;
 
-// An evaluation of the illumination model: its vectors, its ambient part, and a turn per light.
+// One evaluation of the illumination model: its vectors, its ambient part, and a turn for each light.
 template <class Real>
 void bindEvaluation(const FrameData<Real>& data, const Evaluation& at, std::uint32_t object, bool back, Bindings& out) {
     const ShadingInputs& inputs = data.keys.shading;
@@ -37,7 +37,7 @@ void bindEvaluation(const FrameData<Real>& data, const Evaluation& at, std::uint
     }
 }
 
-// A turn per light where there are none yet, with the comparison that decides on its shadow.
+// A turn for each light if there are none yet, with the comparison that decides its shadow.
 template <class Real>
 void bindShadows(const FrameData<Real>& data, const PixelReport& report, Bindings& out) {
     std::vector<Bindings>& lights = out.loops["lights"];
@@ -58,7 +58,8 @@ void bindShadows(const FrameData<Real>& data, const PixelReport& report, Binding
     }
 }
 
-// I_a and I_b of lecture 1's double interpolation, or of normals: of `value` along the two edges that the row crosses.
+// I_a and I_b of lecture 1's double interpolation, or of normals: `value` interpolated along the two edges that the row
+// crosses.
 template <class Real, class Value>
 void bindRow(const FrameData<Real>& data, const PixelReport& report, std::uint32_t triangle, const char* a,
              const char* b, Value value, Bindings& out) {
@@ -92,7 +93,7 @@ void bindPixelShading(const Frame& frame, const FrameData<Real>& data, glm::ivec
     out.vector("intensity", report.intensity, kIntensityDigits);
     if (report.outline) return;
     const std::uint32_t triangle = data.zBuffer->triangle->at(pixel);
-    Vec3d whole(0);  // without shadows, as it was evaluated before
+    Vec3d whole(0);  // without shadows, as it was evaluated
     std::vector<std::string> weights, vertices;
     for (const auto& [vertex, weight] : report.weights)
         weights.push_back(fixed(weight, 4)), vertices.push_back(std::to_string(vertex));
@@ -124,7 +125,7 @@ void bindPixelShading(const Frame& frame, const FrameData<Real>& data, glm::ivec
     bindShadows(data, report, out);
 }
 
-// The first of the pixels with most layers, with those layers.
+// The first pixel with the most layers, and its layers.
 template <class Real>
 std::optional<glm::ivec2> mostLayers(const FrameData<Real>& data) {
     const ShadingInputs& inputs = data.keys.shading;

@@ -9,7 +9,7 @@
 namespace pipeline {
 namespace {
 
-// The half-open ranges of 0 … count − 1 that belong to one polygon.
+// The half-open ranges of 0 … count − 1 that belong to one polygon each.
 template <class Real, class PolygonOf>
 void groupByPolygon(std::size_t count, PolygonOf polygonOf, Drawing<Real>& out) {
     for (std::uint32_t i = 0; i < count; ++i) {
@@ -22,7 +22,7 @@ void groupByPolygon(std::size_t count, PolygonOf polygonOf, Drawing<Real>& out) 
     }
 }
 
-// Counts the elements' pixels and rows, and drops the elements that have none.
+// Counts the pixels and rows of the elements, and drops the elements that have none.
 template <class Real>
 void countPixels(Drawing<Real>& drawing) {
     std::size_t kept = 0;
@@ -52,7 +52,8 @@ void forEachPixel(const Drawing<Real>& drawing, std::size_t element, Visit visit
     }
 }
 
-// Draws into the pixels of a tile: all of them are within one of the stage's own tiles, or `indices` is not one of its
+// Draws into the pixels of a tile. They are inside one of the stage's own tiles, or `indices` is the list of one
+// element.
 // lists but an element's.
 template <class Real>
 void drawInto(const FrameData<Real>& data, const Drawing<Real>& drawing, std::span<const std::uint32_t> indices,
@@ -129,7 +130,7 @@ std::vector<PixelSpan> spansOf(const Drawing<Real>& drawing, std::size_t element
         return a.y != b.y ? a.y < b.y : a.first < b.first;
     };
     std::ranges::sort(spans, before);
-    // Triangles of a fan that meet, or lie over each other, become one span.
+    // Triangles of a fan that touch or overlap become one span.
     std::size_t kept = 0;
     for (std::size_t i = 1; i < spans.size(); ++i) {
         PixelSpan& last = spans[kept];

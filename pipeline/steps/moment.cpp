@@ -15,7 +15,7 @@ namespace {
 constexpr std::array<std::string_view, kStepLevelCount> kLevels{"stage",    "object", "polygon",
                                                                 "scanline", "pixel",  "line"};
 
-// What may stand before a number, per stage.
+// The keys that may precede a number, for each stage.
 struct Key {
     std::string_view word;
     ElementKind kind;
@@ -52,7 +52,7 @@ std::vector<std::string_view> split(std::string_view text) {
     return parts;
 }
 
-// A number from 0 to 2³¹ − 1, all of the text; else -1.
+// A number from 0 to 2³¹ − 1 that is the whole text, else -1.
 int number(std::string_view digits) {
     int value = 0;
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
@@ -60,7 +60,7 @@ int number(std::string_view digits) {
     return value;
 }
 
-// Takes up one part, "polygon=2"; what is wrong with it, else nothing.
+// Reads one part, "polygon=2". Returns the error, or an empty string.
 std::string take(std::string_view part, Place& place) {
     using What = Place::What;
     const bool unset = place.what == What::End;
@@ -86,7 +86,7 @@ std::string take(std::string_view part, Place& place) {
                       (place.kind == ElementKind::Polygon || place.kind == ElementKind::Piece);
     if (word == "row" && rows && !place.row && !place.line) return place.row = value, "";
     if (word == "x" && place.row && !place.x && !place.line) return place.x = value, "";
-    const bool counted = value > 0 && place.what == Place::What::Element;  // from 1
+    const bool counted = value > 0 && place.what == Place::What::Element;  // counted from 1
     if (word == "line" && counted && !place.line) return place.line = value, "";
     if (word == "time" && counted && place.line && place.time == 1) return place.time = value, "";
     return wrong;

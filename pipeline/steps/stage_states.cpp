@@ -9,7 +9,7 @@ namespace pipeline {
 
 namespace {
 
-// 0 where nothing is yet.
+// 0 where nothing has been written yet.
 template <class Values>
 void fillFrom(std::size_t first, Values&& values) {
     if (first < values.size())
@@ -22,7 +22,7 @@ void fillFrom(std::size_t first, Values&& values) {
 template <class Real>
 TransformOutput<Real> transformSoFar(const FrameData<Real>& data, std::size_t vertices) {
     TransformInputs inputs = data.keys.transform;
-    inputs.placesAsGiven = false;  // some are not there yet
+    inputs.placesAsGiven = false;  // some positions are not there yet
     const std::vector<std::uint32_t>& first = inputs.topology->firstVertex;
     auto out = prepareTransform<Real>(inputs);
     out.done = vertices;
@@ -45,7 +45,7 @@ template <class Real>
 NormalsOutput<Real> normalsSoFar(const FrameData<Real>& data, std::size_t polygons, std::size_t vertices,
                                  Threads& threads) {
     NormalsInputs inputs = data.keys.normals;
-    inputs.asGiven = false;  // some are not there yet
+    inputs.asGiven = false;  // some normals are not there yet
     const TransformOutput<Real>& in = *data.transform;
     const std::vector<std::uint32_t>& first = in.topology->firstVertex;
     NormalsOutput<Real> out = prepareNormals(inputs, in);
@@ -59,7 +59,7 @@ NormalsOutput<Real> normalsSoFar(const FrameData<Real>& data, std::size_t polygo
 
 namespace {
 
-// With the same texels, which are not copied where they stand in blocks.
+// With the same texels, which are not copied if they are in blocks.
 template <class Real>
 LightView<Real> sharing(const LightView<Real>& light) {
     return light;
@@ -100,14 +100,14 @@ std::size_t tileCount(const FrameData<Real>& data) {
     return std::size_t(tiles.x) * std::size_t(tiles.y);
 }
 
-// Copies of the pixels that are done what they have come to.
+// Copies the results of the pixels that are done.
 template <class T>
 void take(const std::vector<std::uint8_t>& done, const Buffer2D<T>& from, Buffer2D<T>& to) {
     for (std::size_t i = 0; i < done.size(); ++i)
         if (done[i]) to.pixels[i] = from.pixels[i];
 }
 
-// Per pixel whether it has been shaded.
+// For each pixel whether it has been shaded.
 template <class Real>
 std::vector<std::uint8_t> shadedPixels(const FrameData<Real>& data, const ShadingProgress& progress) {
     const Buffer2D<std::uint32_t>& seen = *data.zBuffer->triangle;
@@ -158,11 +158,11 @@ ShadingOutput<Real> shadedSoFar(const FrameData<Real>& data, const ShadingOutput
     shadeVertices(inputs, in, 0, std::min(progress.vertexTerms, out.vertices.count()), out);
     out.pixelIsShaded = shadedPixels(data, progress);
     const std::vector<std::uint8_t>& done = out.pixelIsShaded;
-    // What one pixel comes to depends on no other.
+    // The result of a pixel depends on no other pixel.
     threads.forRange(kBufferCount, 1, [&](std::size_t begin, std::size_t end) {
         for (std::size_t id = begin; id < end; ++id) {
-            // Intensity may have been left out of the whole picture, and a picture that is reused may hold buffers that
-            // nobody asks for any more.
+            // The whole picture may have left out the intensity, and a reused picture may have buffers that are no
+            // longer requested.
             out.vectors[id].resize(std::min(out.vectors[id].size(), opaque.vectors[id].size()));
             for (std::size_t k = 0; k < out.vectors[id].size(); ++k)
                 take(done, opaque.vectors[id][k], out.vectors[id][k]);

@@ -25,7 +25,7 @@ std::shared_ptr<const Walk> Steps::walk(StageId stage, std::int64_t tick) const 
 
 int Steps::lineCount(StageId stage, std::int64_t tick) const { return int(walk(stage, tick)->visits.size()); }
 
-// From the last line of a step to its end: what the line writes is seen before the next step begins.
+// From the last line of a step to the step's end: the result of the line is visible before the next step begins.
 std::optional<Moment> Steps::nextLine(Moment moment) const {
     if (moment.done < total(moment.stage)) {
         if (moment.line < lineCount(moment.stage, moment.done))

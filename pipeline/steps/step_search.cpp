@@ -1,4 +1,4 @@
-// Looking ahead for the next step that has to do with something.
+// The search for the next step at a pixel, polygon, vertex or object.
 #include <algorithm>
 
 #include "pipeline/scene/topology.h"

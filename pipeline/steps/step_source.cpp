@@ -10,7 +10,7 @@
 namespace pipeline {
 namespace {
 
-// Per polygon, how many pixels and rows it is seen in, and the first and last of the rows.
+// For each polygon: the number of pixels and rows in which it is visible, and the first and last row.
 struct Seen {
     std::vector<std::int64_t> pixels, rows;
     std::vector<int> first, last;
@@ -87,7 +87,7 @@ public:
         auto stages = std::make_shared<FrameStages>();
         FrameData<Real>& out = stages->data.template emplace<FrameData<Real>>(m_data);
         using enum StageId;
-        // In reverse: each drops what its stage and all later ones have left.
+        // In reverse: each case drops the output of its stage and of all later ones.
         if (moment.stage <= ZBuffer) out.shading.reset();
         if (moment.stage <= StageId::ShadowBuffer) out.zBuffer.reset();
         if (moment.stage <= Normals) out.shadowBuffer.reset();
@@ -106,7 +106,8 @@ private:
         all.push_back(std::move(phase));
     }
 
-    // What is under layers or samples is shaded once more, pixel by pixel, with the weights that vectors leave out.
+    // The picture under layers or samples is shaded again pixel by pixel, with the weights that the SIMD kernels leave
+    // out.
     void completeZBuffer() {
         const ShadingInputs& inputs = m_data.keys.shading;
         if (!m_data.shading || !m_data.zBuffer->barycentric.empty()) return;
@@ -171,7 +172,8 @@ private:
             if (phase.kind == ElementKind::Polygon) m_pixelPhase = &phase;
     }
 
-    // How many elements of a phase are over after `done` smallest steps of the stage, and how many steps of the next.
+    // The number of elements of a phase that are over after `done` smallest steps of the stage, and the steps done in
+    // the next one.
     struct Over {
         std::size_t elements = 0;
         std::int64_t rest = 0;

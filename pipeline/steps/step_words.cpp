@@ -1,4 +1,4 @@
-// What a moment is called.
+// The words for a moment.
 #include <fmt/format.h>
 
 #include "pipeline/scene/scene.h"

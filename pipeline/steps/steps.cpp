@@ -55,7 +55,7 @@ std::uint32_t Steps::objectOf(const Spot& spot) const {
     return 0;
 }
 
-// Smallest steps of the element after each of its rows.
+// The element's smallest steps up to the end of each of its rows.
 std::vector<std::int64_t> Steps::rowEnds(const Spot& spot) const {
     std::vector<std::int64_t> ends;
     std::int64_t end = 0;
@@ -71,7 +71,7 @@ std::vector<std::int64_t> Steps::rowEnds(const Spot& spot) const {
     return ends;
 }
 
-// The end of the step of this level that makes step number `tick`.
+// The end of the step of this level that contains step number `tick`.
 std::int64_t Steps::end(StageId stage, std::int64_t tick, StepLevel level) const {
     if (level == StepLevel::Stage) return total(stage);
     Spot spot = at(stage, tick);
@@ -90,7 +90,7 @@ std::int64_t Steps::end(StageId stage, std::int64_t tick, StepLevel level) const
     return phase.first + phase.end(spot.element);
 }
 
-// Where that step begins.
+// The beginning of that step.
 std::int64_t Steps::begin(StageId stage, std::int64_t tick, StepLevel level) const {
     if (level == StepLevel::Stage) return 0;
     Spot spot = at(stage, tick);
@@ -173,7 +173,7 @@ std::vector<std::int64_t> Steps::ends(StageId stage, StepLevel level, std::int64
         for (std::int64_t tick = 0; tick < last; tick = all.back()) all.push_back(end(stage, tick, level));
         return all;
     }
-    // The rows of an element are found by looking through its pixels: once for all of them.
+    // Finding the rows of an element means going through its pixels, so all rows are found at once.
     for (const StepPhase& phase : phases(stage)) {
         for (std::size_t i = 0; i < phase.count; ++i) {
             const std::int64_t first = phase.first + phase.begin(i);
@@ -238,7 +238,7 @@ Steps::Found Steps::find(const Place& place) const {
         if (object) return std::int64_t(objectOf(spot));
         return std::int64_t(found->kind == place.kind ? found->number(i) : *polygonOf(spot));
     };
-    // A painter comes to polygons and objects in no order: the last time that it is at this one.
+    // The painter visits polygons and objects in no order, so this is the last time that it is at this one.
     const bool ordered = found->kind != ElementKind::Piece || place.kind == ElementKind::Piece;
     std::size_t after = found->count;
     if (ordered) {

@@ -1,4 +1,4 @@
-// How a step goes through the lines of its algorithm.
+// The way of a step through the lines of its algorithm.
 #include <algorithm>
 
 #include "pipeline/steps/bindings.h"
@@ -10,7 +10,7 @@ class Walker {
 public:
     Walker(Walk& walk, const Bindings& step) : m_walk(walk), m_scopes{&step} {}
 
-    // The lines [begin, end).
+    // Goes through the lines [begin, end).
     void go(std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end;) {
             const Algorithm::Line& line = m_walk.algorithm.lines[i];
@@ -68,7 +68,7 @@ private:
     }
 
     Walk& m_walk;
-    std::vector<const Bindings*> m_scopes;  // the step's, then the turn's of the loop that it is in
+    std::vector<const Bindings*> m_scopes;  // those of the step, then those of the current loop's turn
 };
 
 }  // namespace
