@@ -8,8 +8,8 @@ namespace app {
 
 class Document;
 
-// The derived buffers of a document's frame that somebody looks at, each of the newest frame as soon as it is made; and
-// the text that a condition and an expression are made after. Another scene begins without a text.
+// The derived buffers of a document that somebody looks at, computed for each newest frame. Also the text of the
+// condition and the expression. Another scene begins without a text.
 class DerivedBuffers : public QObject {
     Q_OBJECT
 public:
@@ -19,24 +19,24 @@ public:
     void setText(const QString& text);
     lessons::DerivedRecipe recipe() const;
 
-    // What `who` looks at. What nobody does is not made. Forgotten with `who`.
+    // The buffers that `who` looks at; others are not computed. Forgotten when `who` is deleted.
     void want(const QObject* who, std::vector<pipeline::BufferName> names);
-    // Null where nobody wants it.
+    // Null if nobody wants it.
     DerivedJob* find(const pipeline::BufferName& name) const;
-    // Made of the newest frame's size, or null.
+    // The buffer in the size of the newest frame, or null.
     const lessons::DerivedBuffer* made(const pipeline::BufferName& name) const;
-    // Why a view cannot show it now, with what is on its way; empty where it can.
+    // Why a view cannot show it now, or how far it is; empty if it can.
     QString whyNot(const pipeline::BufferName& name) const;
 
-    // "Column 3: found x, expected y": what is wrong in the text.
+    // "Column 3: found x, expected y": the error in the text.
     static QString sentenceOf(const pipeline::Error& error);
 
 signals:
     void textChanged();
-    void changed(const pipeline::BufferName& name);  // it came, or went, or is farther on its way
+    void changed(const pipeline::BufferName& name);  // arrived, gone, or further on its way
 
 private:
-    void settle();  // who wants what has changed
+    void settle();  // after a change of what is wanted
     void ask();
 
     Document& m_document;

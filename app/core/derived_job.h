@@ -7,26 +7,26 @@
 
 namespace app {
 
-// One derived buffer, made off the GUI thread: that of the newest frame it is asked for.
+// Computes one derived buffer of the newest requested frame, off the GUI thread.
 class DerivedJob : public QObject {
     Q_OBJECT
 public:
     explicit DerivedJob(QObject* parent = nullptr);
 
-    // What was asked last costs nothing. Rays that run go on where they are those of the new frame too.
+    // Repeating the last request costs nothing. Running rays continue if they are valid for the new frame too.
     void ask(const pipeline::FramePtr& frame, const pipeline::BufferName& name, const lessons::DerivedRecipe& recipe);
-    void cancel();  // what runs, until ask() asks something else
-    void retry();   // what was cancelled
+    void cancel();  // stops until ask() asks for something else
+    void retry();   // restarts after cancel()
     void forget();
 
-    // The newest that has come; it may lag behind the frame. Nothing before the first, and where there is none.
+    // The newest result; it may lag behind the frame. Empty before the first, and if the buffer cannot be computed.
     const std::optional<lessons::DerivedBuffer>& made() const { return m_made; }
-    // Why there is none, one sentence. Empty where there is one, or it is on its way.
+    // The reason if there is no result, one sentence. Empty if there is one or it is on its way.
     const QString& why() const { return m_why; }
-    const pipeline::Errors& errors() const { return m_errors; }  // what is wrong with the recipe
+    const pipeline::Errors& errors() const { return m_errors; }  // errors in the recipe
     bool busy() const { return m_job.busy(); }
     bool wasCancelled() const { return m_cancelled; }
-    double share() const { return m_share; }  // of the rays that are cast, 0 to 1
+    double share() const { return m_share; }  // progress of the rays, 0 to 1
 
 signals:
     void changed();
@@ -47,7 +47,7 @@ private:
     pipeline::Errors m_errors;
     bool m_cancelled = false;
     double m_share = 0;
-    // The newest rays: only the thread of the job looks into it.
+    // The newest rays; used by the job's thread only.
     std::shared_ptr<std::shared_ptr<const lessons::KnownRays>> m_rays;
     BackgroundJob m_job;
 };

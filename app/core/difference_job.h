@@ -6,12 +6,12 @@
 
 namespace app {
 
-// How two buffers differ, found off the GUI thread where that takes its time. The last answer is kept: asking the same
-// again costs nothing.
+// The difference of two buffers, computed off the GUI thread if it takes long. The last answer is kept, so repeating a
+// question costs nothing.
 class DifferenceJob : public QObject {
     Q_OBJECT
 public:
-    // What is asked; as compareBuffers takes it.
+    // The question, in the terms of compareBuffers.
     struct Question {
         pipeline::AnyBuffer a, b;
         int channel = -1;
@@ -21,18 +21,18 @@ public:
 
     explicit DifferenceJob(QObject* parent = nullptr);
 
-    // At once where the buffers are small. Else ready() follows, and until then the answer for the same buffers of the
-    // frame before, or nothing.
+    // The answer at once if the buffers are small. Otherwise ready() follows; until then the answer for the same
+    // buffers of the last frame, or nothing.
     std::optional<pipeline::BufferDifference> answer(const Question& question);
     bool busy() const { return m_job.busy(); }
-    void cancel();  // what runs, until something else is asked
-    void retry();   // what was cancelled
+    void cancel();  // stops until another question
+    void retry();   // restarts after cancel()
     bool wasCancelled() const { return m_cancelled; }
-    double share() const { return m_share; }  // of what runs, 0 to 1
+    double share() const { return m_share; }  // progress, 0 to 1
 
 signals:
     void ready();
-    void progressed();  // or cancelled
+    void progressed();  // also after cancel()
 
 private:
     void start();

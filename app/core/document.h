@@ -27,15 +27,15 @@ class MixModel;
 class PixelInspection;
 class SceneStep;
 
-// A setting's value before the newest step of undo.
+// The value of a setting before the last change.
 struct SettingChange {
     pipeline::SettingRef setting;
     double before = 0, after = 0;
 };
 
-// What the window shows: a scene, the stage on show, the picked pixel, and the newest frame.
-// Lives in the GUI thread and holds values; the FrameWorker computes. Panels observe it and
-// send it intents; they never call a stage and never know another panel.
+// The state of the window: scene, current stage, picked pixel and newest frame. Lives in the GUI thread and holds
+// values; the FrameWorker computes. Panels observe it and send it intents. They never call a stage and never know
+// another panel.
 class Document : public QObject {
     Q_OBJECT
 public:
@@ -43,110 +43,109 @@ public:
     ~Document() override;
 
     bool hasScene() const { return m_scene != nullptr; }
-    const pipeline::Scene& scene() const { return *m_scene; }  // only when hasScene()
+    const pipeline::Scene& scene() const { return *m_scene; }  // only if hasScene()
     const std::shared_ptr<const pipeline::Scene>& sharedScene() const { return m_scene; }
-    // The newest finished frame; null before the first. It may lag behind scene() while a slider moves.
-    // frame()->scene() is the scene that it shows. While stepping inside it, the frame as far as it has got.
+    // The newest finished frame; null before the first. It may lag behind scene() while a slider moves;
+    // frame()->scene() is the scene that it shows. While the user steps inside a frame, it is the frame so far.
     const pipeline::FramePtr& frame() const { return m_frame; }
-    // With all its stages, wherever the stepper stands.
+    // The frame with all its stages, wherever the stepper is.
     const pipeline::FramePtr& wholeFrame() const { return m_whole; }
     Stepper& stepper() { return m_stepper; }
     const Stepper& stepper() const { return m_stepper; }
     bool busy() const { return m_busy; }                   // a frame is being computed
-    WorkList& work() { return m_work; }                    // that, and what its views wait for
-    bool isMoving() const { return m_moving.isActive(); }  // under a slider or a handle
+    WorkList& work() { return m_work; }                    // this, and the work that views wait for
+    bool isMoving() const { return m_moving.isActive(); }  // a slider or a handle is being dragged
     pipeline::StageId stage() const { return m_stage; }
     std::optional<glm::ivec2> pixel() const { return m_pixel; }
-    // What the frame on show has there.
+    // The report on the picked pixel in the current frame.
     PixelInspection& inspection() { return *m_inspection; }
-    // What is selected beside the pixel; picking a pixel forgets it.
+    // The selection apart from the pixel; picking a pixel clears it.
     const std::optional<lessons::Selection>& selection() const { return m_selection; }
     std::optional<glm::ivec2> hovered() const { return m_hovered; }
     int channel() const { return m_channel; }  // 0 r, 1 g, 2 b: for the equation
-    // The buffer or setting that a part of the equation under the cursor stands for; empty where there is none.
+    // The buffer or setting of the equation's symbol under the cursor; empty if there is none.
     const QString& pointed() const { return m_pointed; }
-    // Per stage, once computed (in idle time, after each frame); nothing before.
+    // One for each stage, computed in idle time after each frame; empty before.
     const StageErrors& errors() const { return m_check.errors; }
-    // How many numbers in the frame's buffers are none; known when the errors are.
+    // The number of NaN values in the frame's buffers; known together with the errors.
     std::optional<std::size_t> nanCount() const { return m_checked ? std::optional(m_check.nan) : std::nullopt; }
     QUndoStack* undoStack() { return &m_undo; }
     DerivedBuffers& derived() { return *m_derived; }
     const DerivedBuffers& derived() const { return *m_derived; }
     const MixModel& mixer() const { return *m_mixer; }
-    MixModel& mixer() { return *m_mixer; }  // how the terms are mixed in the pictures on show
-    // What the newest step of undo changed, where it changed one setting.
+    MixModel& mixer() { return *m_mixer; }  // the mix of the terms in the pictures
+    // The setting that the last step of undo changed, if it changed exactly one.
     std::optional<SettingChange> lastChange() const;
-    // The scene before the newest step of undo, a whole drag being one; null where there is none.
+    // The scene before the last step of undo; a whole drag is one step. Null if there is none.
     std::shared_ptr<const pipeline::Scene> sceneBefore() const;
 
-    // What must neither be shown nor told now: on a page of a lesson, before its question is settled. The one place that
-    // says so; whoever shows a buffer or is a part of the window asks here.
+    // What must stay hidden on a page of a lesson until its question is settled. Everything that shows a buffer or is a
+    // part of the window asks here.
     const lessons::Hidden& hidden() const { return m_hidden; }
     void setHidden(lessons::Hidden hidden);
 
     const KeptScene& kept() const { return m_kept; }
-    // Whether closing it would lose changes to a file.
+    // Whether closing would lose changes to a file.
     bool isChanged() const { return m_kept.scene && isEdited(); }
-    // Whether the scene is another than when it was opened or saved.
+    // Whether the scene has changed since it was opened or saved.
     bool isEdited() const;
 
-    // A picture that carries its scene begins at the stage of what it shows.
+    // A picture with a scene opens at the stage of the picture's buffer.
     void open(const OpenedScene& opened);
-    // Its file, read again: one step of undo. False where the scene in it has other settings, and nothing has changed.
+    // Reloads the file as one step of undo. Returns false and changes nothing if the scene in it has other settings.
     bool reload(const OpenedScene& again);
-    // Writes the scene with its settings as TOML, whole or not at all. When that fails notWritten() tells why.
+    // Writes the scene with its settings as TOML, whole or not at all. If that fails, notWritten() gives the reason.
     bool save(const QString& file);
     void setScene(pipeline::Scene scene, KeptScene kept = {});  // as if opened: clears the undo stack
 
-    // Another state of the scene on show, which is no change of it: steps of undo are forgotten.
+    // Shows another state of the scene that is not a change of it; clears the undo stack.
     void showState(pipeline::Scene scene);
-    // The steps of undo of the scene on show: `index` of them are done; `clean` of them led to what its file has, −1
-    // where none did.
+    // The undo steps of the current scene: `index` of them are done. After `clean` of them the scene equals its file;
+    // −1: never.
     struct Steps {
         std::vector<std::shared_ptr<SceneStep>> steps = {};
         int index = 0, clean = 0;
     };
     Steps steps() const;
-    void restore(const Steps& steps);  // those of a scene that setScene has shown again
+    void restore(const Steps& steps);  // after setScene has shown their scene again
 
-    // Changes one setting. While a slider is dragged: Live for every step, then Done; the whole
-    // drag is one step of undo. Out-of-range values and scenes that checkScene refuses change
-    // nothing and are reported through failed().
+    // Changes one setting. While a slider is dragged, use Live for every step, then Done; the whole drag is one step of
+    // undo. Values out of range and scenes that checkScene refuses change nothing; failed() reports them.
     enum class Change { Live, Done };
     void change(const pipeline::SettingRef& setting, double value, Change kind = Change::Done);
-    // Several numbers at once: the Live edits of one `text` up to Done are one step of undo, named by it.
-    // Back at the scene that it began with it leaves no step.
+    // Changes several numbers at once: the Live edits with the same `text` up to Done are one step of undo with that
+    // name. If the last edit restores the first scene, there is no step.
     void edit(pipeline::Scene scene, const QString& text, Change kind);
     // Replaces the scene in one step of undo, named by `text`.
     void replace(pipeline::Scene scene, const QString& text);
-    // What is on show belongs to the step: `before` brings back what it was, `after` shows the new again.
+    // The views' state that belongs to the step: `before` restores the old state, `after` the new one.
     struct Looks {
         std::function<void()> before, after;
     };
     void replace(pipeline::Scene scene, const QString& text, Looks looks);
 
-    void setStage(pipeline::StageId stage);  // leaves the inside of a stage
+    void setStage(pipeline::StageId stage);  // also leaves the inside of a stage
     void nextStage();
     void previousStage();
     void pick(std::optional<glm::ivec2> pixel);                // clamped to the picture
-    void select(std::optional<lessons::Selection> selection);  // nothing where the scene has no such thing
+    void select(std::optional<lessons::Selection> selection);  // nothing if the scene has no such element
     void hover(std::optional<glm::ivec2> pixel);
     void setChannel(int channel);
     void point(const QString& refers);
-    // The buffers that `who` shows. What nobody wants is not computed. Forgotten with `who`.
+    // The buffers that `who` shows; buffers that nobody wants are not computed. Forgotten when `who` is deleted.
     // AtRest: not while a slider or a handle moves.
     enum class When { Always, AtRest };
     void want(const QObject* who, pipeline::BufferSet buffers, When when = When::Always);
-    // `who`, which wants buffers, has not begun to draw the newest frame. While the scene moves the next one waits for it,
-    // so that the processors have no frames to make that nobody sees; at 30 a second it waits no longer.
+    // `who`, which wants buffers, has not begun to draw the newest frame. While the scene moves, the next frame waits
+    // for it, so that no core computes frames that nobody sees. It does not wait longer than 1/30 s.
     void hold(const QObject* who, bool holds);
 
 signals:
     void sceneOpened();   // another scene
-    void sceneChanged();  // any change of it, undo included
-    void keptChanged();   // kept(), which has just been read or written
+    void sceneChanged();  // any change, undo included
+    void keptChanged();   // kept(), after reading or writing
     void frameReady();
-    void errorsReady();  // errors() and nanCount() are those of frame()
+    void errorsReady();  // errors() and nanCount() belong to frame()
     void stageChanged();
     void pixelChanged();
     void selectionChanged();
@@ -155,9 +154,9 @@ signals:
     void pointedChanged();
     void hiddenChanged();
     void busyChanged(bool busy);                  // a frame is being computed
-    void failed(const pipeline::Errors& errors);  // a change that cannot be, or a file that could not be read
+    void failed(const pipeline::Errors& errors);  // a refused change, or a file that cannot be read
     void notWritten(const QString& file, const pipeline::Errors& errors);
-    void outOfMemory();                  // a frame is not computed: frame() is the one before, until something changes
+    void outOfMemory();                  // no new frame; frame() stays until something changes
     void said(const QString& sentence);  // for the status bar
 
 private:
@@ -168,7 +167,7 @@ private:
     void setSceneValue(std::shared_ptr<const pipeline::Scene> scene);
     void requestFrameSoon();
     void requestFrame();
-    bool waits();  // for the views, or the frame before
+    bool waits();  // for the views, or for the running frame
     void observeWork();
     void cancelFrame();
     void takeFrame(pipeline::FramePtr frame, long ticket);
@@ -181,7 +180,7 @@ private:
     std::shared_ptr<const pipeline::Scene> m_scene;
     KeptScene m_kept;
     lessons::Hidden m_hidden;
-    bool m_restores = false;  // steps of undo: they change nothing
+    bool m_restores = false;  // during undo and redo, which make no new steps
     WorkList m_work;
     pipeline::FramePtr m_frame, m_whole;
     Stepper m_stepper;
@@ -199,24 +198,24 @@ private:
     std::map<const QObject*, Want> m_wanted;
     QTimer m_moving;  // runs from a live change until some time after the last one
     std::set<const QObject*> m_holding;
-    bool m_paced = false;          // one of those was behind in this drag: frames are asked for one by one
-    QTimer m_held;                 // a request that waits
-    QElapsedTimer m_sinceRequest;  // the newest one
+    bool m_paced = false;          // one of them was late in this drag, so frames are requested one at a time
+    QTimer m_held;                 // a waiting request
+    QElapsedTimer m_sinceRequest;  // since the newest request
     QUndoStack m_undo;
 
-    // Frames: what was asked for last, and what came.
+    // Frames: the last request and the last result.
     bool m_requestPending = false;  // requestFrame runs when control returns to the event loop
     bool m_busy = false;
     long m_ticket = 0, m_taken = 0;  // of the newest request; of m_whole
-    long m_oldestValid = 0;          // older tickets are frames of a scene closed since, or given up
+    long m_oldestValid = 0;          // older tickets belong to a closed scene or were cancelled
     pipeline::BufferSet m_requested;
     std::shared_ptr<const pipeline::Scene> m_requestedScene;
 
-    // A drag: Live changes of one setting, one step of undo.
+    // A drag: Live changes of one setting, which are one step of undo.
     void setLive(bool live);
     bool m_live = false;
     int m_drag = 0;
-    std::optional<pipeline::SettingRef> m_dragged;  // nothing: what m_edited names
+    std::optional<pipeline::SettingRef> m_dragged;  // empty: m_edited names the drag
     QString m_edited;
 
     std::unique_ptr<FrameWorker> m_worker;

@@ -9,38 +9,37 @@
 
 namespace app {
 
-// Per stage, against double precision; nothing where it is not computed.
+// One for each stage, against double precision; empty if it is not computed.
 using StageErrors = std::array<std::optional<pipeline::StageError>, pipeline::kStageCount>;
 
-// What is found out about a frame in idle time.
+// The result of checking a frame in idle time.
 struct FrameCheck {
     StageErrors errors;
-    std::size_t nan = 0;  // numbers in all its buffers that are none
+    std::size_t nan = 0;  // NaN values in all its buffers
 };
 
-// Computes frames on one thread of its own, one at a time. A newer request replaces one that
-// waits. It keeps the last frame, so that the next one reuses what still holds, and spends its
-// idle time on checking that frame: once, when no request has come for a while. No Qt, so that the thread sanitizer
-// sees every lock.
+// Computes frames on one thread of its own, one at a time. A newer request replaces a waiting one. It keeps the last
+// frame, so that the next one can reuse its results. If no request comes for a while, it checks the frame once. No Qt,
+// so that the thread sanitizer sees every lock.
 class FrameWorker {
 public:
-    // Called on the worker's thread: with a finished frame and the ticket of its request, and
-    // later, if nothing came in between, with the check of that frame.
+    // Called on the worker's thread with a finished frame and the ticket of its request; later with the check of that
+    // frame, if no request came in between.
     using Deliver = std::function<void(pipeline::FramePtr, long ticket)>;
     using DeliverCheck = std::function<void(pipeline::FramePtr, const FrameCheck&)>;
-    // There was not enough memory for the frame of this request: it is given up, and the next one may fit.
+    // There was not enough memory for the frame of this request. It is dropped; the next one may fit.
     using Fail = std::function<void(long ticket)>;
 
-    // Without deliverCheck no frame is checked.
+    // Without deliverCheck frames are not checked.
     FrameWorker(Deliver deliver, DeliverCheck deliverCheck, Fail fail = {});
-    ~FrameWorker();  // stops what runs and waits for it; no call comes after
+    ~FrameWorker();  // stops and joins; no call comes after
 
-    // Whether a frame that is being computed may finish although a newer one is wanted. While a
-    // slider moves it may: a picture a little late is better than none until the hand rests.
+    // Whether a running frame may finish although a newer one is wanted. It may while a slider moves: a late picture is
+    // better than none.
     enum class Running { Finish, Stop };
-    // The stop token in `request` is the worker's own affair. Returns the request's ticket; they grow.
+    // The worker sets the stop token of `request` itself. Returns the request's ticket; tickets increase.
     long request(std::shared_ptr<const pipeline::Scene> scene, pipeline::FrameRequest request, Running running);
-    void cancel();  // what runs and what waits; the next one reuses what still holds
+    void cancel();  // the running and the waiting request; the next frame reuses valid results
 
 private:
     struct Job {
@@ -65,8 +64,8 @@ private:
     std::stop_source m_stopFrame, m_stopCheck;
     long m_tickets = 0;
 
-    pipeline::FramePtr m_last;  // the worker's thread alone
-    std::jthread m_thread;      // last: starts when all else is there
+    pipeline::FramePtr m_last;  // used by the worker's thread only
+    std::jthread m_thread;      // last: starts when all other members exist
 };
 
 }  // namespace app

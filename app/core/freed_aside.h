@@ -6,8 +6,8 @@ namespace app {
 
 void freeAside(std::shared_ptr<const void> held);
 
-// A frame of a million polygons, or its drawing as shapes, takes long to free. Held as this gives it, it is freed beside
-// the window also where the window is the last to let go of it.
+// A frame of a million polygons, or its drawing as shapes, takes long to free. Wrapped by this, it is freed in the
+// background even if the window releases it last.
 template <class T>
 std::shared_ptr<T> freedAside(std::shared_ptr<T> held) {
     T* at = held.get();

@@ -6,8 +6,8 @@ namespace app {
 
 class Document;
 
-// The heap keeps what a frame frees for the next one (pipeline/core/memory.h). Of the scenes that were open before, much of
-// it has the wrong size: once another scene is shown and the window rests, the system gets back what is free.
+// The heap keeps the memory of a freed frame for the next one (pipeline/core/memory.h). After another scene is opened,
+// much of it has the wrong size. So it is returned to the system when the window rests.
 class FreedMemory : public QObject {
     Q_OBJECT
 public:

@@ -6,8 +6,8 @@
 
 namespace app {
 
-// Says that work beside the window was given up for lack of memory: what it was for shows what it had. Of a frame the
-// document says so itself.
+// Reports that background work was dropped for lack of memory; its view keeps the old picture. The document itself
+// reports this for frames.
 class MemoryNotice : public QObject {
     Q_OBJECT
 public:
@@ -17,7 +17,7 @@ signals:
     void gaveUp();
 };
 
-// What work() gives, a Result, or an error that says that there is not enough memory for it.
+// The result of work(), or an error that says that there is not enough memory for it.
 template <class Work>
 auto withinMemory(Work work) -> decltype(work()) {
     try {

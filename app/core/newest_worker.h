@@ -7,21 +7,21 @@
 
 namespace app {
 
-// Does one piece of work at a time on a thread of its own: the newest that was asked for. One that waits is replaced.
-// No Qt, so that the thread sanitizer sees every lock.
+// Runs one piece of work at a time on a thread of its own: always the newest request. A newer request replaces a
+// waiting one. No Qt, so that the thread sanitizer sees every lock.
 class NewestWorker {
 public:
     using Work = std::function<void(const std::stop_token& stop)>;
 
     NewestWorker();
-    ~NewestWorker();  // stops what runs and waits for it; nothing begins after
+    ~NewestWorker();  // stops and joins; nothing begins after
 
-    // Whether work that runs may finish although newer waits. While a slider moves it may: a picture a little late is
-    // better than none until the hand rests.
+    // Whether running work may finish although newer work waits. It may while a slider moves: a late picture is better
+    // than none.
     enum class Running { Finish, Stop };
     void ask(Work work, Running running);
-    void forget();      // what waits; what runs is asked to stop
-    bool hasWaiting();  // newer work waits for what runs
+    void forget();      // drops waiting work and asks running work to stop
+    bool hasWaiting();  // newer work waits for the running one
 
 private:
     void loop(const std::stop_token& quit);
@@ -32,7 +32,7 @@ private:
     std::optional<Work> m_next;
     std::stop_source m_stop;
 
-    std::jthread m_thread;  // last: starts when all else is there
+    std::jthread m_thread;  // last: starts when all other members exist
 };
 
 }  // namespace app

@@ -6,21 +6,21 @@
 
 namespace app {
 
-// The frame of another scene beside the document's: what a comparison looks at. Computed on a
-// thread of its own, which starts with the first request.
+// The frame of another scene, for comparison with the document's. Computed on a thread of its own, which starts with
+// the first request.
 class OtherFrame : public QObject {
     Q_OBJECT
 public:
     explicit OtherFrame(QObject* parent = nullptr);
     ~OtherFrame() override;
 
-    // A request like the last one changes nothing.
+    // Repeating the last request changes nothing.
     void request(const std::shared_ptr<const pipeline::Scene>& scene, pipeline::BufferSet wanted);
-    void forget();  // what has come, and what is on its way
-    void cancel();  // what is on its way, until something else is asked for; what has come stays
-    void retry();   // what was cancelled, when it is asked for next
+    void forget();  // drops the result and the running work
+    void cancel();  // stops until another request; the result stays
+    void retry();   // restarts with the next request after cancel()
     bool wasCancelled() const { return m_cancelled; }
-    // The newest that has come; null before the first. It may lag behind the request.
+    // The newest result; null before the first. It may lag behind the request.
     const pipeline::FramePtr& frame() const { return m_frame; }
     bool busy() const { return m_taken < m_ticket; }
 

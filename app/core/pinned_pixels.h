@@ -10,21 +10,21 @@
 
 namespace app {
 
-// Up to nine pixels of the picture that stay marked, by their numbers 1 to 9, in every buffer view.
-// Forgotten with the scene; one that a smaller picture has no longer counts as not there.
+// Up to nine pixels that stay marked in every buffer view, with numbers 1 to 9. Forgotten with the scene. A pin outside
+// a smaller picture counts as absent.
 class PinnedPixels : public QObject {
     Q_OBJECT
 public:
     static constexpr int kMost = 9;
 
-    // The document's own, made when first asked for.
+    // The document's own, created on first use.
     static PinnedPixels& of(Document& document);
-    static const PinnedPixels* find(const Document& document);  // null where nobody has asked yet
+    static const PinnedPixels* find(const Document& document);  // null if it does not exist yet
 
     std::optional<glm::ivec2> pin(int number) const;  // 1 to 9
-    // Takes the least free number, or lets go of a pixel that has one. false: all nine are taken.
+    // Gives the pixel the smallest free number, or removes its pin. false: all nine are in use.
     bool toggle(glm::ivec2 pixel);
-    // All of them by their numbers, and again.
+    // All pins by their numbers; and their restoration.
     std::map<int, std::array<int, 2>> all() const;
     void set(const std::map<int, std::array<int, 2>>& pins);
     void clear();

@@ -9,20 +9,20 @@ namespace app {
 
 class Document;
 
-// A pixel's report and the frame that it is of.
+// A pixel's report and its frame.
 struct InspectedPixel {
     pipeline::FramePtr frame;
     pipeline::PixelReport report;
 };
 
-// What is known about a document's picked pixel in the frame on show: found once for all who show it, and beside the
-// window where there are many polygons to look at.
+// The report on the picked pixel in the current frame. It is computed once for everybody who shows it, and in the
+// background if there are many polygons.
 class PixelInspection : public QObject {
     Q_OBJECT
 public:
     explicit PixelInspection(Document& document);
 
-    // The newest; null where no pixel is picked. While busy it is that of the pixel or the frame before.
+    // The newest report; null if no pixel is picked. While busy it is that of the previous pixel or frame.
     const std::shared_ptr<const InspectedPixel>& newest() const { return m_newest; }
     bool busy() const { return m_job.busy(); }
 

@@ -3,8 +3,8 @@ class QWidget;
 
 namespace app {
 
-// Whether a view is left out of its window for now: it wants nothing, and costs nothing. A window that is not open yet
-// is no such case.
+// Whether a view is removed from its window for now: it wants nothing and costs nothing. False in a window that is not
+// open yet.
 bool isPutAway(const QWidget& view);
 
 }  // namespace app

@@ -7,16 +7,16 @@
 
 namespace app {
 
-// One piece of work on a thread of its own, which sees the window's look as it was at the start. The end of this object
-// cancels what still runs, and waits.
+// One piece of work on a thread of its own. It sees the window's look as it was at the start. Deleting this object
+// stops the work and joins.
 class ThreadJob : public QObject {
 public:
     using QObject::QObject;
     void cancel() { m_thread.request_stop(); }
 
 protected:
-    // work(stop, later); later(call) has the call made in this object's own thread, and not at all once it is gone. Work
-    // does nothing else with this object, of which it may see the end.
+    // work(stop, later): later(call) runs the call in this object's own thread, or not at all if the object is gone.
+    // Work must not use this object otherwise, because it may outlive it.
     template <class Work>
     void start(Work work) {
         QObject* const home = this;

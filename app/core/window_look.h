@@ -4,15 +4,14 @@
 
 namespace app {
 
-// Theme, size of the letters and form of numbers as they were when this was made: what is asked of another thread takes
-// them along as values.
+// Theme, text size and number format at one moment, as values for work on another thread.
 struct WindowLook {
     Theme::Look theme = Theme::current().look();
     NumberFormat numbers = NumberStyle::current().format();
     bool operator==(const WindowLook&) const = default;
 };
 
-// While it lives its thread sees them so, whatever the window has meanwhile.
+// While this exists, its thread uses that look, whatever the window has meanwhile.
 class WornLook {
 public:
     explicit WornLook(const WindowLook& look) {

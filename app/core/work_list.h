@@ -7,22 +7,22 @@
 
 namespace app {
 
-// What is computed and drawn beside the window for what it shows. Once that takes long it is told, can be given up, so
-// that what is on show stays, and gone on with.
+// The background work for what the window shows. Work that takes long is listed. It can be stopped, so that the old
+// picture stays, and continued later.
 class WorkList : public QObject {
     Q_OBJECT
 public:
     explicit WorkList(QObject* parent = nullptr);
 
-    // name: "the frame". cancel stops it, resume begins it again. Forgotten with `who`.
+    // name: "the frame". cancel stops the work, resume starts it again. Forgotten when `who` is deleted.
     void add(const QObject* who, const QString& name, std::function<void()> cancel, std::function<void()> resume);
-    void setBusy(const QObject* who, bool busy);  // newer work is no longer stopped
-    QStringList running() const;                  // nothing until it takes long
+    void setBusy(const QObject* who, bool busy);  // newer work counts as not stopped
+    QStringList running() const;                  // empty until it takes long
     QStringList stopped() const;
     bool isStopped(const QObject* who) const;
     void cancel();
     void resume();
-    void forgetStopped();  // what is on show is of something else
+    void forgetStopped();  // the window shows something else now
 
 signals:
     void changed();
@@ -37,7 +37,7 @@ private:
     QStringList names(bool Work::*state) const;
 
     std::vector<Work> m_works;
-    QTimer m_slow;  // runs until what is busy takes long
+    QTimer m_slow;  // runs until busy work counts as long
 };
 
 }  // namespace app

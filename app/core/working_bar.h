@@ -4,8 +4,8 @@
 
 namespace app {
 
-// A bar on top of a view, once what is on its way takes longer than a moment, and dashed where that has been stopped: what
-// stands below is of before.
+// A bar at the top of a view while its next picture takes longer than a moment. The bar is dashed if the work was
+// stopped: the view then shows the previous picture.
 class WorkingBar : public QWidget {
 public:
     explicit WorkingBar(QWidget* view);
