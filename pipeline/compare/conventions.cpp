@@ -13,6 +13,7 @@ namespace pipeline::foreign {
 namespace {
 
 constexpr double kClear = 3;             // times as close
+constexpr double kExplains = 2;          // tolerances: what a reading that explains a file is off at most
 constexpr double kFloor = 0.02;          // tolerances: below that two readings are equally good
 constexpr double kFarthest = 20;         // tolerances: one element counts no more
 constexpr double kMissing = 200;         // tolerances: of an element that is drawn in one alone
@@ -152,34 +153,55 @@ private:
 
     void chooseAlone(Sounding& sounding, Axis axis) {
         const std::vector<int> values = sounding.valuesOn(axis);
-        if (values.size() < 2) {
-            return;
-        }
-        const int value = valueOn(axis, sounding.best().reading);
+        if (values.size() < 2) return;
+        const BufferId id = sounding.file->name.buffer.id;
+        // Whether 1 is kept or dropped what is drawn of the polygons has to tell: see settleFlags.
+        const bool open = id == BufferId::PolygonsVerdict;
+        // Of depths in levels none is the program's own: the closest is taken.
+        const bool hasOwn = axis != Code || values[0] == int(Coding::AsIs) || open;
+        const double best = sounding.best().cost;
+        const auto isClose = [&](int value) { return ratio(sounding.costWith(axis, value), best) < kClear; };
+        // Those before it in the list explain less, so that they are the likelier where they explain as well.
+        int taken = *std::ranges::find_if(values, isClose);
+        if (open) taken = values[0];
         double next = std::numeric_limits<double>::infinity();
         for (const int other : values)
-            if (other != value) next = std::min(next, sounding.costWith(axis, other));
-        const double margin = ratio(next, sounding.best().cost);
-        // Whether 1 is kept or dropped what is drawn of the polygons has to tell: see settleFlags.
-        const bool clear = margin >= kClear && sounding.file->name.buffer.id != BufferId::PolygonsVerdict;
-        // Of depths in levels none is the program's own: the closest is taken.
-        const bool hasOwn = axis != Code || values[0] == int(Coding::AsIs) ||
-                            sounding.file->name.buffer.id == BufferId::PolygonsVerdict;
-        const int taken = clear || !hasOwn ? value : values[0];
+            if (other != taken && !(axis == Code && includes(Coding(other), Coding(taken))))
+                next = std::min(next, sounding.costWith(axis, other));
+        double margin = ratio(next, sounding.costWith(axis, taken));
+        // Of readings that are equally far off nobody can tell.
+        if (margin < kClear && hasOwn && best > kExplains) taken = values[0];
+        // A gamma that no standard knows is an error, until it is stated; then it is not open.
+        const bool isGamma = axis == Code && taken == int(Coding::Gamma22);
+        if (isGamma) taken = values[0], margin = 1;
+        const bool clear = margin >= kClear && !open;
         const bool own = taken == values[0] && hasOwn;
         // Normals in view space are a convention, or an error: they agree with either.
-        const int first = values[0];
-        if (axis == Code && taken != first && first == int(Coding::AsIs) &&
-            bufferInfo(sounding.file->name.buffer.id).palette == Palette::Direction)
-            sounding.otherCodings.push_back(first);
-        if (!clear && sounding.file->name.buffer.id != BufferId::PolygonsVerdict)
+        if (axis == Code && !own && hasOwn && bufferInfo(id).palette == Palette::Direction)
+            sounding.otherCodings.push_back(values[0]);
+        // What is encoded is a known error too.
+        if (id == BufferId::Color && axis == Code && !own) sounding.otherCodings.push_back(values[0]);
+        if (!clear && !open && !isGamma)
             for (const int other : values)
-                if (other != taken && ratio(sounding.costWith(axis, other), sounding.best().cost) < kClear)
+                if (other != taken && isClose(other))
                     (axis == Channels ? sounding.otherChannels : sounding.otherCodings).push_back(other);
         sounding.keep(axis, taken);
-        if (!own)
+        const int told = isGamma ? int(Coding::Gamma22) : taken;
+        if (!own || isGamma)
             m_out.said.push_back(
-                said(*sounding.file, axis, taken, clear ? Certainty::Clear : Certainty::CannotTell, margin, false));
+                said(*sounding.file, axis, told, clear ? Certainty::Clear : Certainty::CannotTell, margin, false));
+    }
+    // Whether all that the one explains the other explains too, with more that it may choose.
+    static bool includes(Coding wide, Coding narrow) {
+        using enum Coding;
+        if (wide == Permuted) return narrow == FromOne || narrow == AsIs;
+        if (wide == CutAtZero) return narrow == AsIs;
+        if (wide == WindowOfOwnPlanes)
+            return narrow == Window || narrow == Ndc || narrow == Reversed || narrow == Inverse;
+        if (wide == LinearOfOwnPlanes)
+            return narrow == AsIs || narrow == MinusZ || narrow == Linear || narrow == LinearReversed;
+        if (wide == Grey) return narrow == Linear;
+        return wide == GreyReversed && narrow == LinearReversed;
     }
 
     std::vector<Sounding> m_soundings;
@@ -188,12 +210,6 @@ private:
 };
 
 }  // namespace
-
-bool StatedConventions::states(const HandedFile& file, Coding coding) const {
-    const auto readings = readingsOf(file);
-    return std::ranges::find(codings, coding) != codings.end() &&
-           std::ranges::any_of(readings, [&](const Reading& r) { return r.coding == coding; });
-}
 
 std::vector<std::uint8_t> drawnIn(const HandedName& name, const Values& mine) {
     using enum BufferId;
@@ -230,8 +246,8 @@ double readingCost(const HandedFile& file, const Values& mine, const Values& ref
         next = i + step;
         const double d = differenceAt(measure, mine, reference, i);
         if (std::isnan(d)) continue;
-        const double slack = mine.slack.empty() ? 0 : mine.slack[i];
-        differences.push_back(std::min(kFarthest, measure == Measure::Same ? kFarthest * d : d / (tolerance + slack)));
+        differences.push_back(
+            std::min(kFarthest, measure == Measure::Same ? kFarthest * d : d / mine.allowed(i, tolerance)));
     }
     double mean = kFarthest;
     if (!differences.empty()) {
@@ -252,7 +268,7 @@ Conventions findConventions(const HandedIn& in, const ReferenceValues& reference
         const std::string name = file.name.buffer.text();
         const Values& right = reference.at(name);
         Sounding sounding{&file, {}, right.domain == Domain::Pixel};
-        for (const Reading& reading : readingsOf(file)) {
+        for (const Reading& reading : readingsOf(file, context)) {
             const Values mine = read(file, reading, context, right);
             sounding.candidates.push_back({reading, readingCost(file, mine, right, context, tolerances.at(name))});
         }
@@ -271,8 +287,6 @@ Conventions findConventions(const HandedIn& in, const ReferenceValues& reference
         channels.push_back(reading.bgr);
         for (const int bgr : channels) {
             with(reading, bgr);
-            // What is encoded is a known error too.
-            if (sounding.file->name.buffer.id == BufferId::Color) continue;
             for (const int coding : sounding.otherCodings) {
                 Reading other = reading;
                 other.coding = Coding(coding);

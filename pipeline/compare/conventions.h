@@ -9,7 +9,7 @@ namespace pipeline::foreign {
 struct StatedConventions {
     std::optional<bool> bottomUp, mirrored, bgr;
     std::vector<Coding> codings;  // each counts for the buffers that can have it
-    bool states(const HandedFile& file, Coding coding) const;
+    bool atCorner() const { return std::ranges::find(codings, Coding::Corner) != codings.end(); }
 };
 // rows = "top-down", columns = "left-to-right", channels = "rgb", and the keys of the table of codings. An unknown key or
 // value is an error with line and column.

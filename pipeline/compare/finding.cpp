@@ -142,17 +142,17 @@ Finding compareValues(const ReadFile& file, const Values& right, const Reference
         difference = 0;
         if (isLeft(file, reference, saysDrawn, i)) return Class::Left;
         if (!here && !there) return Class::Equal;
-        const double slack = file.mine.slack.empty() ? 0 : file.mine.slack[i];
+        const double allowed = file.mine.allowed(i, out.tolerance);
         if (here && there) {
             difference = differenceAt(row.measure, file.mine, right, i);
             if (difference == 0) return Class::Equal;
-            if (difference <= out.tolerance + slack) return Class::Tolerated;
+            if (difference <= allowed) return Class::Tolerated;
         } else {
             difference = HUGE_VAL;
         }
         if (picture && !reference.outline.empty() && reference.outline[i] && neighbours.explain(i) && open.isOpen(i))
             return Class::Allowed;
-        if (shadowExplains(file, reference, i, out.tolerance + slack)) return Class::Allowed;
+        if (shadowExplains(file, reference, i, allowed)) return Class::Allowed;
         if (isColor && isBlack(file.mine, i) && reference.context.covered[i]) return Class::Missing;
         if (isColor && !reference.context.covered[i]) return Class::Extra;
         if (!picture && !here) return Class::Left;  // a vertex without a place of theirs

@@ -88,7 +88,9 @@ class Court {
 public:
     Court(const Reference& reference, const Conventions& conventions, const std::vector<Finding>& findings,
           std::size_t factor)
-        : m_factor(factor), m_rowsAreStated(conventions.geometryIsStated) {
+        : m_factor(factor),
+          m_corner(factor == 1 ? reference.corner : PixelCorner::None),
+          m_rowsAreStated(conventions.geometryIsStated) {
         std::size_t bottomUp = 0, pictures = 0;
         for (std::size_t i = 0; i < conventions.files.size(); ++i) {
             const ReadFile& file = conventions.files[i];
@@ -118,7 +120,8 @@ public:
         for (const BufferId id : {BufferId::PolygonId, BufferId::Shadow, BufferId::VerticesView})
             m_wanted.set(index(id));
     }
-    bool takenRows() const { return m_taken; }  // whether most pictures are read bottom-up
+    std::string key() const { return fmt::format("{} ", int(m_corner)); }  // of frames that are kept
+    bool takenRows() const { return m_taken; }                             // whether most pictures are read bottom-up
 
     // Of each file the distance with the rows from the top and from the bottom; infinite where it cannot be compared.
     using Distances = std::vector<std::array<double, 2>>;
@@ -127,7 +130,7 @@ public:
         const bool serves = kept && (kept->wanted() & m_wanted) == m_wanted;
         if (!serves) {
             const Scene sized = m_factor == 1 ? scene : smaller(scene, m_factor);
-            kept = runFrame(referenceScene(sized), {m_wanted, StageId::Shading, 0, stop}, nullptr);
+            kept = runFrame(referenceScene(sized, m_corner), {m_wanted, StageId::Shading, 0, stop}, nullptr);
         }
         if (!kept) return {};
         const std::vector<std::uint8_t> open = openPixels(*kept);
@@ -159,9 +162,10 @@ private:
             const bool here = mine.there[i] != 0, there = right.there[j] != 0;
             if (!here && !there) return 0;
             if (here != there) return picture && says ? std::optional(kMissingCost) : std::nullopt;
-            const double slack = mine.slack.empty() ? 0 : mine.slack[i];
+            // Its frames are rounded to the buffer's own steps, however fine the file's.
+            const double allowed = std::max(one.tolerance, mine.allowed(i, one.tolerance));
             const double d = differenceBetween(measure, mine, i, right, j);
-            return measure == Measure::Same ? d * kMissingCost : std::min(kMissingCost, d / (one.tolerance + slack));
+            return measure == Measure::Same ? d * kMissingCost : std::min(kMissingCost, d / allowed);
         };
         std::vector<double> squares;
         const std::size_t width = right.columns;
@@ -194,6 +198,7 @@ private:
     }
 
     std::size_t m_factor;
+    PixelCorner m_corner;  // in a smaller picture that is a part of a pixel
     bool m_rowsAreStated, m_taken = false;
     BufferSet m_wanted;
     std::vector<Evidence> m_evidence;
@@ -206,8 +211,8 @@ std::optional<Experiment> experimentBetween(const std::vector<Candidate>& candid
     BufferSet wanted;
     for (const Tolerance& row : toleranceTable()) wanted.set(index(row.buffer));
     for (std::size_t i = 0; i < 2; ++i) {
-        frames.push_back(
-            runFrame(referenceScene(candidates[i].error.plant(scene)), {wanted, StageId::Shading, 0, stop}, nullptr));
+        frames.push_back(runFrame(referenceScene(candidates[i].error.plant(scene), reference.corner),
+                                  {wanted, StageId::Shading, 0, stop}, nullptr));
         if (!frames.back()) return {};
     }
     for (const BufferName& name : allBuffers(scene.lights.size())) {
@@ -248,7 +253,8 @@ public:
         for (const KnownError& error : m_errors) {
             if (progress) progress(m_distances.size(), m_errors.size());
             FramePtr passing;
-            auto distances = m_small.of(error.plant(m_scene), stop, frames ? (*frames)[error.id + error.way] : passing);
+            auto distances = m_small.of(error.plant(m_scene), stop,
+                                        frames ? (*frames)[m_small.key() + error.id + error.way] : passing);
             if (!distances) return false;
             m_distances.push_back(std::move(*distances));
         }

@@ -48,7 +48,7 @@ bool OpenPixels::find(std::size_t pixel) const {
                 const std::size_t vertex = triangle.vertices[c] + topology.firstVertex[object];
                 if (!screen.there[vertex])
                     return true;  // it is clipped, and where its pieces end depends on the clipper
-                corners[c] = {screen.at(vertex)[0], screen.at(vertex)[1]};
+                corners[c] = glm::dvec2(screen.at(vertex)[0], screen.at(vertex)[1]) + m_reference.context.sampleShift;
             }
             const auto verifier = CoverageVerifier::make(corners, kSnappingBits, Snapping::Within);
             if (!verifier) return true;

@@ -40,7 +40,8 @@ public:
         take("vertices.world", [](Vec3d p, Vec3d) { return p; });
         take("vertices.view", [&](Vec3d p, Vec3d) { return fromView(p); });
         take("vertices.screen", [&](Vec3d p, Vec3d was) {
-            return worldPoint(m_view, {p.x, p.y}, toView<double>(m_view, was).z);  // at the depth of the reference
+            const glm::dvec2 at = glm::dvec2(p.x, p.y) + reference.context.sampleShift;
+            return worldPoint(m_view, at, toView<double>(m_view, was).z);  // at the depth of the reference
         });
     }
     std::vector<std::string> from;
@@ -202,8 +203,9 @@ std::vector<std::optional<OwnResult>> compareOwn(const Conventions& conventions,
                 const Vec3d p = view ? vectorAt(*view, v) : toView<double>(camera, vectorAt(*world, v));
                 right->there[v] = p.z >= camera.near;
                 const double z = camera.perspective ? p.z : 1;
-                right->at(v)[0] = camera.centre.x + camera.scale.x * p.x / z;
-                right->at(v)[1] = camera.centre.y - camera.scale.y * p.y / z;
+                const glm::dvec2 centre = camera.centre - reference.context.sampleShift;
+                right->at(v)[0] = centre.x + camera.scale.x * p.x / z;
+                right->at(v)[1] = centre.y - camera.scale.y * p.y / z;
             }
         } else if (name.id == PolygonsVerdict && !vertices.from.empty()) {
             right = ownVerdicts(conventions, reference, vertices), from = vertices.from;

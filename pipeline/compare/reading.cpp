@@ -13,84 +13,9 @@ namespace {
 
 using C = Coding;
 
-constexpr std::array kCodings{
-    CodingInfo{C::AsIs, "", "", ""},
-    CodingInfo{C::Srgb, "encoding", "srgb",
-               "encoded as sRGB; if that is not meant, it is the error gamma: the same bytes"},
-    CodingInfo{C::Gamma22, "encoding", "gamma-2.2",
-               "encoded with a gamma of 2.2; if that is not meant, it is the error gamma"},
-    CodingInfo{C::MinusZ, "depth", "minus-z", "−z_view"},
-    CodingInfo{C::Distance, "depth", "distance", "distance to the eye"},
-    CodingInfo{C::Ndc, "depth", "ndc", "NDC depth −1 to 1"},
-    CodingInfo{C::Window, "depth", "window", "window depth 0 to 1"},
-    CodingInfo{C::Reversed, "depth", "reversed", "reversed depth 1 to 0"},
-    CodingInfo{C::Inverse, "depth", "inverse", "1 / z_view"},
-    CodingInfo{C::Linear, "depth", "linear", "linear from near 0 to far 1"},
-    CodingInfo{C::LinearReversed, "depth", "linear-reversed", "linear from near 1 to far 0"},
-    CodingInfo{C::Grey, "depth", "grey", "grey, near is black"},
-    CodingInfo{C::GreyReversed, "depth", "grey-reversed", "grey, near is white"},
-    CodingInfo{C::WorldRgb, "normals", "world-rgb", "world normals as colours"},
-    CodingInfo{C::View, "normals", "view", "view normals, z away"},
-    CodingInfo{C::ViewTowards, "normals", "view-towards", "view normals, z towards the viewer"},
-    CodingInfo{C::ViewRgb, "normals", "view-rgb", "view normals as colours, z away"},
-    CodingInfo{C::ViewTowardsRgb, "normals", "view-towards-rgb", "view normals as colours, z towards the viewer"},
-    CodingInfo{C::Signed, "values", "signed", "0 to 1 stands for −1 to 1"},
-    CodingInfo{C::OfIMax, "values", "of-i-max", "shares of I_max"},
-    CodingInfo{C::LitIsZero, "shadow", "lit-is-0", "0 is lit"},
-    CodingInfo{C::FromOne, "ids", "from-1", "ids from 1"},
-    CodingInfo{C::Permuted, "ids", "permuted", "ids in another order"},
-    CodingInfo{C::Codes, "verdicts", "codes", "codes, 0 is kept"},
-    CodingInfo{C::Flags, "verdicts", "kept-is-1", "1 is kept, 0 is dropped"},
-    CodingInfo{C::DroppedIsOne, "verdicts", "dropped-is-1", "1 is dropped, 0 is kept"},
-    CodingInfo{C::PixelFromCentre, "sample", "whole", "whole numbers are pixel centres"},
-};
-static_assert([] {
-    for (std::size_t i = 0; i < kCodings.size(); ++i)
-        if (std::size_t(kCodings[i].id) != i) return false;
-    return true;
-}());
-
 double toLinear(double v) { return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4); }
 
-bool isLevels(const NumberFile& file) { return file.kind == NumberKind::Levels8 || file.kind == NumberKind::Levels16; }
 double levelsOf(const NumberFile& file) { return file.kind == NumberKind::Levels16 ? 65535 : 255; }
-
-std::vector<Coding> codingsOf(const HandedFile& file) {
-    const bool levels = isLevels(file.numbers);
-    using enum BufferId;
-    switch (file.name.buffer.id) {
-        case Color: return {C::AsIs, C::Srgb, C::Gamma22};
-        case ZView:
-            if (levels)
-                return {C::Window, C::Reversed, C::Linear, C::LinearReversed, C::Inverse, C::Grey, C::GreyReversed};
-            return {C::AsIs,     C::MinusZ,  C::Distance, C::Ndc,           C::Window,
-                    C::Reversed, C::Inverse, C::Linear,   C::LinearReversed};
-        case Normal:
-            if (levels) return {C::WorldRgb, C::ViewRgb, C::ViewTowardsRgb};
-            return {C::AsIs, C::View, C::ViewTowards, C::WorldRgb, C::ViewRgb, C::ViewTowardsRgb};
-        case VerticesNormal:
-        case PolygonsNormal: return {C::AsIs, C::View, C::ViewTowards};
-        case ObjectId:
-        case PolygonId:
-            if (file.numbers.shape.size() == 3 && file.numbers.channels() >= 3) return {C::Permuted};
-            return {C::AsIs, C::FromOne, C::Permuted};
-        case PolygonsVerdict:
-            return file.name.form == Form::Visible ? std::vector{C::Flags, C::DroppedIsOne}
-                                                   : std::vector{C::Codes, C::Flags};
-        case VerticesScreen:
-            return file.name.form == Form::AsTable ? std::vector{C::AsIs, C::PixelFromCentre} : std::vector{C::AsIs};
-        case NDotL:
-        case RDotV:
-        case NDotH: return levels ? std::vector{C::AsIs, C::Signed} : std::vector{C::AsIs};
-        case Shadow: return {C::AsIs, C::LitIsZero};
-        case Ambient:
-        case Diffuse:
-        case Specular:
-        case Emission:
-        case Intensity: return levels ? std::vector{C::OfIMax} : std::vector{C::AsIs, C::OfIMax};
-        default: return {C::AsIs};
-    }
-}
 
 // z_view of a depth v; infinite where it stands for nothing.
 double zOf(double v, Coding coding, const View& view, double rayLength) {
@@ -142,8 +67,12 @@ private:
     std::size_t m_channels;
 };
 
-void readColor(const HandedFile& file, const FilePicture& picture, const Reading& reading, Values& out) {
-    double scale = isLevels(file.numbers) ? 255 / levelsOf(file.numbers) : 1;
+// Of encoded colours two codes are the same, as two of 255 are of linear ones: far less in the dark, more in the light.
+// The reference's own rounding is taken out, as it would be several codes there.
+void readColor(const HandedFile& file, const FilePicture& picture, const Reading& reading,
+               const ReadingContext& context, const Values& reference, Values& out) {
+    constexpr double kCodes = 2.5;  // and half a one for rounding
+    double scale = holdsLevels(file.numbers) ? 255 / levelsOf(file.numbers) : 1;
     if (file.numbers.kind == NumberKind::Real) {  // fractions, if none is above 1 by more than rounding
         double largest = 0;
         for (const double v : file.numbers.values)
@@ -154,37 +83,54 @@ void readColor(const HandedFile& file, const FilePicture& picture, const Reading
         return coding == Coding::Srgb ? toLinear(v) : std::pow(v, 2.2);
     };
     const bool encoded = reading.coding != Coding::AsIs;
-    if (encoded) out.slack.assign(out.count(), 0);
+    const double own = toleranceOf(BufferId::Color)->value;
+    const bool exact = encoded && context.unrounded.size() == out.numbers.size();
+    if (encoded) out.slack.assign(out.count(), -own);
     for (std::size_t i = 0; i < out.count(); ++i)
         for (int c = 0; c < 3; ++c) {
             const double raw = picture.at(i % out.columns, i / out.columns, std::size_t(c));
             if (!std::isfinite(raw)) out.there[i] = 0;
             double v = std::clamp(scale * raw, 0.0, 255.0);
             if (encoded) {
-                const double half = linear(std::min(1.0, (v + 0.5) / 255)) - linear(std::max(0.0, (v - 0.5) / 255));
-                out.slack[i] = std::max(out.slack[i], 127.5 * half);
+                const double step =
+                    linear(std::min(1.0, (v + kCodes) / 255)) - linear(std::max(0.0, (v - kCodes) / 255));
+                out.slack[i] = std::max(out.slack[i], 127.5 * step - own);
                 v = 255 * linear(v / 255);
+                if (exact) v += reference.at(i)[c] - context.unrounded[3 * i + std::size_t(c)];
             }
             out.at(i)[c] = v;
         }
 }
 
+// The least or the largest of the numbers, whichever is there more often: what a buffer of them was cleared to.
+double commonestExtreme(const std::vector<double>& numbers) {
+    double extremes[2] = {HUGE_VAL, -HUGE_VAL};
+    for (const double v : numbers)
+        if (std::isfinite(v)) extremes[0] = std::min(extremes[0], v), extremes[1] = std::max(extremes[1], v);
+    const auto [least, largest] = extremes;
+    return std::ranges::count(numbers, least) > std::ranges::count(numbers, largest) ? least : largest;
+}
+
 void readDepth(const HandedFile& file, const FilePicture& picture, const Reading& reading,
                const ReadingContext& context, const Values& reference, Values& out) {
-    const double top = isLevels(file.numbers) ? levelsOf(file.numbers) : 1;
+    const double top = holdsLevels(file.numbers) ? levelsOf(file.numbers) : 1;
     const bool grey = reading.coding == Coding::Grey || reading.coding == Coding::GreyReversed;
-    double offset = 0, slope = 1;
-    if (grey) {  // z = offset + slope v through what is there in both, by least squares
+    const bool inverse = reading.coding == Coding::WindowOfOwnPlanes;
+    const bool fits = grey || inverse || reading.coding == Coding::LinearOfOwnPlanes;
+    const double cleared = fits && !grey ? commonestExtreme(file.numbers.values) : 0;
+    const auto isNothing = [&](double v) { return grey ? v <= 0 || v >= 1 : !std::isfinite(v) || v == cleared; };
+    double offset = 0, slope = 0;
+    if (fits) {  // z or 1 / z = offset + slope v through what is there in both, by least squares
         double n = 0, sv = 0, sz = 0, svv = 0, svz = 0;
         for (std::size_t i = 0; i < out.count(); ++i) {
             const double v = picture.at(i % out.columns, i / out.columns, 0) / top;
-            if (!reference.there[i] || v <= 0 || v >= 1) continue;
-            const double z = reference.at(i)[0];
+            if (!reference.there[i] || isNothing(v)) continue;
+            const double z = inverse ? 1 / reference.at(i)[0] : reference.at(i)[0];
             n += 1, sv += v, sz += z, svv += v * v, svz += v * z;
         }
         const double below = n * svv - sv * sv;
         if (below > 0) slope = (n * svz - sv * sz) / below, offset = (sz - slope * sv) / n;
-        if ((slope < 0) != (reading.coding == Coding::GreyReversed)) slope = 0, offset = 0;
+        if (grey && (slope < 0) != (reading.coding == Coding::GreyReversed)) slope = 0, offset = 0;
     }
     out.slack.assign(out.count(), 0);
     for (std::size_t i = 0; i < out.count(); ++i) {
@@ -197,14 +143,17 @@ void readDepth(const HandedFile& file, const FilePicture& picture, const Reading
             ray = std::sqrt(1 + glm::dot(at, at));
         }
         const auto z = [&](double value) {
-            return grey ? offset + slope * value : zOf(value, reading.coding, context.view, ray);
+            if (!fits) return zOf(value, reading.coding, context.view, ray);
+            const double fitted = offset + slope * value;
+            return inverse ? 1 / fitted : fitted;
         };
         const double here = z(v);
-        const bool nothing = grey ? v <= 0 || v >= 1 : isCleared(v, here, reading.coding, context.view);
+        const bool nothing = fits ? isNothing(v) : isCleared(v, here, reading.coding, context.view);
         out.there[i] = !nothing && std::isfinite(here);
         out.at(i)[0] = out.there[i] ? here : 0;
         if (!out.there[i]) continue;
-        const double step = isLevels(file.numbers) ? 1 / top : std::abs(v) * std::ldexp(1.0, 1 - file.numbers.digits);
+        const double step =
+            holdsLevels(file.numbers) ? 1 / top : std::abs(v) * std::ldexp(1.0, 1 - file.numbers.digits);
         const double low = z(v - step), high = z(v + step);
         out.slack[i] = std::isfinite(high - low) ? std::abs(high - low) / 2 : context.view.far;
     }
@@ -220,11 +169,11 @@ Vec3d normalOf(Vec3d n, Coding coding, const View& view) {
 
 void readNormal(const HandedFile& file, const FilePicture& picture, const Reading& reading,
                 const ReadingContext& context, Values& out) {
-    const double top = isLevels(file.numbers) ? levelsOf(file.numbers) : 1;
+    const double top = holdsLevels(file.numbers) ? levelsOf(file.numbers) : 1;
     using enum Coding;
     const bool rgb = reading.coding == WorldRgb || reading.coding == ViewRgb || reading.coding == ViewTowardsRgb;
     const double degrees = 180 / std::acos(-1.0);
-    if (isLevels(file.numbers)) out.slack.assign(out.count(), std::sqrt(3.0) / top * degrees);
+    if (holdsLevels(file.numbers)) out.slack.assign(out.count(), std::sqrt(3.0) / top * degrees);
     for (std::size_t i = 0; i < out.count(); ++i) {
         Vec3d n;
         for (int c = 0; c < 3; ++c) n[c] = picture.at(i % out.columns, i / out.columns, std::size_t(c)) / top;
@@ -233,7 +182,7 @@ void readNormal(const HandedFile& file, const FilePicture& picture, const Readin
             n = 2.0 * n - 1.0;
             const double length = glm::length(n);
             out.there[i] = out.there[i] && length > 0.1;
-            if (isLevels(file.numbers) && length > 0) n /= length;  // the steps leave no more of it
+            if (holdsLevels(file.numbers) && length > 0) n /= length;  // the steps leave no more of it
         }
         n = out.there[i] ? normalOf(n, reading.coding, context.view) : Vec3d(0);
         for (int c = 0; c < 3; ++c) out.at(i)[c] = n[c];
@@ -286,6 +235,7 @@ void readVertices(const HandedFile& file, const Reading& reading, const ReadingC
         }
         if (file.name.buffer.id == BufferId::VerticesScreen) p.z = 0;  // the depth is the z-buffer's affair
         if (reading.coding == Coding::PixelFromCentre) p.x += 0.5, p.y += 0.5;
+        if (reading.coding == Coding::TowardsViewer) p.z = -p.z;
         if (reading.coding == Coding::View || reading.coding == Coding::ViewTowards)
             p = normalOf(p, reading.coding, context.view);
         out.there[i] = std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
@@ -294,16 +244,17 @@ void readVertices(const HandedFile& file, const Reading& reading, const ReadingC
 }
 
 void readNumbersAsThey(const HandedFile& file, const FilePicture& picture, const Reading& reading,
-                       const ReadingContext& context, Values& out) {
-    double scale = isLevels(file.numbers) ? 1 / levelsOf(file.numbers) : 1;
+                       const ReadingContext& context, const Values& reference, Values& out) {
+    double scale = holdsLevels(file.numbers) ? 1 / levelsOf(file.numbers) : 1;
     if (file.name.buffer.id == BufferId::Overdraw) scale = 1;
     if (reading.coding == Coding::OfIMax) scale *= context.iMax;
-    if (isLevels(file.numbers)) out.slack.assign(out.count(), scale);
+    if (holdsLevels(file.numbers)) out.slack.assign(out.count(), scale);
     for (std::size_t i = 0; i < out.count(); ++i) {
         for (int c = 0; c < out.channels; ++c) {
             double v = scale * picture.at(i % out.columns, i / out.columns, std::size_t(c));
             if (reading.coding == Coding::Signed) v = 2 * v - 1;
             if (reading.coding == Coding::LitIsZero) v = 1 - v;
+            if (reading.coding == Coding::CutAtZero && v == 0 && reference.at(i)[c] < 0) v = reference.at(i)[c];
             if (!std::isfinite(v)) out.there[i] = 0, v = 0;
             out.at(i)[c] = v;
         }
@@ -312,37 +263,6 @@ void readNumbersAsThey(const HandedFile& file, const FilePicture& picture, const
 
 }  // namespace
 
-const CodingInfo& codingInfo(Coding coding) { return kCodings[std::size_t(coding)]; }
-std::span<const CodingInfo> codingTable() { return kCodings; }
-
-std::string readingText(const Reading& reading) {
-    std::string text;
-    const auto add = [&](std::string_view words) {
-        if (!words.empty()) text += (text.empty() ? "" : ", ") + std::string(words);
-    };
-    if (reading.bottomUp) add("rows bottom-up");
-    if (reading.mirrored) add("columns right to left");
-    if (reading.bgr) add("BGR");
-    add(codingInfo(reading.coding).words);
-    return text;
-}
-
-std::vector<Reading> readingsOf(const HandedFile& file) {
-    std::vector<Reading> readings;
-    const Domain domain = bufferInfo(file.name.buffer.id).domain;
-    for (const Coding coding : codingsOf(file)) {
-        if (domain != Domain::Pixel) {
-            readings.push_back({false, false, false, coding});
-            continue;
-        }
-        for (const bool bgr : {false, true})
-            if (!bgr || file.name.buffer.id == BufferId::Color)
-                for (const bool mirrored : {false, true})
-                    for (const bool bottomUp : {false, true}) readings.push_back({bottomUp, mirrored, bgr, coding});
-    }
-    return readings;
-}
-
 Values read(const HandedFile& file, const Reading& reading, const ReadingContext& context, const Values& reference) {
     Values out{reference.domain, reference.rows, reference.columns, reference.channels, {}, {}};
     out.numbers.assign(out.count() * std::size_t(out.channels), 0);
@@ -350,7 +270,7 @@ Values read(const HandedFile& file, const Reading& reading, const ReadingContext
     const FilePicture picture(file, reading);
     using enum BufferId;
     switch (file.name.buffer.id) {
-        case Color: readColor(file, picture, reading, out); break;
+        case Color: readColor(file, picture, reading, context, reference, out); break;
         case ZView: readDepth(file, picture, reading, context, reference, out); break;
         case Normal: readNormal(file, picture, reading, context, out); break;
         case ObjectId:
@@ -361,7 +281,7 @@ Values read(const HandedFile& file, const Reading& reading, const ReadingContext
         case VerticesScreen:
         case PolygonsNormal:
         case VerticesNormal: readVertices(file, reading, context, out); break;
-        default: readNumbersAsThey(file, picture, reading, context, out); break;
+        default: readNumbersAsThey(file, picture, reading, context, reference, out); break;
     }
     return out;
 }

@@ -38,6 +38,7 @@ enum class Coding : std::uint8_t {
     // dot products, terms
     Signed,
     OfIMax,
+    CutAtZero,
     // S
     LitIsZero,
     // ids
@@ -49,6 +50,13 @@ enum class Coding : std::uint8_t {
     DroppedIsOne,
     // vertices in the picture
     PixelFromCentre,
+    // pictures: of all files at once
+    Corner,
+    // vertices in view space
+    TowardsViewer,
+    // depth, where the scene leaves near and far open
+    WindowOfOwnPlanes,
+    LinearOfOwnPlanes,
 };
 struct CodingInfo {
     Coding id;
@@ -70,14 +78,22 @@ std::string readingText(const Reading& reading);
 
 // What reading needs of the scene.
 struct ReadingContext {
-    View view;
+    View view;                    // of the samples
+    glm::dvec2 sampleShift{0.0};  // by which its centre is not the picture's, pixels
+    bool opensPlanes = false;     // the scene does not say where near and far are
     double iMax = 1;
+    std::vector<double> unrounded{};    // color as the reference had it before it was rounded; may be empty
     std::vector<std::uint8_t> covered;  // per pixel, in the reference
     std::size_t width = 0, height = 0;
 };
 
-// All readings that such a file may have, the program's own first.
-std::vector<Reading> readingsOf(const HandedFile& file);
+// Whether a file's numbers are the steps of a picture, 0 to 255 or to 65535.
+inline bool holdsLevels(const NumberFile& file) {
+    return file.kind == NumberKind::Levels8 || file.kind == NumberKind::Levels16;
+}
+
+// All readings that such a file may have, the program's own first, then those that explain least.
+std::vector<Reading> readingsOf(const HandedFile& file, const ReadingContext& context);
 
 // The numbers of a file in this program's units and space. `reference` of the same buffer.
 Values read(const HandedFile& file, const Reading& reading, const ReadingContext& context, const Values& reference);

@@ -109,10 +109,10 @@ void findShadows(Reference& reference) {
 
 }  // namespace
 
-std::shared_ptr<const Scene> referenceScene(Scene scene) {
+std::shared_ptr<const Scene> referenceScene(Scene scene, PixelCorner corner) {
     scene.settings.precision = Precision::Double;
     scene.settings.leaveOut = false;
-    return std::make_shared<const Scene>(std::move(scene));
+    return std::make_shared<const Scene>(sampledAt(std::move(scene), corner));
 }
 
 std::vector<std::uint8_t> coveredIn(const Frame& frame) {
@@ -143,17 +143,20 @@ std::optional<Values> valuesIn(const Frame& frame, const BufferName& name) {
         // Before the near plane vertices have no agreed place; the depth is the z-buffer's affair.
         const auto view = frame.buffer({BufferId::VerticesView});
         const double near = readStages(frame, [](const auto& data) { return data.transform->view.near; });
+        const glm::dvec2 shift = sampleShiftOf(frame.scene());
         for (std::size_t i = 0; i < out.count(); ++i) {
             if (view && view->value(0, i, 2) < near) out.there[i] = 0;
-            out.at(i)[2] = 0;
+            out.at(i)[0] -= shift.x, out.at(i)[1] -= shift.y, out.at(i)[2] = 0;
         }
     }
     return out;
 }
 
-std::optional<Reference> makeReference(const Scene& scene, const std::map<std::string, double>& overrides, Stop stop) {
+std::optional<Reference> makeReference(const Scene& scene, const std::map<std::string, double>& overrides, Stop stop,
+                                       PixelCorner corner) {
     Reference out;
-    const auto shared = referenceScene(scene);
+    out.corner = corner;
+    const auto shared = referenceScene(scene, corner);
     const FrameRequest request{allCompared(), StageId::Shading, 0, stop};
     out.frame = runFrame(shared, request, nullptr);
     if (!out.frame) return {};
@@ -166,11 +169,16 @@ std::optional<Reference> makeReference(const Scene& scene, const std::map<std::s
     }
     out.context.covered = coveredIn(*out.frame);
     out.context.view = readStages(*out.frame, [](const auto& data) { return data.transform->view; });
+    out.context.sampleShift = sampleShiftOf(*shared);
+    out.context.opensPlanes = scene.camera.near == 0 || scene.camera.far == 0;
     out.context.iMax = maximumIntensity(*shared);
     out.context.width = std::size_t(scene.settings.width), out.context.height = std::size_t(scene.settings.height);
     for (const BufferName& name : allBuffers(scene.lights.size()))
         if (toleranceOf(name.id))
             if (auto values = valuesIn(*out.frame, name)) out.values.emplace(name.text(), std::move(*values));
+    if (const auto intensity = out.values.find("intensity"); intensity != out.values.end() && out.context.iMax > 0)
+        for (const double i : intensity->second.numbers)
+            out.context.unrounded.push_back(255 * std::clamp(i / out.context.iMax, 0.0, 1.0));
     double nearest = HUGE_VAL, farthest = 0;
     if (const auto z = out.values.find("z_view"); z != out.values.end())
         for (std::size_t i = 0; i < z->second.count(); ++i)

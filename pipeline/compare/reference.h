@@ -4,6 +4,7 @@
 
 #include "pipeline/compare/conventions.h"
 #include "pipeline/core/stop.h"
+#include "pipeline/defects/defect_table.h"
 #include "pipeline/run/frame.h"
 
 namespace pipeline::foreign {
@@ -15,6 +16,7 @@ struct Reference {
     ReferenceValues values;
     std::map<std::string, double> tolerances;  // by the buffer's name, in its unit
     ReadingContext context;
+    PixelCorner corner = PixelCorner::None;  // where pixels are sampled; vertices in the picture stay where they are
 
     // Per pixel: whether a border between two polygons, or of one, is within a pixel.
     std::vector<std::uint8_t> outline;
@@ -25,14 +27,15 @@ struct Reference {
     Values colorLow, colorHigh, intensityLow, intensityHigh;
 };
 
-// In double, with nothing left out, in a size: what is compared with.
-std::shared_ptr<const Scene> referenceScene(Scene scene);
+// In double, with nothing left out, sampled where their pixels are: what is compared with.
+std::shared_ptr<const Scene> referenceScene(Scene scene, PixelCorner corner = PixelCorner::None);
 
 // The values of one buffer of a frame; nothing where it has none.
 std::optional<Values> valuesIn(const Frame& frame, const BufferName& name);
 std::vector<std::uint8_t> coveredIn(const Frame& frame);
 
 // `overrides`: by the buffer's name without a light's index, in its unit. Nothing where it was stopped.
-std::optional<Reference> makeReference(const Scene& scene, const std::map<std::string, double>& overrides, Stop stop);
+std::optional<Reference> makeReference(const Scene& scene, const std::map<std::string, double>& overrides, Stop stop,
+                                       PixelCorner corner = PixelCorner::None);
 
 }  // namespace pipeline::foreign

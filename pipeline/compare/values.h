@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -17,7 +18,13 @@ struct Values {
     int channels = 1;
     std::vector<double> numbers;      // rows · columns · channels
     std::vector<std::uint8_t> there;  // per element: something is there, and its numbers are finite
-    std::vector<double> slack{};  // per element what the file's steps leave open, in the buffer's unit; may be empty
+    // Per element what the file's steps leave open beyond the tolerance, in the buffer's unit; below 0 where its steps are
+    // finer than the buffer's own. May be empty.
+    std::vector<double> slack{};
+    double allowed(std::size_t element, double tolerance) const {
+        if (slack.empty()) return tolerance;
+        return std::max(tolerance + slack[element], tolerance / 64);
+    }
 
     std::size_t count() const { return rows * columns; }
     const double* at(std::size_t element) const { return numbers.data() + element * std::size_t(channels); }

@@ -124,6 +124,99 @@ void settleFlags(Report& report) {
     }
 }
 
+// What a reading explains wholly is no error, however close the one that was taken came. Colours of a gamma are one, and
+// of flags what is drawn decides.
+void settleCoding(const StatedConventions& stated, const Reference& reference, Conventions& conventions, ReadFile& file,
+                  Finding& finding) {
+    const std::vector<Reading> readings = readingsOf(*file.file, reference.context);
+    const auto isStated = [&](const Reading& r) {
+        return r.coding != Coding::AsIs && std::ranges::find(stated.codings, r.coding) != stated.codings.end();
+    };
+    if (file.file->name.buffer.id == BufferId::PolygonsVerdict || std::ranges::any_of(readings, isStated)) return;
+    for (const Reading& reading : readings) {
+        Reading wanted = file.reading;
+        wanted.coding = reading.coding;
+        if (reading != wanted || reading == file.reading || reading.coding == Coding::Gamma22) continue;
+        ReadFile other{file.file, reading,
+                       read(*file.file, reading, reference.context, reference.values.at(file.file->name.buffer.text())),
+                       file.others};
+        Finding found = compareValues(other, reference);
+        if (!found.agrees) continue;
+        const std::string name = file.file->name.text();
+        const std::string key(codingInfo(file.reading.coding).key);
+        std::erase_if(conventions.said, [&](const Convention& c) { return c.buffer == name && c.key == key; });
+        const CodingInfo& info = codingInfo(reading.coding);
+        if (reading.coding != Coding::AsIs)
+            conventions.said.push_back({name, std::string(info.words), std::string(info.key), std::string(info.value),
+                                        Certainty::Clear,
+                                        double(finding.bad()) / double(std::max<std::size_t>(1, found.bad()))});
+        file = std::move(other), finding = std::move(found);
+        return;
+    }
+}
+
+// Their files beside the reference. False where it was stopped.
+bool readFiles(Report& report, const StatedConventions& stated) {
+    const Reference& reference = *report.reference;
+    report.conventions = findConventions(*report.in, reference.values, reference.context, reference.tolerances, stated);
+    report.findings.clear();
+    for (ReadFile& file : report.conventions.files) {
+        if (report.options.stop.stop_requested()) return false;
+        report.findings.push_back(compareValues(file, reference));
+        Finding& finding = report.findings.back();
+        if (!finding.agrees) settleCoding(stated, reference, report.conventions, file, finding);
+    }
+    return true;
+}
+
+// Pixels that are wrong, and those of them next to another polygon: there alone it shows where a pixel is sampled.
+struct WrongPixels {
+    std::size_t all = 0, atOutlines = 0;
+    bool differ = false;
+};
+WrongPixels wrongPixels(const Report& report, const std::vector<std::uint8_t>& outline) {
+    WrongPixels out;
+    for (const Finding& finding : report.findings) {
+        if (!finding.isPicture()) continue;
+        out.differ = out.differ || !finding.agrees;
+        for (std::size_t i = 0; i < finding.classes.size(); ++i) {
+            const Class of = finding.classes[i];
+            if (of != Class::Wrong && of != Class::Missing && of != Class::Extra) continue;
+            ++out.all, out.atOutlines += outline[i];
+        }
+    }
+    return out;
+}
+
+// Pixels may be sampled at their corner: the first of their rows and columns. Taken where it explains the outlines.
+bool settleSamples(Report& report, const StatedConventions& stated) {
+    constexpr double kFewer = 3;  // times as few wrong pixels at outlines
+    constexpr std::size_t kFewest = 12;
+    const auto reference = report.reference;
+    if (reference->outline.empty()) return true;
+    const WrongPixels atCentre = wrongPixels(report, reference->outline);
+    if (!stated.atCorner() && (!atCentre.differ || atCentre.atOutlines < kFewest)) return true;
+    const auto bottomUp =
+        std::ranges::count_if(report.conventions.files, [](const ReadFile& file) { return file.reading.bottomUp; });
+    const auto corner = bottomUp > 0 ? PixelCorner::LowerLeft : PixelCorner::UpperLeft;
+    auto other = makeReference(*report.scene, report.options.tolerances, report.options.stop, corner);
+    if (!other) return false;
+    Report moved = report;
+    moved.reference = std::make_shared<const Reference>(std::move(*other));
+    if (!readFiles(moved, stated)) return false;
+    const WrongPixels atCorner = wrongPixels(moved, reference->outline);
+    const bool explains = !atCorner.differ || (double(atCorner.atOutlines) * kFewer <= double(atCentre.atOutlines) &&
+                                               atCorner.all < atCentre.all);
+    if (!stated.atCorner() && !explains) return true;
+    report = std::move(moved);
+    const CodingInfo& info = codingInfo(Coding::Corner);
+    report.conventions.said.push_back(
+        {"pictures", std::string(info.words), std::string(info.key), std::string(info.value),
+         stated.atCorner() ? Certainty::Stated : Certainty::Clear,
+         double(atCentre.atOutlines) / double(std::max<std::size_t>(1, atCorner.atOutlines))});
+    return true;
+}
+
 FirstWrong firstWrongOf(const Report& report) {
     FirstWrong out;
     for (std::size_t i = 0; i < report.findings.size(); ++i) {
@@ -227,14 +320,10 @@ Result<Report> compareRenderer(const Scene& scene, std::shared_ptr<const Referen
                      "color.png, depth.npy, normal.npy, … (shadescope compare --starter python -o mine writes what to "
                      "hand in)"};
     }
-    out.conventions =
-        findConventions(*out.in, out.reference->values, out.reference->context, out.reference->tolerances, *stated);
     for (std::size_t i = 0; i < kStageCount; ++i) out.stages[i].stage = kStages[i];
-    for (std::size_t i = 0; i < out.conventions.files.size(); ++i) {
-        if (options.stop.stop_requested()) return Error{{}, "cancelled", {}};
-        out.findings.push_back(compareValues(out.conventions.files[i], *out.reference));
-        out.stages[index(out.findings.back().stage)].findings.push_back(i);
-    }
+    if (!readFiles(out, *stated) || !settleSamples(out, *stated)) return Error{{}, "cancelled", {}};
+    for (std::size_t i = 0; i < out.findings.size(); ++i)
+        out.stages[index(out.findings[i].stage)].findings.push_back(i);
     settleFlags(out);
     out.own = compareOwn(out.conventions, out.findings, *out.reference, options.stop);
     judgeStages(out);

@@ -52,4 +52,11 @@ std::optional<Defect> findDefect(std::string_view id);  // "y-down"
 // The scene with a defect planted. way: an index into the row's ways; beyond them, the last.
 Scene plant(Scene scene, Defect defect, int way = 0);
 
+// Where a renderer samples its pixels, if not at their centres: at their first corner in its own order of rows. That is a
+// convention, and drawn as a planted one: the setting `defect` of the scene changes, and takes the one planted before along.
+enum class PixelCorner : std::uint8_t { None, UpperLeft, LowerLeft };
+Scene sampledAt(Scene scene, PixelCorner corner);
+// By how much that moves the picture, pixels.
+glm::dvec2 sampleShiftOf(const Scene& scene);
+
 }  // namespace pipeline

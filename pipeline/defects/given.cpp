@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "pipeline/defects/defect_table.h"
 #include "pipeline/defects/hooks.h"
 #include "pipeline/plan/stage_keys.h"
 #include "pipeline/scene/view.h"
@@ -35,6 +36,19 @@ double middleDepth(const Scene& scene) {
 template <std::size_t count>
 double ofWay(const double (&values)[count], std::size_t way) {
     return values[std::min(way, count - 1)];
+}
+
+// defectWay holds the way and, times this, the way of half-pixel that the samples lie at.
+constexpr int kSamplesAt = 100;
+constexpr int kUnmoved = 99;  // a way of half-pixel that moves nothing: the samples alone are elsewhere
+int wayOf(const Settings& settings) { return settings.defectWay % kSamplesAt; }
+
+// By how much the picture is moved, pixels: as the ways of half-pixel say.
+glm::dvec2 halfPixelOf(std::size_t way) {
+    constexpr double kSigns[][2]{{-1, -1}, {1, 1}, {1, -1}, {-1, 1}};
+    if (way == kUnmoved) return {0, 0};
+    const double* const sign = kSigns[std::min(way, std::size(kSigns) - 1)];
+    return {0.5 * sign[0], 0.5 * sign[1]};
 }
 
 void spoilTranslations(StageKeys& keys) {
@@ -124,7 +138,7 @@ void spoilView(const Scene& scene, const Planted& planted, StageKeys& keys) {
             if (planted.way == 1) spoilRotations(keys, kDegrees);
             return;
         case Defect::YDown: view.scale.y = -view.scale.y; return;
-        case Defect::HalfPixel: view.centre -= 0.5; return;
+        case Defect::HalfPixel: view.centre += halfPixelOf(planted.way); return;
         case Defect::HalfAngle:
             if (2 * scene.camera.fovY < 180) spoilCamera(scene, keys, [](Camera& camera) { camera.fovY *= 2; });
             return;
@@ -138,9 +152,25 @@ void spoilView(const Scene& scene, const Planted& planted, StageKeys& keys) {
 
 }  // namespace
 
+Scene sampledAt(Scene scene, PixelCorner corner) {
+    if (corner == PixelCorner::None) return scene;
+    const int way = corner == PixelCorner::UpperLeft ? 1 : 2;
+    if (scene.settings.defect == Defect::None)
+        return plant(std::move(scene), Defect::HalfPixel, kUnmoved + way * kSamplesAt);
+    scene.settings.defectWay = wayOf(scene.settings) + way * kSamplesAt;
+    return scene;
+}
+
+glm::dvec2 sampleShiftOf(const Scene& scene) {
+    const int way = scene.settings.defectWay / kSamplesAt;
+    return way > 0 ? halfPixelOf(std::size_t(way)) : glm::dvec2(0);
+}
+
 void spoilGiven(const Scene& scene, StageKeys& keys) {
-    const Planted planted{scene.settings.defect, std::uint8_t(std::clamp(scene.settings.defectWay, 0, 255)), 0};
+    const int way = wayOf(scene.settings);
+    const Planted planted{scene.settings.defect, std::uint8_t(std::clamp(way, 0, 255)), 0};
     spoilView(scene, planted, keys);
+    keys.transform.view.centre += sampleShiftOf(scene);
     switch (planted.defect) {
         case Defect::TrsOrder: spoilTranslations(keys); break;
         case Defect::Degrees: spoilRotations(keys, 1 / kDegrees); break;
@@ -192,12 +222,12 @@ void spoilMeshes(const Scene& scene, const Topology* before, std::vector<std::sh
         if (mesh.polygonCount() == 0) continue;
         if (settings.defect == Defect::OneBased) {
             // The number of a vertex, counted from 1, read as if from 0; the vertex after the last is the first.
-            const std::uint32_t next = settings.defectWay == 0 ? 1 : vertices - 1;
+            const std::uint32_t next = wayOf(settings) == 0 ? 1 : vertices - 1;
             meshes[i] = withCorners(mesh, [&](std::size_t, std::vector<std::uint32_t>& corners) {
                 for (std::uint32_t& corner : corners) corner = (corner + next) % vertices;
             });
         } else {
-            const bool all = settings.defectWay > 0;
+            const bool all = wayOf(settings) > 0;
             if (isReversed && !all) continue;
             meshes[i] = withCorners(mesh, [&](std::size_t polygon, std::vector<std::uint32_t>& corners) {
                 if (all || polygon == mesh.polygonCount() / 2) std::ranges::reverse(corners);

@@ -11,6 +11,8 @@ using D = Defect;
 
 constexpr std::string_view kExponentWays[]{"n/4 for n"};
 constexpr std::string_view kAspectWays[]{"left out"};
+constexpr std::string_view kHalfPixelWays[]{"half a pixel to the right and down", "to the right and up",
+                                            "to the left and down"};
 constexpr std::string_view kIndexWays[]{"one too small"};
 
 constexpr auto kDefectsOfRenderers = std::to_array<DefectRow>({
@@ -120,6 +122,7 @@ constexpr auto kDefectsOfRenderers = std::to_array<DefectRow>({
      .scene = "z_buffer_flat",
      .first = B::VerticesScreen,
      .source = kOwnJudgement,
+     .otherWays = kHalfPixelWays,
      .inGame = false},
     {.id = D::Exponent,
      .name = "4 n for n",

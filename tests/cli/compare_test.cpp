@@ -129,6 +129,24 @@ TEST(Compare, conventionsAreNoErrors) {
     EXPECT_EQ(handed.json({"--strict"})["exit"], 1);
 }
 
+TEST(Compare, idsFromOneSignsOfZAndDotProductsCutOffAreNoErrors) {
+    const Handed handed;
+    const auto changed = [&](const char* name, auto change) {
+        test::Npy array = handed.all(name);
+        for (std::size_t i = 0; i < array.values.size(); ++i) array.values[i] = change(array.values[i], i);
+        handed.give(name, array);
+    };
+    changed("polygon_id", [](double id, std::size_t) { return id + 1; });  // nothing, -1, is 0 then
+    changed("vertices.view", [](double v, std::size_t i) { return i % 3 == 2 ? -v : v; });
+    changed("n_dot_l.0", [](double v, std::size_t) { return std::max(0.0, v); });
+    handed.give("color", handed.all("color"));
+    const Json report = handed.json();
+    EXPECT_EQ(report["exit"], 0) << report["headline"];
+    EXPECT_EQ(conventionOf(report, "polygon_id", "ids"), "from-1");
+    EXPECT_EQ(conventionOf(report, "vertices.view", "view_z"), "towards-viewer");
+    EXPECT_EQ(conventionOf(report, "n_dot_l.0", "dot_products"), "cut-at-0");
+}
+
 TEST(Compare, mineTomlOverridesWhatIsFound) {
     const Handed handed;
     handed.give("color", turned(handed.all("color")));

@@ -226,8 +226,8 @@ def main():
 
     if options.part != "mistakes":
         count = judge.conventions()
-        say("right renderers that are accused", *count[False], 0, 0.2, least=False)
-        say("of those that sample pixels at their corners", *count[True], 0, 1, least=False)
+        say("right renderers that are accused", *count[False], 0, 0, least=False)
+        say("of those that sample pixels at their corners", *count[True], 0, 0, least=False)
     if options.part != "conventions":
         count = judge.mistakes()
         both = {name: [count[name][i] + count[name + ", colour alone"][i] for i in (0, 1)] for name in ("first", "three")}
