@@ -105,7 +105,7 @@ std::span<const Contract> vectorContracts() {
     static const Contract kRows[]{
         Contract{"unit-normals",
                  StageId::Shading,
-                 "Normals have length 1 after they are interpolated.",
+                 "Interpolated normals have length 1.",
                  "|N| = 1",
                  {B::Normal},
                  "world",

@@ -7,13 +7,13 @@ namespace pipeline {
 namespace {
 
 constexpr std::array<StageInfo, kStageCount> kTable{{
-    {StageId::Transform, "transform", "Transform", "Takes every vertex from its object to the screen.",
+    {StageId::Transform, "transform", "Transform", "Transforms every vertex from its object to the screen.",
      "meshes, object transforms, camera", "world, view and screen coordinates of every vertex"},
-    {StageId::Cull, "cull", "Cull", "Drops the polygons that cannot be seen.", "polygons in view and screen space",
+    {StageId::Cull, "cull", "Cull", "Drops polygons that cannot be visible.", "polygons in view and screen space",
      "a verdict per polygon"},
-    {StageId::Normals, "normals", "Normals", "Finds which way polygons and vertices face.", "polygons, vertices",
+    {StageId::Normals, "normals", "Normals", "Computes the normals of polygons and vertices.", "polygons, vertices",
      "polygon normals, vertex normals"},
-    {StageId::ShadowBuffer, "shadow-buffer", "Shadow buffer", "Draws the depth that each casting light sees.",
+    {StageId::ShadowBuffer, "shadow-buffer", "Shadow buffer", "Draws the depth as each light with shadows sees it.",
      "polygons, lights", "Z' of each casting light"},
     {StageId::ZBuffer, "z-buffer", "Z-buffer", "Finds the nearest polygon at every pixel.",
      "kept polygons in screen space", "depth, object, polygon and barycentrics of every pixel, counts of fragments"},

@@ -31,33 +31,32 @@ constexpr auto kSceneTable = std::to_array<Setting>({
     side<&S::width>({"width", "Width", "pixels", "Columns of the picture."}, kSide),
     side<&S::height>({"height", "Height", "pixels", "Rows of the picture."}, kSide),
     choice<OfPicture, &S::precision>(
-        {"precision", "Precision", "", "What the stages compute in: 24, 53, 64 or 113 bits of significand."},
+        {"precision", "Precision", "", "The precision of the stages: 24, 53, 64 or 113 bits of significand."},
         kPrecision),
-    choice<OfPicture, &S::arithmetic>(
-        {"arithmetic", "Arithmetic", "",
-         "Exact: the same bits on every machine in float and double. Fast: multiplies and adds at once and "
-         "estimates roots where pixels are shaded in vectors, within 1/255 of that."},
-        kArithmetic, onlyFloat),
-    row<OfPicture, &S::antialiasing>({"antialiasing", "Antialiasing", "samples along a side",
-                                      "Samples along each side of a pixel, whose mean the frame buffer shows; 1 is its "
-                                      "centre alone."},
-                                     {1, 16, 1, 8}),
-    choice<OfPicture, &S::antialiasingPattern>(
-        {"antialiasing_pattern", "Samples stand", "",
-         "Where the samples of a pixel stand, alike in all pixels: on a grid, anywhere in the grid's cells, anywhere, "
-         "or on Hammersley's points."},
-        kPattern, onlyAntialiased),
-    upAxis(
-        {"up", "Up axis of the file", "",
-         "The axis of a model's file that points up, where the model was opened by itself. Changing it turns all its "
-         "objects about the middle of the file."},
-        kUpAxis),
+    choice<OfPicture, &S::arithmetic>({"arithmetic", "Arithmetic", "",
+                                       "Exact: the same bits on every machine in float and double. Fast: fused "
+                                       "multiply-add and estimated roots in SIMD shading, within 1/255 of exact."},
+                                      kArithmetic, onlyFloat),
+    row<OfPicture, &S::antialiasing>(
+        {"antialiasing", "Antialiasing", "samples along a side",
+         "Samples along each side of a pixel; the frame buffer shows their mean. 1 is the centre only."},
+        {1, 16, 1, 8}),
+    choice<OfPicture, &S::antialiasingPattern>({"antialiasing_pattern", "Samples stand", "",
+                                                "Positions of a pixel's samples, the same in all pixels: on a grid, "
+                                                "anywhere in the grid's cells, anywhere, or on Hammersley's points."},
+                                               kPattern, onlyAntialiased),
+    upAxis({"up", "Up axis of the file", "",
+            "The axis that points up in the file of an opened model. Changing it turns all objects about the file's "
+            "centre."},
+           kUpAxis),
 
     choice<OfCamera, &C::kind>(
-        {"camera.kind", "Camera", "", "On a sphere around the world's origin, or from an eye towards a target."},
+        {"camera.kind", "Camera", "",
+         "Spherical: on a sphere around the world's origin. Look-at: from an eye towards a target."},
         kCameraKind),
-    choice<OfCamera, &C::projection>(
-        {"camera.projection", "Projection", "", "Towards the eye, or along the viewing direction."}, kProjection),
+    choice<OfCamera, &C::projection>({"camera.projection", "Projection", "",
+                                      "Perspective: lines of sight meet in the eye. Orthographic: they are parallel."},
+                                     kProjection),
     row<OfCamera, &C::rho>({"camera.rho", "ρ distance", "world units", "Distance of the eye from the world's origin."},
                            {0, kFar, 1, 2000}, {}, onlySpherical),
     row<OfCamera, &C::theta>(
@@ -71,84 +70,86 @@ constexpr auto kSceneTable = std::to_array<Setting>({
     row<OfCamera, &C::pixelsPerUnit>(
         {"camera.scale", "s scale", "pixels per screen unit", "Pixels along one screen unit."},
         {kNearest, kFar, 0.1, 10}, {}, onlySpherical),
-    component<OfCamera, &C::eye, 0>({"camera.eye_x", "Eye x", "world units", "Place of the eye."}, kPlace, onlyLookAt),
-    component<OfCamera, &C::eye, 1>({"camera.eye_y", "Eye y", "world units", "Place of the eye."}, kPlace, onlyLookAt),
-    component<OfCamera, &C::eye, 2>({"camera.eye_z", "Eye z", "world units", "Place of the eye."}, kPlace, onlyLookAt),
-    component<OfCamera, &C::target, 0>({"camera.target_x", "Target x", "world units", "What the eye looks at."}, kPlace,
-                                       onlyLookAt),
-    component<OfCamera, &C::target, 1>({"camera.target_y", "Target y", "world units", "What the eye looks at."}, kPlace,
-                                       onlyLookAt),
-    component<OfCamera, &C::target, 2>({"camera.target_z", "Target z", "world units", "What the eye looks at."}, kPlace,
-                                       onlyLookAt),
-    component<OfCamera, &C::up, 0>({"camera.up_x", "Up x", "", "What points upwards in the picture."},
+    component<OfCamera, &C::eye, 0>({"camera.eye_x", "Eye x", "world units", "Position of the eye."}, kPlace,
+                                    onlyLookAt),
+    component<OfCamera, &C::eye, 1>({"camera.eye_y", "Eye y", "world units", "Position of the eye."}, kPlace,
+                                    onlyLookAt),
+    component<OfCamera, &C::eye, 2>({"camera.eye_z", "Eye z", "world units", "Position of the eye."}, kPlace,
+                                    onlyLookAt),
+    component<OfCamera, &C::target, 0>(
+        {"camera.target_x", "Target x", "world units", "The point that the eye looks at."}, kPlace, onlyLookAt),
+    component<OfCamera, &C::target, 1>(
+        {"camera.target_y", "Target y", "world units", "The point that the eye looks at."}, kPlace, onlyLookAt),
+    component<OfCamera, &C::target, 2>(
+        {"camera.target_z", "Target z", "world units", "The point that the eye looks at."}, kPlace, onlyLookAt),
+    component<OfCamera, &C::up, 0>({"camera.up_x", "Up x", "", "The direction that points up in the picture."},
                                    {-kFar, kFar, -1, 1}, onlyLookAt),
-    component<OfCamera, &C::up, 1>({"camera.up_y", "Up y", "", "What points upwards in the picture."},
+    component<OfCamera, &C::up, 1>({"camera.up_y", "Up y", "", "The direction that points up in the picture."},
                                    {-kFar, kFar, -1, 1}, onlyLookAt),
-    component<OfCamera, &C::up, 2>({"camera.up_z", "Up z", "", "What points upwards in the picture."},
+    component<OfCamera, &C::up, 2>({"camera.up_z", "Up z", "", "The direction that points up in the picture."},
                                    {-kFar, kFar, -1, 1}, onlyLookAt),
-    row<OfCamera, &C::fovY>({"camera.fov", "Field of view", "degrees", "Angle from the picture's top to its foot."},
-                            {0.01, 179.99, 5, 120}, {}, onlyLookAtPerspective),
-    row<OfCamera, &C::height>(
-        {"camera.height", "View height", "world units", "What the picture shows from its top to its foot."},
-        {kNearest, kFar, 0.1, 1000}, {}, onlyLookAtOrthographic),
-    row<OfCamera, &C::near>(
-        {"camera.near", "Near plane", "world units",
-         "Distance of the near plane along the viewing direction; 0 takes it from the scene's bounds. Orthographic it "
-         "may be below 0, behind the eye."},
-        kPlane),
-    row<OfCamera, &C::far>(
-        {"camera.far", "Far plane", "world units",
-         "Distance of the far plane along the viewing direction; 0 takes it from the scene's bounds. Orthographic it "
-         "may be below 0, behind the eye."},
-        kPlane),
+    row<OfCamera, &C::fovY>(
+        {"camera.fov", "Field of view", "degrees", "Angle from the top to the bottom of the picture."},
+        {0.01, 179.99, 5, 120}, {}, onlyLookAtPerspective),
+    row<OfCamera, &C::height>({"camera.height", "View height", "world units",
+                               "Height of the visible region, from the top to the bottom of the picture."},
+                              {kNearest, kFar, 0.1, 1000}, {}, onlyLookAtOrthographic),
+    row<OfCamera, &C::near>({"camera.near", "Near plane", "world units",
+                             "Distance of the near plane along the viewing direction; 0 uses the scene's bounds. In "
+                             "orthographic projection it may be negative, behind the eye."},
+                            kPlane),
+    row<OfCamera, &C::far>({"camera.far", "Far plane", "world units",
+                            "Distance of the far plane along the viewing direction; 0 uses the scene's bounds. In "
+                            "orthographic projection it may be negative, behind the eye."},
+                           kPlane),
 
     choice<OfShading, &S::shading>({"shading", "Shading", "", "Where the illumination model is evaluated."}, kShading,
                                    notOutlines),
     choice<OfShading, &S::interpolation>(
         {"interpolation", "Interpolation", "",
-         "What intensities or normals are linear over: the polygon in space, the triangle in the picture, or the "
-         "polygon's edges and then the row between them."},
+         "How intensities or normals are interpolated: linearly over the polygon in space, over the triangle in the "
+         "picture, or along the polygon's edges and then along the row."},
         kInterpolation, notFlat),
-    choice<OfShading, &S::model>({"model", "Model", "", "The illumination model that is evaluated."}, kModelWords),
+    choice<OfShading, &S::model>({"model", "Model", "", "The illumination model."}, kModelWords),
     row<OfShading, &S::exponentFactor>(
         {"exponent_factor", "Exponent factor", "",
-         "What Blinn–Phong multiplies the exponent by; 4 gives a highlight about as wide as Phong's."},
+         "The factor of the exponent in Blinn–Phong; with 4 the highlight is about as wide as Phong's."},
         {0, 1000, 1, 8}, {}, onlyFactored),
     row<OfShading, &S::localViewer>(
-        {"local_viewer", "Local viewer", "", "Whether V points to the eye; if not, it points along the viewing axis."},
+        {"local_viewer", "Local viewer", "", "Whether V points to the eye; otherwise it is the viewing axis."},
         {0, 1, 0, 1}, kSwitch, onlyViewer),
     row<OfShading, &S::twoSided>({"two_sided", "Two-sided lighting", "",
-                                  "Whether the OpenGL model lights back faces with their normal turned round."},
+                                  "Whether the OpenGL model lights back faces, with the reversed normal."},
                                  {0, 1, 0, 1}, kSwitch, onlyTwoSided),
     choice<OfShading, &S::normalWeight>(
         {"normal_weight", "Vertex normals", "", "How the polygons around a vertex are weighted in its normal."},
         kNormalWeight, onlyVertexNormals),
 
-    choice<OfDepth, &S::cull>({"cull", "Cull", "", "Which polygons are dropped by the way they face."}, kCull),
+    choice<OfDepth, &S::cull>({"cull", "Cull", "", "Whether back-facing polygons are dropped."}, kCull),
     choice<OfDepth, &S::visibility>({"visibility", "Visibility", "",
-                                     "What decides which polygon is seen: depths compared at every pixel, the order "
-                                     "in which polygons are painted, or nothing: their outlines are drawn."},
+                                     "How hidden surfaces are removed: by comparing depths at every pixel, by painting "
+                                     "from back to front, or not at all (outlines only)."},
                                     kVisibility),
     row<OfDepth, &S::split>({"split", "Split polygons", "",
                              "Whether the painter's algorithm splits polygons that intersect or overlap in a cycle."},
                             {0, 1, 0, 1}, kSwitch, onlyPainter),
-    choice<OfDepth, &S::depthFormat>({"depth_format", "Depth format", "", "What the z-buffer stores and compares."},
-                                     kDepthFormat, onlyZBuffer),
-    choice<OfDepth, &S::translucency>(
-        {"translucency", "Translucent surfaces", "",
-         "What puts the layers over a pixel in order: their depths there, or the mean depths of their polygons."},
-        kTranslucency, onlyTranslucent),
+    choice<OfDepth, &S::depthFormat>(
+        {"depth_format", "Depth format", "", "The number that the z-buffer stores and compares."}, kDepthFormat,
+        onlyZBuffer),
+    choice<OfDepth, &S::translucency>({"translucency", "Translucent surfaces", "",
+                                       "How the layers of a pixel are ordered: by their depths at the pixel, or by the "
+                                       "mean depths of their polygons."},
+                                      kTranslucency, onlyTranslucent),
 
     row<OfShadow, &S::shadowSize>({"shadow.size", "Shadow buffer", "texels", "Texels along a side of a shadow buffer."},
                                   {1, 8192, 16, 4096}, {}, onlyShadow),
-    choice<OfShadow, &S::shadowCull>(
-        {"shadow.cull", "Cull in shadow buffer", "",
-         "Which polygons a shadow buffer leaves out: none, those that face away from the light, or those that face "
-         "it."},
-        kShadowCull, onlyShadow),
+    choice<OfShadow, &S::shadowCull>({"shadow.cull", "Cull in shadow buffer", "",
+                                      "The polygons that a shadow buffer leaves out: none, those that face away from "
+                                      "the light, or those that face it."},
+                                     kShadowCull, onlyShadow),
     choice<OfShadow, &S::shadowBias>(
         {"shadow.bias", "Bias", "",
-         "What is added to Z' before the comparison: chosen per texel, constant, or by the polygon's slope."},
+         "The bias added to Z' before the comparison: chosen for each texel, constant, or by the polygon's slope."},
         kShadowBias, onlyShadow),
     row<OfShadow, &S::shadowBiasValue>({"shadow.bias_value", "Bias value", "world units; a factor with slope",
                                         "The constant bias, or the factor of the slope's bias."},
@@ -162,33 +163,32 @@ constexpr auto kSceneTable = std::to_array<Setting>({
          "How the power of the specular term is computed: exp(n log1p(-q)), pow, repeated squaring, exp2(n log2), "
          "Schlick's fraction, or exp(n (x - 1))."},
         kPowerForm, onlyPower),
-    choice<OfForms, &F::unit>(
-        {"numerics.normalize", "Normalisation", "",
-         "How normals, V, L and H are brought to length 1: scaled first, by the square root alone, or by a guess of "
-         "its inverse with none, one or two of Newton's steps."},
-        kUnitForm),
+    choice<OfForms, &F::unit>({"numerics.normalize", "Normalisation", "",
+                               "How normals, V, L and H are normalised: scaled first, by the square root alone, or by "
+                               "a guess of its inverse with none, one or two of Newton's steps."},
+                              kUnitForm),
     choice<OfForms, &F::polygonNormal>(
         {"numerics.polygon_normal", "Polygon normal", "",
-         "Newell's sum relative to the first corner, relative to the origin, or the first three corners alone."},
+         "Newell's sum relative to the first vertex, relative to the origin, or the first three vertices only."},
         kPolygonNormalForm),
     choice<OfForms, &F::normalMatrix>(
         {"numerics.normal_matrix", "Normal matrix", "",
-         "What takes the mesh's own normals to world space: the cofactors, or the inverse transpose."},
+         "The matrix that transforms the mesh's own normals to world space: the cofactors, or the inverse transpose."},
         kNormalMatrixForm, onlyGivenNormals),
-    choice<OfForms, &F::cornerAngle>(
-        {"numerics.corner_angle", "Angle at a corner", "",
-         "How the angle that weights a normal is found: atan2 of cross and dot product, or acos of the dot product."},
-        kCornerAngleForm, onlyAngleWeights),
+    choice<OfForms, &F::cornerAngle>({"numerics.corner_angle", "Angle at a corner", "",
+                                      "How the angle that weights a normal is computed: atan2 of cross and dot "
+                                      "product, or acos of the dot product."},
+                                     kCornerAngleForm, onlyAngleWeights),
     choice<OfForms, &F::cameraBasis>({"numerics.camera_basis", "Camera axes", "",
-                                      "How the spherical camera's axes are found: from its angles, or by cross "
-                                      "products with z, which vanish where it looks along z."},
+                                      "How the spherical camera's axes are computed: from its angles, or by cross "
+                                      "products with z, which vanish if it looks along z."},
                                      kCameraBasisForm, onlySpherical),
     row<OfNumerics, &S::subPixelBits>({"numerics.subpixel_bits", "Sub-pixel bits", "bits",
-                                       "Corners are snapped to 2^-bits pixels before coverage is decided."},
+                                       "Vertices are snapped to 2^-bits pixels before coverage is decided."},
                                       {1, 16, 4, 16}),
 
     ambientIntensity({"ambient.intensity", "I_a intensity", "",
-                      "Intensity of the ambient light; where none is given, 0.2 in OpenGL's model, else 0."},
+                      "Intensity of the ambient light; if none is given, 0.2 in OpenGL's model, else 0."},
                      kIntensity),
     component<OfAmbient, &AmbientLight::color, 0>({"ambient.red", "I_a red", "", "Red part of the ambient light."},
                                                   kFraction),
@@ -199,47 +199,54 @@ constexpr auto kSceneTable = std::to_array<Setting>({
 
     choice<OfLight, &Light::kind>(
         {"light.#.kind", "Light", "",
-         "At infinity, where every point sees it in the same direction, at a point, or a rectangle around a point."},
+         "At infinity (the same direction everywhere), at a point, or a rectangle around a point."},
         kLightKind),
     component<OfLight, &Light::position, 0>(
-        {"light.#.x", "L x", "world units", "Place of, or direction to, the light."}, kPlace),
+        {"light.#.x", "L x", "world units", "Position of the light, or direction to it."}, kPlace),
     component<OfLight, &Light::position, 1>(
-        {"light.#.y", "L y", "world units", "Place of, or direction to, the light."}, kPlace),
+        {"light.#.y", "L y", "world units", "Position of the light, or direction to it."}, kPlace),
     component<OfLight, &Light::position, 2>(
-        {"light.#.z", "L z", "world units", "Place of, or direction to, the light."}, kPlace),
+        {"light.#.z", "L z", "world units", "Position of the light, or direction to it."}, kPlace),
     row<OfLight, &Light::intensity>({"light.#.intensity", "I_p intensity", "", "Intensity of the light."}, kIntensity),
     component<OfLight, &Light::color, 0>({"light.#.red", "I_p red", "", "Red part of the light."}, kFraction),
     component<OfLight, &Light::color, 1>({"light.#.green", "I_p green", "", "Green part of the light."}, kFraction),
     component<OfLight, &Light::color, 2>({"light.#.blue", "I_p blue", "", "Blue part of the light."}, kFraction),
-    row<OfLight, &Light::castsShadow>({"light.#.shadow", "Casts a shadow", "", "Whether polygons can hide the light."},
-                                      {0, 1, 0, 1}, kSwitch),
-    row<OfAreaLight, &A::width>({"light.#.width", "Width", "world units",
-                                 "Side of an area light that runs across world z, or along x where it faces along z."},
-                                {0, kFar, 0, 10}, {}, onlyArea),
+    row<OfLight, &Light::castsShadow>(
+        {"light.#.shadow", "Casts a shadow", "", "Whether polygons throw shadows in this light."}, {0, 1, 0, 1},
+        kSwitch),
+    row<OfAreaLight, &A::width>(
+        {"light.#.width", "Width", "world units",
+         "Side of an area light perpendicular to world z, or along x if the light faces along z."},
+        {0, kFar, 0, 10}, {}, onlyArea),
     row<OfAreaLight, &A::height>({"light.#.height", "Height", "world units", "The other side of an area light."},
                                  {0, kFar, 0, 10}, {}, onlyArea),
     component<OfAreaLight, &A::facing, 0>(
-        {"light.#.facing_x", "Facing x", "", "Direction across an area light's rectangle."}, kToward, onlyArea),
+        {"light.#.facing_x", "Facing x", "", "Direction perpendicular to an area light's rectangle."}, kToward,
+        onlyArea),
     component<OfAreaLight, &A::facing, 1>(
-        {"light.#.facing_y", "Facing y", "", "Direction across an area light's rectangle."}, kToward, onlyArea),
+        {"light.#.facing_y", "Facing y", "", "Direction perpendicular to an area light's rectangle."}, kToward,
+        onlyArea),
     component<OfAreaLight, &A::facing, 2>(
-        {"light.#.facing_z", "Facing z", "", "Direction across an area light's rectangle."}, kToward, onlyArea),
+        {"light.#.facing_z", "Facing z", "", "Direction perpendicular to an area light's rectangle."}, kToward,
+        onlyArea),
     row<OfAreaLight, &A::samples>(
         {"light.#.samples", "Samples", "along a side",
-         "Sample points along each side of an area light, each with shadow buffers of its own; 1 is a hard shadow."},
+         "Sample points along each side of an area light, each with its own shadow buffers; 1 gives a hard shadow."},
         {1, 16, 1, 8}, {}, onlyArea),
     component<OfOpenGlLight, &G::ambient, 0>(
-        {"light.#.ambient_red", "Ambient red", "", "Its own part of the ambient light."}, kFraction, onlyGlLights),
+        {"light.#.ambient_red", "Ambient red", "", "The light's own ambient part."}, kFraction, onlyGlLights),
     component<OfOpenGlLight, &G::ambient, 1>(
-        {"light.#.ambient_green", "Ambient green", "", "Its own part of the ambient light."}, kFraction, onlyGlLights),
+        {"light.#.ambient_green", "Ambient green", "", "The light's own ambient part."}, kFraction, onlyGlLights),
     component<OfOpenGlLight, &G::ambient, 2>(
-        {"light.#.ambient_blue", "Ambient blue", "", "Its own part of the ambient light."}, kFraction, onlyGlLights),
+        {"light.#.ambient_blue", "Ambient blue", "", "The light's own ambient part."}, kFraction, onlyGlLights),
     component<OfOpenGlLight, &G::specular, 0>(
-        {"light.#.specular_red", "Specular red", "", "Colour of its specular part."}, kFraction, onlyGlLights),
+        {"light.#.specular_red", "Specular red", "", "Colour of the light's specular part."}, kFraction, onlyGlLights),
     component<OfOpenGlLight, &G::specular, 1>(
-        {"light.#.specular_green", "Specular green", "", "Colour of its specular part."}, kFraction, onlyGlLights),
+        {"light.#.specular_green", "Specular green", "", "Colour of the light's specular part."}, kFraction,
+        onlyGlLights),
     component<OfOpenGlLight, &G::specular, 2>(
-        {"light.#.specular_blue", "Specular blue", "", "Colour of its specular part."}, kFraction, onlyGlLights),
+        {"light.#.specular_blue", "Specular blue", "", "Colour of the light's specular part."}, kFraction,
+        onlyGlLights),
     row<OfOpenGlLight, &G::constant>({"light.#.constant", "Constant attenuation", "", "c of 1 / (c + l d + q d²)."},
                                      kFading, {}, onlyFading),
     row<OfOpenGlLight, &G::linear>(
@@ -248,20 +255,20 @@ constexpr auto kSceneTable = std::to_array<Setting>({
     row<OfOpenGlLight, &G::quadratic>(
         {"light.#.quadratic", "Quadratic attenuation", "1 / world units²", "q of 1 / (c + l d + q d²)."}, kFading, {},
         onlyFading),
-    component<OfOpenGlLight, &G::spotDirection, 0>(
-        {"light.#.spot_x", "Spot direction x", "", "Where the spot points to."}, {-kFar, kFar, -1, 1}, onlyGlLights),
-    component<OfOpenGlLight, &G::spotDirection, 1>(
-        {"light.#.spot_y", "Spot direction y", "", "Where the spot points to."}, {-kFar, kFar, -1, 1}, onlyGlLights),
-    component<OfOpenGlLight, &G::spotDirection, 2>(
-        {"light.#.spot_z", "Spot direction z", "", "Where the spot points to."}, {-kFar, kFar, -1, 1}, onlyGlLights),
+    component<OfOpenGlLight, &G::spotDirection, 0>({"light.#.spot_x", "Spot direction x", "", "Direction of the spot."},
+                                                   {-kFar, kFar, -1, 1}, onlyGlLights),
+    component<OfOpenGlLight, &G::spotDirection, 1>({"light.#.spot_y", "Spot direction y", "", "Direction of the spot."},
+                                                   {-kFar, kFar, -1, 1}, onlyGlLights),
+    component<OfOpenGlLight, &G::spotDirection, 2>({"light.#.spot_z", "Spot direction z", "", "Direction of the spot."},
+                                                   {-kFar, kFar, -1, 1}, onlyGlLights),
     row<OfOpenGlLight, &G::spotCutoff>(
-        {"light.#.spot_cutoff", "Spot cut-off", "degrees", "Half the angle of the spot's cone; 180 is no spot."},
+        {"light.#.spot_cutoff", "Spot cut-off", "degrees", "Half the angle of the spot's cone; 180: no spot."},
         {0, 180, 0, 90}, {}, onlyGlLights),
     row<OfOpenGlLight, &G::spotExponent>(
         {"light.#.spot_exponent", "Spot exponent", "", "How much the spot fades towards its edge."}, {0, 128, 0, 128},
         {}, onlyGlLights),
     choice<OfOpenGlLight, &G::space>(
-        {"light.#.space", "Space", "", "Whether the light stands in the world or moves with the eye."}, kLightSpace,
+        {"light.#.space", "Space", "", "Whether the light is fixed in the world or moves with the eye."}, kLightSpace,
         onlyGlLights),
 
     choice<OfObject, &ObjectTransform::up>(
@@ -301,8 +308,8 @@ constexpr auto kSceneTable = std::to_array<Setting>({
         {"material.#.ks", "k_s specular", "", "Fraction of light that is reflected towards R, in all three colours."},
         kFraction),
     row<OfMaterial, &Material::exponent>(
-        {"material.#.n", "n exponent", "", "Specular exponent: larger is a smaller highlight."}, {0, 1e6, 0, 64}, {},
-        onlySpecular),
+        {"material.#.n", "n exponent", "", "Specular exponent; a larger one makes a smaller highlight."},
+        {0, 1e6, 0, 64}, {}, onlySpecular),
     choice<OfMaterial, &Material::highlight>({"material.#.highlight", "Highlight", "",
                                               "The specular term: that of the illumination model, (R·V)^n or (N·H)^n."},
                                              kHighlight, onlyChosenLobe),
@@ -324,27 +331,25 @@ constexpr auto kSceneTable = std::to_array<Setting>({
     component<OfMaterial, &Material::ambient, 2>(
         {"material.#.kab", "k_a blue", "", "Fraction of ambient light of this colour that is reflected."}, kFraction,
         onlyOwnAmbient),
-    row<OfMaterial, &Material::alpha>(
-        {"material.#.alpha", "α opacity", "",
-         "How much the surface hides: 1 all that is behind it, 0 nothing, as if the object were not there; a value "
-         "beyond [0, 1] acts as the nearer of the two."},
-        {-kFar, kFar, 0, 1}),
+    row<OfMaterial, &Material::alpha>({"material.#.alpha", "α opacity", "",
+                                       "Opacity: 1 hides everything behind the surface, 0 nothing, as if the object "
+                                       "were absent; values outside [0, 1] are clamped."},
+                                      {-kFar, kFar, 0, 1}),
     component<OfMaterial, &Material::emission, 0>(
-        {"material.#.ker", "Emission red", "", "What the material gives off by itself."}, kFraction, onlyEmission),
+        {"material.#.ker", "Emission red", "", "The light that the material emits."}, kFraction, onlyEmission),
     component<OfMaterial, &Material::emission, 1>(
-        {"material.#.keg", "Emission green", "", "What the material gives off by itself."}, kFraction, onlyEmission),
+        {"material.#.keg", "Emission green", "", "The light that the material emits."}, kFraction, onlyEmission),
     component<OfMaterial, &Material::emission, 2>(
-        {"material.#.keb", "Emission blue", "", "What the material gives off by itself."}, kFraction, onlyEmission),
+        {"material.#.keb", "Emission blue", "", "The light that the material emits."}, kFraction, onlyEmission),
 
     choice<OfDefect, &S::defect>({"defect", "Planted defect", "",
                                   "A classic error of renderers that is made on purpose; none is the right picture."},
                                  kDefectIds),
-    row<OfDefect, &S::defectWay>(
-        {"defect_way", "Way of making it", "", "Which of the common ways of making the planted defect, from 0."},
-        {0, 9, 0, 3}, {}, onlyWithDefect),
+    row<OfDefect, &S::defectWay>({"defect_way", "Way of making it", "", "The variant of the planted defect, from 0."},
+                                 {0, 9, 0, 3}, {}, onlyWithDefect),
 
     row<OfLeavingOut, &S::leaveOut>({"leave_out", "Leave out what is not needed", "",
-                                     "Whether the plan leaves out what cannot change the picture."},
+                                     "Whether the plan leaves out work that cannot change the picture."},
                                     {0, 1, 0, 1}, kSwitch),
 });
 
