@@ -20,7 +20,8 @@ HWY_INLINE Floats3 cross(Floats3 a, Floats3 b) {
     return {minor(a.y, b.z, b.y, a.z), minor(a.z, b.x, b.z, a.x), minor(a.x, b.y, b.x, a.y)};
 }
 
-// What points inward of polygons, turned outward: of those whose objects are mirrored. polygonOf(l): that of lane l.
+// Reverses the vectors of polygons whose objects are mirrored, so that they point outward. polygonOf(l): the polygon of
+// lane l.
 template <class PolygonOf>
 HWY_INLINE Floats3 outward(const TransformOutput<float>& in, Floats3 sum, PolygonOf polygonOf) {
     HWY_ALIGN float turned[16];
@@ -29,22 +30,22 @@ HWY_INLINE Floats3 outward(const TransformOutput<float>& in, Floats3 sum, Polygo
     return scaled(sum, hn::Load(F(), turned));
 }
 
-// Twice the areas of triangles along their normals, outward, as polygonNormals sums them. mirrors: in.anyMirrored(), which
-// looks at every object; toSecond, toThird: from corner 0; polygonOf(l): that of lane l.
+// Twice the areas of triangles along their outward normals, as polygonNormals sums them. mirrors: in.anyMirrored(),
+// which looks at every object. toSecond, toThird: the sides from vertex 0. polygonOf(l): the polygon of lane l.
 template <class PolygonOf>
 HWY_INLINE Floats3 areaVectors(const TransformOutput<float>& in, bool mirrors, Floats3 toSecond, Floats3 toThird,
                                PolygonOf polygonOf) {
-    // Added to zero, as the sum over a polygon's triangles is: a negative zero becomes a positive one.
+    // Added to zero, like the sum over a polygon's triangles: this turns -0 into 0.
     const Floats3 sum = all(Vec3<float>(0)) + cross(toSecond, toThird);
     return mirrors ? outward(in, sum, polygonOf) : sum;
 }
 
-// Of which the edges are to be scaled first, as the stage's own text does.
+// The lanes whose edges must be scaled first, as in the scalar stage.
 HWY_INLINE Mask areSmall(Floats3 sum) {
     return hn::Lt(hn::Max(hn::Max(hn::Abs(sum.x), hn::Abs(sum.y)), hn::Abs(sum.z)), all(smallestArea<float>()));
 }
 
-// Their normals, found one by one. normalOf(l): that of lane l.
+// Computes their normals one at a time. normalOf(l): the normal of lane l.
 template <class NormalOf>
 HWY_INLINE void replaceSmall(Mask seen, Floats3 sum, Floats3& normals, NormalOf normalOf) {
     const Mask small = hn::And(seen, areSmall(sum));

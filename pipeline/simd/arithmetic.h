@@ -14,17 +14,17 @@
 HWY_BEFORE_NAMESPACE();
 namespace pipeline::HWY_NAMESPACE {
 
-// Where normalized divides by the root of a vector's square as it is. Between the squares of its bounds, with room for
-// three of them and for rounding, the largest component lies between the bounds.
+// The squared lengths for which `normalized` divides by the root without scaling. They are the squares of its bounds,
+// with room for three components and for rounding, so the largest component is between the bounds.
 template <class D>
 HWY_INLINE hn::Mask<D> needsNoScaling(D d, hn::Vec<D> square) {
     constexpr float kMost = kLargestUnscaled * kLargestUnscaled, kLeast = 4 / kMost;
     return hn::And(hn::Lt(square, hn::Set(d, kMost)), hn::Gt(square, hn::Set(d, kLeast)));
 }
 
-// The two settings of `arithmetic`, which kernels take as A.
+// The two settings of `arithmetic`; kernels take them as A.
 
-// Every sum and product rounded as the stage's own text rounds it, in its order: its bits.
+// Rounds every sum and product as the scalar stage does, in the same order, so the bits are the same.
 struct Exact {
     static constexpr bool kExact = true;
     HWY_INLINE static Floats mulAdd(Floats a, Floats b, Floats c) { return hn::Add(hn::Mul(a, b), c); }
@@ -32,7 +32,7 @@ struct Exact {
     HWY_INLINE static Floats dot(Floats3 a, Floats3 b) {
         return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
     }
-    // normalized, where mask says so; elsewhere any numbers.
+    // normalized, for the lanes in mask; arbitrary numbers in the others.
     HWY_INLINE static Floats3 unit(Floats3 a, Mask mask) {
         const Floats square = dot(a, a);
         const Floats length = hn::Sqrt(square);
@@ -42,7 +42,7 @@ struct Exact {
     }
 
 private:
-    // `out`, but where its numbers have to be scaled first.
+    // Replaces the lanes of `out` that need scaling first.
     HWY_NOINLINE static Floats3 scaledUnit(Floats3 a, Floats3 out, Mask rest) {
         HWY_ALIGN float x[16], y[16], z[16];
         hn::Store(hn::IfThenElse(rest, a.x, out.x), F(), x);
@@ -57,7 +57,7 @@ private:
     }
 };
 
-// Multiply and add in one operation where the processor has one, and estimates with a step of Newton's.
+// Uses fused multiply-add where the CPU has it, and estimates with one Newton step.
 struct Fast {
     static constexpr bool kExact = false;
     HWY_INLINE static Floats mulAdd(Floats a, Floats b, Floats c) { return hn::MulAdd(a, b, c); }
@@ -65,7 +65,7 @@ struct Fast {
     HWY_INLINE static Floats dot(Floats3 a, Floats3 b) {
         return hn::MulAdd(a.x, b.x, hn::MulAdd(a.y, b.y, hn::Mul(a.z, b.z)));
     }
-    // Within 2^-22; (0, 0, 0) stays.
+    // Within 2^-22; (0, 0, 0) stays (0, 0, 0).
     HWY_INLINE static Floats3 unit(Floats3 a, Mask) {
         const Floats square = dot(a, a);
         const Floats estimate = hn::ApproximateReciprocalSqrt(square);

@@ -8,7 +8,7 @@
 
 namespace pipeline {
 
-// Takes up triangles in order, and sorts them by tile in the end.
+// Collects triangles in order and sorts them by tile at the end.
 class Binner {
 public:
     Binner(const TrianglePieces& all, TrianglePiece& out)
@@ -28,7 +28,7 @@ public:
         m_last[tile] = std::uint32_t(m_runs.size());
         m_runs.push_back({tile, of});
     }
-    // [begin, end) of the fragments that stand side by side from `first` on. tile: of each of them.
+    // Adds the fragments [begin, end) of those that start at `first`. tile: the tile of each of them.
     void addFragments(std::size_t first, std::size_t begin, std::size_t end, const std::int32_t* tile,
                       bool areInOneTile) {
         while (begin < end) {
@@ -64,9 +64,9 @@ private:
         std::uint32_t tile;
         TriangleRun of;
     };
-    static constexpr TriangleRun kNoRun{~std::uint32_t(0), 0};  // that nothing goes on from
-    std::vector<Run> m_runs;                                    // behind kNoRun
-    std::vector<std::uint32_t> m_last;                          // per tile: its run that grows
+    static constexpr TriangleRun kNoRun{~std::uint32_t(0), 0};  // a run that nothing extends
+    std::vector<Run> m_runs;                                    // the first one is kNoRun
+    std::vector<std::uint32_t> m_last;                          // for each tile: its last run
 };
 
 }  // namespace pipeline

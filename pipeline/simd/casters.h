@@ -14,12 +14,12 @@
 HWY_BEFORE_NAMESPACE();
 namespace pipeline::HWY_NAMESPACE {
 
-// The lights as casters of shadows.
+// The lights that may cast shadows, with their biases.
 struct Casters {
-    std::vector<ShadowLight> lights;                 // per light
-    std::vector<PolygonBias> biases;                 // of those that have one for whole triangles
-    std::vector<std::optional<std::size_t>> biasOf;  // per light, which of them is its
-    bool facing = false;                             // whether others ask for the normals of planes
+    std::vector<ShadowLight> lights;                 // one for each light
+    std::vector<PolygonBias> biases;                 // of the lights whose bias is constant over triangles
+    std::vector<std::optional<std::size_t>> biasOf;  // for each light: its index in `biases`
+    bool facing = false;                             // whether the other lights need the normals of planes
 
     Casters(const ShadingInputs& inputs, const ShadingSources<float>& in) {
         for (std::size_t k = 0; k < inputs.lights.size(); ++k) {

@@ -17,16 +17,16 @@ HWY_BEFORE_NAMESPACE();
 namespace pipeline::HWY_NAMESPACE {
 namespace {
 
-// Of as many triangles as a vector holds: twice the signed areas, steps², below 0 where they run anticlockwise on the
-// screen; and which of them are in front of every plane and so small that these hold.
+// For one vector of triangles: twice the signed areas in steps², negative if counter-clockwise on the screen. isPlain:
+// the lanes in front of every plane that are small enough for these areas to be exact.
 struct SnappedAreas {
     Ints area2;
     hn::Mask<I> isPlain;
 
-    // triangleAt(l): the one in lane l.
+    // triangleAt(l): the triangle of lane l.
     template <class TriangleAt>
     HWY_INLINE SnappedAreas(const SnappedVertices& from, TriangleAt triangleAt) {
-        // Products of two sides stay below 2^30.
+        // Keeps products of two sides below 2^30.
         const Ints limit = hn::Set(I(), 1 << 15), zero = hn::Zero(I());
         Ints x[3], y[3], beside = zero;
         const SnappedVertex* const all = from.of.data();
@@ -45,7 +45,7 @@ struct SnappedAreas {
 
 }  // namespace
 
-// Of polygons that are all triangles.
+// For meshes of triangles only.
 void cullTriangles(const CullInputs& inputs, const TransformOutput<float>& in, std::size_t begin, std::size_t end,
                    CullOutput& out) {
     const I whole;
@@ -78,7 +78,7 @@ void cullTriangles(const CullInputs& inputs, const TransformOutput<float>& in, s
             hn::StoreU(hn::DemoteTo(bytes, values), bytes, static_cast<std::uint8_t*>(to));
         };
         put(found, &out.verdicts[base]), put(hn::Or(isBack, hn::Set(whole, CullMark::kInside)), &out.marks[base]);
-        // The stage's own text writes over what is not plain.
+        // The scalar stage overwrites the lanes that are not plain.
         for (std::uint32_t rest = bitsOf(hn::Not(asFloats(areas.isPlain))); rest != 0; rest &= rest - 1) {
             const std::size_t p = base + std::size_t(std::countr_zero(rest));
             cull(inputs, in, p, p + 1, out);
@@ -87,8 +87,8 @@ void cullTriangles(const CullInputs& inputs, const TransformOutput<float>& in, s
     cull(inputs, in, base, end, out);
 }
 
-// Of any polygons: what their triangles have is summed. As many triangles at a time as there is room for; a polygon of more
-// is left to the stage's own text.
+// For polygons of any kind: sums over their triangles, for as many triangles as there is room. The scalar stage does
+// polygons with more triangles.
 void cullSums(const CullInputs& inputs, const TransformOutput<float>& in, std::size_t begin, std::size_t end,
               CullOutput& out) {
     constexpr std::size_t kRoom = 256;
@@ -140,7 +140,7 @@ HWY_EXPORT(cullSums);
 void cullInVectors(const CullInputs& inputs, const TransformOutput<float>& in, std::size_t begin, std::size_t end,
                    CullOutput& out) {
     if (in.snapped.of.empty() || !in.transparent.empty()) return cull(inputs, in, begin, end, out);
-    // Where every polygon is a triangle, it is the one of its number.
+    // If every polygon is a triangle, both have the same index.
     if (in.topology->triangles.size() == in.topology->polygonCount())
         HWY_DYNAMIC_DISPATCH(cullTriangles)(inputs, in, begin, end, out);
     else

@@ -3,8 +3,8 @@
 
 namespace pipeline {
 
-// What cull does in float, several triangles at a time, with the same bits; polygons that are large or to be clipped one by
-// one.
+// Does what cull does in float, several triangles at a time, with the same bits. Polygons that are large or have to be
+// clipped are done one at a time.
 void cullInVectors(const CullInputs& inputs, const TransformOutput<float>& in, std::size_t begin, std::size_t end,
                    CullOutput& out);
 

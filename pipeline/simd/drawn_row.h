@@ -13,10 +13,10 @@
 HWY_BEFORE_NAMESPACE();
 namespace pipeline::HWY_NAMESPACE {
 
-// What the stage's own text has drawn, which keeps the weights, in the pixels of a row of blocks.
+// A row of blocks as the scalar stage has drawn it; that stage keeps the weights.
 struct DrawnRow {
     alignas(64) std::uint32_t triangle[kRowPixels];
-    Row weights[2];  // of corners 1 and 2
+    Row weights[2];  // of vertices 1 and 2
 
     // begin: the row's first pixel in the tile.
     void read(const ZBufferOutput<float>& z, Tile tile, std::size_t begin) {

@@ -14,49 +14,49 @@
 HWY_BEFORE_NAMESPACE();
 namespace pipeline::HWY_NAMESPACE {
 
-// Three edge functions. Each by its name: GCC keeps arrays of vectors in memory.
+// Three edge functions. Not an array, because GCC keeps arrays of vectors in memory.
 struct Edges {
     Ints e0, e1, e2;
 };
 HWY_INLINE Edges operator+(const Edges& a, const Edges& b) {
     return {hn::Add(a.e0, b.e0), hn::Add(a.e1, b.e1), hn::Add(a.e2, b.e2)};
 }
-// Below 0 where one of them is.
+// Negative where one of them is.
 HWY_INLINE Ints outsideOf(const Edges& e) { return hn::Or(e.e0, hn::Or(e.e1, e.e2)); }
 
-// Two of them where none of the three leaves a pixel outside, and Inside instead of what outsideOf finds.
+// Two edge functions, for blocks that are wholly inside; Inside takes the place of outsideOf.
 struct InnerEdges {
     Ints e1, e2;
 };
 struct Inside {};
 HWY_INLINE Inside outsideOf(const InnerEdges&) { return {}; }
 
-// How 16 blocks that are looked at together stand: 4 × 4, 8 × 2 or 16 × 1. Of the k-th, in which column and row.
+// The arrangement of 16 blocks that are tested together: 4 × 4, 8 × 2 or 16 × 1, with the column and row of block k.
 struct BlockGroup {
     explicit HWY_INLINE BlockGroup(int across) : widthBits(across <= 4 ? 2 : across <= 8 ? 3 : 4) {}
     int widthBits;
     int rows() const { return kBlockPixels >> widthBits; }
-    // Of those in a vector, from the `first` one on.
+    // For the blocks in a vector, from block `first` on.
     HWY_INLINE Ints column(int first) const {
         return hn::And(hn::Iota(I(), first), hn::Set(I(), (1 << widthBits) - 1));
     }
     HWY_INLINE Ints row(int first) const { return hn::ShiftRightSame(hn::Iota(I(), first), widthBits); }
 };
 
-// Calls visit(at, e, w) for the vectors of the blocks in a range of which no edge function leaves all outside. edges: those
-// of a triangle, below 0 where they leave a pixel outside; what they have more at the next pixel sums to 0. at: of the
-// vector's first pixel in the tile's blocks; e: the three functions at its pixels; w: of the plane, with kPlane.
-// In which blocks there are pixels inside is found first, with a block in each number of a vector, and then these are gone
-// through in one loop: where a row of blocks ends within a triangle nobody could guess, and every wrong guess takes as long
-// as drawing two blocks. N. Greene, "Hierarchical polygon tiling with coverage masks", SIGGRAPH 1996.
-// kLarge: those that are inside as a whole, of which small triangles have few, have a loop of their own, with InnerEdges.
+// Calls visit(at, e, w) for the vectors of all blocks in a range that the edge functions leave partly inside. edges:
+// those of a triangle, negative outside; their steps to the next pixel sum to 0. at: the vector's first pixel in the
+// tile's blocks; e: the edge functions at its pixels; w: the plane's, with kPlane. Blocks with pixels inside are found
+// first, one block in each lane, and then visited in one loop. A CPU cannot predict where a row of blocks ends in a
+// triangle, and a wrong prediction takes as long as drawing two blocks. N. Greene, "Hierarchical polygon tiling with
+// coverage masks", SIGGRAPH 1996. kLarge: blocks that are wholly inside, of which small triangles have few, get a loop
+// of their own with InnerEdges.
 template <bool kPlane, bool kLarge, class Visit>
 HWY_INLINE void forEachVector(const PixelFunction& edge0, const PixelFunction& edge1, const PixelFunction& edge2,
                               const PlaneInTile& plane, const BlockRange& range, Visit visit) {
     const int across = range.maxX - range.minX, down = range.maxY - range.minY;
     if (across <= 0 || down <= 0) return;
     using Wraps = std::uint32_t;
-    // Most, and least, in a block, more than at its first pixel: in a corner.
+    // The largest and the smallest offset from a block's first pixel; both are at a corner of the block.
     const auto most = [](const PixelFunction& edge) {
         const Wraps right = Wraps(std::max(edge.column, 0)), below = Wraps(std::max(edge.row, 0));
         return hn::Set(I(), std::int32_t((right + below) * Wraps(kBlock - 1)));
@@ -76,17 +76,17 @@ HWY_INLINE void forEachVector(const PixelFunction& edge0, const PixelFunction& e
     const BlockGroup group(across);
     const int rows = group.rows(), left = range.minX * kBlock, top = range.minY * kBlock;
     const std::uint32_t width = 1U << group.widthBits;
-    // Bits of the columns of the range in each row of a group.
+    // The columns of the range, as bits in each row of a group.
     const std::uint32_t columns = ((1U << across) - 1) * (rows == 4 ? 0x1111U : rows == 2 ? 0x101U : 1U);
     const std::int32_t first0 = edge0.atPixel(left, top), first1 = edge1.atPixel(left, top),
                        first2 = edge2.atPixel(left, top);
-    Edges within[kVectors];  // what the pixels of a block have more than its first one
+    Edges within[kVectors];  // difference to the block's first pixel, at each pixel of a block
     Floats planeWithin[kVectors];
     for (int v = 0; v < kVectors; ++v) {
         within[v] = more(columnOf(v * kLanes), rowOf(v * kLanes));
         planeWithin[v] = kPlane ? plane.within(columnOf(v * kLanes), rowOf(v * kLanes)) : hn::Zero(F());
     }
-    constexpr int kGroups = 4;  // whose bits a word holds
+    constexpr int kGroups = 4;  // bits of as many groups fit in a word
     HWY_ALIGN std::int32_t e0[kGroups * kBlockPixels], e1[kGroups * kBlockPixels], e2[kGroups * kBlockPixels];
     HWY_ALIGN float w[kGroups * kBlockPixels];
     for (int y = 0; y < down; y += kGroups * rows) {
@@ -136,8 +136,8 @@ HWY_INLINE void forEachVector(const PixelFunction& edge0, const PixelFunction& e
     }
 }
 
-// Calls visit(at, e, w) for the vectors of all blocks in a range: where there are few, to draw nothing in some takes no
-// longer than to find them.
+// Calls visit(at, e, w) for the vectors of all blocks in a range. For few blocks, drawing nothing in some of them takes
+// no longer than finding the others.
 template <class Visit>
 HWY_INLINE void forEachVectorOfAll(const SmallTriangle& t, Tile tile, const PlaneInTile& plane, const BlockRange& range,
                                    Visit visit) {
@@ -173,8 +173,8 @@ HWY_INLINE void forEachVectorOfAll(const SmallTriangle& t, Tile tile, const Plan
     }
 }
 
-// Calls visit(at, outside, w) for the vectors of the tile that a small triangle covers a part of; at: of its first pixel in
-// the blocks, outside: below 0 where a pixel is.
+// Calls visit(at, outside, w) for the vectors of the tile that a small triangle touches. at: the first pixel in the
+// blocks; outside: negative where a pixel is outside.
 template <class Visit>
 HWY_INLINE void forEachVector(const SmallTriangle& t, Tile tile, Visit visit) {
     const glm::ivec2 low(t.x, t.y), high = low + glm::ivec2(t.width, t.height), from = tile.min - low;
@@ -196,7 +196,7 @@ HWY_INLINE void forEachVector(const SmallTriangle& t, Tile tile, Visit visit) {
     forEachVector<true, false>(edge0, edge1, edge2, plane, range, visitEdges);
 }
 
-// And of one of up to some thousands of pixels; outside: Inside where none is.
+// The same for a triangle of up to some thousands of pixels. outside: Inside if no lane is outside.
 template <class Visit>
 HWY_INLINE void forEachVector(const MiddleEdges& middle, const RasterTriangle<float>& t, Tile tile, Visit visit) {
     const PixelFunction &edge0 = middle.edge(0), &edge1 = middle.edge(1), &edge2 = middle.edge(2);
@@ -213,7 +213,7 @@ HWY_INLINE void forEachVector(const MiddleEdges& middle, const RasterTriangle<fl
     });
 }
 
-// And of any other whose edge functions double holds.
+// The same for any other triangle whose edge functions double holds.
 template <class Visit>
 HWY_INLINE void forEachVector(const LargeEdges& large, const RasterTriangle<float>& t, Tile tile, Visit visit) {
     const Distances distances(t.w[0], t.w[1], t.w[2]);

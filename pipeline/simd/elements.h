@@ -13,7 +13,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace pipeline::HWY_NAMESPACE {
 
-// Two vectors of three numbers each, side by side in an array: the first of them, or the second.
+// The first or the second 3-vector of each pair in an array.
 template <class Pair>
 HWY_INLINE Floats3 gatherOf(const std::vector<Pair>& values, Ints index, int which) {
     static_assert(sizeof(Pair) == 6 * sizeof(float));
@@ -24,9 +24,10 @@ HWY_INLINE Floats3 gatherOf(const std::vector<Pair>& values, Ints index, int whi
             hn::GatherIndex(F(), base, hn::Add(at, hn::Add(one, one)))};
 }
 
-// Of each pixel of a row of blocks, where its polygon, or the corners of its triangle, stand in ShadingOutput::Elements.
+// For each pixel of a row of blocks: the index of its polygon, or of its triangle's vertices, in
+// ShadingOutput::Elements.
 struct ElementRow {
-    alignas(64) std::int32_t places[3][kRowPixels];  // of flat shading the first alone
+    alignas(64) std::int32_t places[3][kRowPixels];  // flat shading uses the first only
 };
 
 // places: Elements::places. i: the first pixel of a vector.
@@ -45,7 +46,7 @@ HWY_INLINE void findElements(const ShadingInputs& inputs, const ShadingSources<f
         put(hn::GatherIndex(I(), words, hn::Add(first, hn::Set(I(), corner))), corner);
 }
 
-// The terms of a vector's pixels.
+// The terms of the pixels of a vector.
 template <class A>
 struct Elements {
     bool flat;
@@ -56,7 +57,7 @@ struct Elements {
         of[0] = hn::Load(I(), row.places[0] + i);
         for (int corner = 1; corner < 3; ++corner) of[corner] = flat ? of[0] : hn::Load(I(), row.places[corner] + i);
     }
-    // By differences, so that equal values stay what they are.
+    // Interpolates by differences, so that equal values stay exactly equal.
     template <class Pair>
     HWY_INLINE Floats3 difference(const std::vector<Pair>& values, int which) const {
         const Floats3 first = gatherOf(values, of[0], which);

@@ -8,24 +8,24 @@
 
 namespace pipeline {
 
-// For a loop over an array that comes to `count` of its elements now: has on their way those that it comes to half a page
-// later. By itself a processor fetches ahead to the end of a page and no farther.
+// For a loop that is at element `count` of an array: prefetches the elements half a page ahead. The CPU itself
+// prefetches only to the end of a page.
 template <class T>
 HWY_INLINE void fetchAhead(const T* now, std::size_t count) {
     constexpr std::size_t kAhead = 2048, kLine = 64;
     const auto first = reinterpret_cast<std::uintptr_t>(now) + kAhead;
     for (std::size_t i = 0; i < count * sizeof(T); i += kLine) {
-        // Nothing is read, and it may lie behind the array's end, where no sum of pointers may point.
+        // Nothing is read, and the address may be behind the array's end, where pointer arithmetic is not allowed.
         // NOLINTNEXTLINE(performance-no-int-to-ptr)
         hwy::Prefetch(reinterpret_cast<const void*>(first + i));
     }
 }
 
-// While the triangles of a tile are drawn, the blocks of the next tile are on their way, where a buffer is larger than the
-// caches next to the processor.
+// Prefetches the blocks of the next tile while the triangles of a tile are drawn, if a buffer is larger than the inner
+// caches.
 class BlocksAhead {
 public:
-    // names: null where nobody asks.
+    // names: null if not requested.
     static BlocksAhead from(std::size_t tile, const BlockBuffer2D<float>& z,
                             const BlockBuffer2D<std::uint32_t>* names) {
         constexpr std::size_t kFew = (std::size_t{2} << 20) / sizeof(Block<float>);  // 2 MB

@@ -16,16 +16,16 @@ namespace pipeline::HWY_NAMESPACE {
 
 HWY_INLINE long long countOf(Mask mask) { return static_cast<long long>(hn::CountTrue(F(), mask)); }
 
-// q of a pixel without a highlight; else q is 1 - R·V or 1 - N·H, at most 2.
+// The q of a pixel without a highlight; otherwise q is 1 - R·V or 1 - N·H, at most 2.
 inline constexpr float kNoHighlight = 4;
 
 struct HighlightCounts {
-    long long there = 0, vanished = 0;  // of these, too small to count
+    long long there = 0, vanished = 0;  // of `there`: too small to count
 };
 
-// The powers of highlights, and the logarithms that they come from where `logs` is not null: Incidence::kNoHighlight
-// where there is none. Only where a vector has one that is asked for. vanishesFrom: the exponent times q above which a
-// power is too small to count.
+// Computes the powers of highlights, and their logarithms if `logs` is not null (Incidence::kNoHighlight where there is
+// no highlight). Only for vectors with a lane in `asked`. vanishesFrom: exponent times q above which a power is too
+// small to count.
 template <class A>
 HWY_INLINE HighlightCounts raiseHighlights(const Group& group, float exponent, float vanishesFrom, const Row& qs,
                                            Row& powers, Row* logs) {
@@ -42,7 +42,7 @@ HWY_INLINE HighlightCounts raiseHighlights(const Group& group, float exponent, f
         if (mayVanish) {
             const Mask vanishes = hn::And(there, hn::Gt(hn::Mul(power, q), all(vanishesFrom)));
             counts.vanished += countOf(vanishes);
-            if (!logs) asked = hn::AndNot(vanishes, asked);  // another exponent may not make them vanish
+            if (!logs) asked = hn::AndNot(vanishes, asked);  // with another exponent they may not vanish
         }
         if (const std::uint32_t bits = bitsOf(asked); bits != 0) {
             asking.add(i, bits);
@@ -51,7 +51,7 @@ HWY_INLINE HighlightCounts raiseHighlights(const Group& group, float exponent, f
             if (logs) store(none, *logs, i);
         }
     }
-    // Two at a time: one is a long chain of operations, each of which waits for the one before.
+    // Two vectors at a time, because each is a long chain of dependent operations.
     for (std::size_t n = 0; n < asking.count; n += 2) {
         const std::size_t next = std::min(n + 1, asking.count - 1), i = asking.at[n], j = asking.at[next];
         const Mask asked = asking.mask(n), askedNext = asking.mask(next);

@@ -15,12 +15,12 @@
 HWY_BEFORE_NAMESPACE();
 namespace pipeline::HWY_NAMESPACE {
 
-// Takes down the incidence in a tile while it is shaded.
+// Records the incidence of a tile while the tile is shaded.
 class IncidenceKeeper {
 public:
     explicit IncidenceKeeper(std::size_t lights) : m_lights(lights) {}
 
-    // The pixels of one object in a row of blocks.
+    // Adds the pixels of one object in a row of blocks.
     void add(const Group& group, SpecularForm highlight) {
         std::vector<Incidence::Piece>& pieces = m_kept->pieces;
         m_first = pieces.size();
@@ -32,7 +32,7 @@ public:
         }
         m_kept->lights.resize(pieces.size() * m_lights);
     }
-    // Light k on them. Its log and S are null where it has no highlight and no shadow.
+    // Adds light k for these pixels. log is null without a highlight, S without a shadow.
     void addLight(const Group& group, std::size_t k, const Row& nDotL, const Row* log, const Row* S) {
         std::size_t piece = m_first;
         for (std::size_t n = 0; n < group.count; ++n) {
@@ -42,18 +42,18 @@ public:
             const Mask mask = group.mask(n);
             const Floats cosine = load(nDotL, i), none = all(Incidence::kNoHighlight);
             const Mask lit = hn::And(mask, hn::Gt(cosine, all(0)));
-            if (hn::AllFalse(F(), lit)) continue;  // nor is there a highlight, and S is multiplied with nothing
+            if (hn::AllFalse(F(), lit)) continue;  // no highlight either, and nothing to multiply S with
             put(cosine, to.nDotL, 0, pixel);
             if (const Floats of = log ? load(*log, i) : none; !hn::AllFalse(F(), hn::And(mask, hn::Lt(of, none))))
                 put(of, to.log, Incidence::kNoHighlight, pixel);
-            // Where there is nothing to multiply, whatever the material, it need not be known.
+            // S does not matter where the terms are 0 with any material.
             if (const Floats of = S ? hn::IfThenElse(lit, load(*S, i), all(1)) : all(1);
                 !hn::AllTrue(F(), hn::Eq(of, all(1))))
                 put(of, to.S, 1, pixel);
         }
     }
     void endRow(std::size_t y) { m_kept->first[y + 1] = std::uint32_t(m_kept->pieces.size()); }
-    // Nothing where it is too many pieces to be worth their memory.
+    // Null if there are too many pieces to be worth the memory.
     std::shared_ptr<const Incidence> whole() {
         if (m_kept->pieces.size() > kMostPieces) return {};
         m_kept->pieces.shrink_to_fit(), m_kept->lights.shrink_to_fit(), m_kept->numbers.shrink_to_fit();
@@ -61,7 +61,7 @@ public:
     }
 
 private:
-    // Numbers of some pixels of a block, where the others have `same`, unless they are there already.
+    // Stores a vector of numbers of a block, from `pixel` on. The first one makes room, with `same` at the other pixels.
     HWY_INLINE void put(Floats of, std::uint32_t& place, float same, std::size_t pixel) {
         if (place == Incidence::kSame) {
             place = std::uint32_t(m_kept->numbers.size());

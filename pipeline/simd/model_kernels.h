@@ -7,11 +7,11 @@
 
 namespace pipeline {
 
-// The models that shadePixelsInVectors evaluates at pixels: Phong's and Blinn's terms alone are written in vectors. Of any
-// model it gathers what polygons or vertices have.
+// The models that shadePixelsInVectors evaluates at pixels: only Phong's and Blinn's terms have SIMD code. For every
+// model it can gather the terms of polygons or vertices.
 inline constexpr std::array kKernelModels{Model::Phong, Model::BlinnPhong};
 
-// Why pixels are not evaluated in vectors; empty where they are.
+// The reason if pixels are not evaluated with SIMD; empty if they are.
 inline std::string whyNoKernel(Model model) {
     if (std::ranges::find(kKernelModels, model) != kKernelModels.end()) return {};
     return "In " + std::string(modelFacts(model).name) + " it shades by polygon or by vertex alone.";

@@ -48,8 +48,8 @@ void triangleNormals(const NormalsInputs& inputs, const TransformOutput<float>& 
     polygonNormals(inputs, in, base, end, out);
 }
 
-// Of polygons of which some are no triangles, as many at a time as a vector holds; those of many corners are left to the
-// stage's own text, for the others would wait for them.
+// For meshes that are not all triangles: one polygon in each lane. Polygons with many vertices are left to the scalar
+// stage, because the other lanes would wait for them.
 void polygonSums(const NormalsInputs& inputs, const TransformOutput<float>& in, std::size_t begin, std::size_t end,
                  NormalsOutput<float>& out) {
     constexpr std::size_t kMostCorners = 8;
@@ -70,7 +70,7 @@ void polygonSums(const NormalsInputs& inputs, const TransformOutput<float>& in, 
             continue;
         }
         const Ints count = hn::Load(I(), counts);
-        // Of corner i; where a polygon has no more, its last.
+        // Vertex i of each polygon, or its last one if it has fewer.
         const auto corner = [&](std::size_t i) HWY_ATTR {
             return loadThrees(in.world, [&](std::size_t l) { return corners[l][std::min(i, corners[l].size() - 1)]; });
         };
@@ -108,7 +108,7 @@ void unitSums(const NormalsInputs& inputs, const TransformOutput<float>& in, std
     unitVertexNormals(inputs, in, object, i, end, out);
 }
 
-// What the mesh gives, in double. given: it, in float or in double.
+// The mesh's own numbers in double. given: these numbers, in float or in double.
 template <class T>
 HWY_INLINE void unitGivenIn(std::span<const Vec3<T>> given, const NormalsInputs& inputs,
                             const TransformOutput<float>& in, std::size_t object, std::size_t begin, std::size_t end,

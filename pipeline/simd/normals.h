@@ -3,12 +3,12 @@
 
 namespace pipeline {
 
-// What polygonNormals does in float, several triangles at a time, with the same bits; every other form of Newell's
-// normal, and polygons that are no triangles, one by one.
+// Does what polygonNormals does in float, several triangles at a time, with the same bits. Other forms of Newell's
+// normal, and polygons that are no triangles, are done one at a time.
 void polygonNormalsInVectors(const NormalsInputs& inputs, const TransformOutput<float>& in, std::size_t begin,
                              std::size_t end, NormalsOutput<float>& out);
 
-// And unitVertexNormals.
+// The same for unitVertexNormals.
 void unitVertexNormalsInVectors(const NormalsInputs& inputs, const TransformOutput<float>& in, std::size_t object,
                                 std::size_t begin, std::size_t end, NormalsOutput<float>& out);
 

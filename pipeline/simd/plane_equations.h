@@ -12,18 +12,19 @@
 HWY_BEFORE_NAMESPACE();
 namespace pipeline::HWY_NAMESPACE {
 
-// The PlaneEquation of as many triangles as a vector holds.
+// The PlaneEquation of each lane's triangle.
 struct PlanesInVectors {
     Floats first, column, row;
 };
 
-// What planeEquation finds in double, in its order: of a grid of steps every number is that of its units times a power of 2.
+// Computes planeEquation in double, in the same order. In grid steps every number is that of planeEquation times a
+// power of 2.
 template <class D>
 struct PlanesInDouble {
     using V = hn::Vec<D>;
-    V first, column, row;  // column, row: of a step
+    V first, column, row;  // column, row: for one grid step
 
-    // x, y, w: of the corners, in order. atX, atY: the centre of the planes' first pixels, steps.
+    // x, y, w: of the vertices, in order. atX, atY: the centre of the planes' first pixels, in steps.
     template <class H, class HF>
     HWY_INLINE PlanesInDouble(const H (&x)[3], const H (&y)[3], const HF (&w)[3], H area, H atX, H atY) {
         const D d;
@@ -38,8 +39,8 @@ struct PlanesInDouble {
     }
 };
 
-// area: above 0. from: the planes' first pixels; side: of the triangles' boxes, steps. holds: of which triangles it does;
-// of tiny ones anything.
+// area: positive. from: the planes' first pixels; side: of the triangles' boxes, in steps. holds: the lanes whose plane
+// is accurate enough; arbitrary for tiny triangles.
 HWY_INLINE PlanesInVectors planesOf(const SnappedCorners& corners, Ints area, Ints fromX, Ints fromY, Ints sideX,
                                     Ints sideY, int bits, bool perspective, Mask& holds) {
     const Ints(&x)[3] = corners.x, (&y)[3] = corners.y;

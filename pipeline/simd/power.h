@@ -12,7 +12,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace pipeline::HWY_NAMESPACE {
 
-// pipeline/core/power.h, many numbers at a time.
+// The functions of pipeline/core/power.h with SIMD.
 
 template <class A, std::size_t kCount>
 HWY_INLINE Floats polynomial(const std::array<float, kCount>& c, Floats x) {
@@ -45,7 +45,7 @@ HWY_INLINE Floats expOfNegative(Floats y) {
         normal, hn::BitCast(F(), hn::Add(hn::BitCast(I(), power), hn::ShiftLeft<23>(hn::BitCast(I(), above)))));
 }
 
-// |a - b|²/2 = 1 - a·b, of unit vectors.
+// |a - b|²/2 = 1 - a·b, for unit vectors.
 template <class A>
 HWY_INLINE Floats halfSquare(Floats3 a, Floats3 b) {
     const Floats3 difference = a - b;

@@ -18,7 +18,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace pipeline::HWY_NAMESPACE {
 
-// Numbers of the pixels in `mask` into a buffer: of the vector at `at` of the tile whose first pixel is `origin`.
+// Writes the lanes in `mask` to a buffer. at: the vector's first pixel in the tile's blocks; origin: the tile's first
+// pixel.
 HWY_INLINE void putPixels(Floats3 v, Mask mask, std::size_t at, glm::ivec2 origin, Buffer2D<Vec3<float>>& out) {
     if (hn::AllTrue(F(), mask)) {
         constexpr std::size_t kRow = std::min<std::size_t>(kBlock, HWY_LANES(float) < kBlock ? 1 : kBlock);
@@ -44,23 +45,24 @@ HWY_INLINE void putPixels(Floats value, Mask mask, std::size_t at, glm::ivec2 or
     }
 }
 
-// A row of blocks of the frame buffer, to be written from left to right.
+// Writes a row of blocks to the frame buffer, from left to right.
 class ColorRows {
 public:
-    // y: the first row's, in the tile.
+    // y: the first of its rows of pixels, in the tile.
     HWY_INLINE ColorRows(Tile tile, int y, Buffer2D<Color8>& out)
         : m_first(&out.at(tile.min + glm::ivec2(0, y)).r),
           m_stride(std::size_t(out.size.x) * sizeof(Color8)),
           m_size(tile.max - tile.min - glm::ivec2(0, y)),
           m_next(m_size.x - 2 * kBlock + 1) {}
-    // Channels in the lowest bytes of each, of the vector at `at` of the row of blocks. The highest byte is 0.
+    // Each lane has the channels in its lowest bytes and 0 in the highest. at: the vector's first pixel in the row of
+    // blocks.
     HWY_INLINE void put(Ints colors, std::size_t at) {
         const int column = int(at / kBlockPixels) * kBlock + int(at % kBlock), row = int(at % kBlockPixels) / kBlock;
 #if HWY_TARGET == HWY_SCALAR
         const std::int32_t color = hn::GetLane(colors);
         if (column < m_size.x && row < m_size.y) std::memcpy(place(column, row), &color, sizeof(Color8));
 #else
-        // Rows of 4 pixels, of whose 4 bytes each 3 are kept, and 0 where the next block begins, which is put later.
+        // Rows of 4 pixels: 3 of the 4 bytes of each are kept. The rest is 0 and is overwritten by the next block.
         constexpr hn::Repartition<std::uint8_t, I> bytes;
         alignas(16) static constexpr std::uint8_t kKept[16]{0, 1, 2, 4, 5, 6, 8, 9, 10, 12, 13, 14, 3, 7, 11, 15};
         const auto packed = hn::TableLookupBytes(hn::BitCast(bytes, colors), hn::LoadDup128(bytes, kKept));
@@ -69,7 +71,7 @@ public:
             putRows(packed, place(column, row), [](auto bytes, std::uint8_t* to) HWY_ATTR {
                 hn::StoreU(bytes, hn::DFromV<decltype(bytes)>(), to);
             });
-        } else if (column + kBlock <= m_size.x && m_size.y >= kBlock) {  // beyond the tile others write
+        } else if (column + kBlock <= m_size.x && m_size.y >= kBlock) {  // other threads write beyond the tile
             putRows(packed, place(column, row), [](auto bytes, std::uint8_t* to) HWY_ATTR {
                 const hn::Repartition<std::uint64_t, hn::DFromV<decltype(bytes)>> eights;
                 const hn::Repartition<std::uint32_t, hn::DFromV<decltype(bytes)>> fours;
@@ -89,7 +91,7 @@ public:
 
 private:
 #if HWY_TARGET != HWY_SCALAR  // whose vectors have no halves
-    // Calls put(row, to) for row after row of 16 bytes.
+    // Calls put(row, to) for each row, of 16 bytes.
     template <class V, class Put>
     HWY_INLINE void putRows(V rows, std::uint8_t* to, Put put) {
         constexpr hn::DFromV<V> d;
@@ -109,11 +111,11 @@ private:
     std::uint8_t* m_first;
     std::size_t m_stride;
     glm::ivec2 m_size;  // pixels from the row's first one to the tile's end
-    int m_next;         // column from which on no whole block follows
+    int m_next;         // first column that no whole block follows
 };
 
-// frameBufferValue of channels. In exact arithmetic its bits: what it rounds is estimated in float first, and computed
-// in double where the estimate is too near to a step for its error.
+// frameBufferValue for channels. In exact arithmetic it has the same bits: it estimates in float first, and computes in
+// double if the estimate is too near to a rounding step.
 class ToBytes {
 public:
     explicit ToBytes(double iMax) : m_iMax(iMax), m_factor(iMax > 0 ? float(255 / iMax) : 0) {
@@ -136,7 +138,8 @@ public:
 
 private:
     static constexpr int kFraction = 15;  // bits
-    // 255 times the share, half a step and two last places: 8 bits in front of kFraction, and others above.
+    // 255 times the intensity's fraction of I_max, plus half a step and two last places, in fixed point: 8 bits above
+    // kFraction.
     HWY_INLINE Ints fixed(Floats intensity) const {
         constexpr float kLastPlace = 1.0F / (1 << kFraction);
         constexpr float kFixed = 1 << (23 - kFraction);  // sums are below 2^(24 - kFraction)
@@ -144,8 +147,8 @@ private:
         const Floats clamped = hn::Min(hn::Max(value, all(0)), all(255));
         return hn::BitCast(I(), hn::Add(clamped, all(kFixed + 0.5F + 2 * kLastPlace)));
     }
-    // 0 within two last places of a step. Two roundings of the share, 255 × 2^-23, are less than one of them, and that of
-    // the sum is half of one.
+    // 0 if the value is within two last places of a step. Two roundings of the fraction, 255 × 2^-23, are less than one
+    // of these places, and the rounding of the sum is half of one.
     HWY_INLINE static Ints restOf(Ints value) { return hn::And(value, hn::Set(I(), (1 << kFraction) - 4)); }
     HWY_NOINLINE Ints inDouble(Floats intensity) const {
 #if HWY_TARGET == HWY_SCALAR
@@ -169,8 +172,8 @@ private:
     bool m_estimates;
 };
 
-// Row y of a tile's blocks into the frame buffer, and the intensity where that is kept. blocks: bit i: of block i, the
-// others see nothing, and whatever numbers stand there, their pixels are 0. pixelsAt(i): likewise, the pixels of vector i.
+// Writes row y of a tile's blocks to the frame buffer, and the intensity if it is kept. blocks: bit i is set if block i
+// shows something; the pixels of other blocks are 0. pixelsAt(i): the lanes of vector i that show something.
 template <class A, class PixelsAt>
 HWY_INLINE void putRow(const Row3& intensity, std::uint32_t blocks, PixelsAt pixelsAt, const ToBytes& bytes, Tile tile,
                        int y, ShadingOutput<float>& out) {

@@ -16,7 +16,7 @@ HWY_BEFORE_NAMESPACE();
 namespace pipeline::HWY_NAMESPACE {
 namespace {
 
-// The pixels of a tile, row of blocks after row of blocks.
+// Lights the pixels of a tile again, one row of blocks at a time.
 template <class A>
 class TileRelighter {
 public:
@@ -48,11 +48,11 @@ public:
     }
 
 private:
-    // Of the pixels of a block from the first on.
+    // For the pixels of a block from `first` on.
     HWY_INLINE Floats numbers(std::uint32_t place, std::size_t first, float same) const {
         return place == Incidence::kSame ? all(same) : hn::Load(F(), m_kept.numbers[place].of + first);
     }
-    // isShared: another piece of the block is there already.
+    // isShared: another piece of the same block has been done before.
     HWY_INLINE bool relightPiece(std::size_t number, bool isShared, Row3& intensity) {
         const Incidence::Piece& piece = m_kept.pieces[number];
         const Look& look = m_looks[piece.object];
@@ -67,12 +67,12 @@ private:
             Floats3 sum = base;
             for (const std::size_t k : m_lights) {
                 const Reflected& reflected = look.lights[k];
-                // As TileShader has it: the same operations in the same order.
+                // The operations of TileShader, in the same order.
                 const Incidence::Light& light = lights[k];
                 if (look.isFinite && light.nDotL == Incidence::kSame) continue;
                 const Floats nDotL = numbers(light.nDotL, first, 0);
                 const Mask lit = hn::And(mask, hn::Gt(nDotL, all(0)));
-                if (look.isFinite && hn::AllFalse(F(), lit)) continue;  // terms of 0
+                if (look.isFinite && hn::AllFalse(F(), lit)) continue;  // the terms are 0
                 Floats3 diffuse = where(lit, scaled(all(reflected.diffuse), nDotL)), specular = none;
                 const auto shine = [&] HWY_ATTR {
                     if (look.isFinite && light.log == Incidence::kSame) return false;
@@ -85,7 +85,7 @@ private:
                     m_powers += static_cast<long long>(hn::CountTrue(F(), there));
                     return true;
                 };
-                // A sum is never -0, whatever its terms are, for the base is not: terms of 0 need not be added.
+                // A sum is never -0, because the base is not, so terms of 0 need not be added.
                 if (HWY_LIKELY(light.S == Incidence::kSame)) {
                     sum = sum + diffuse;
                     if (shines && shine()) sum = sum + specular;
@@ -115,7 +115,7 @@ private:
     const Incidence& m_kept;
     float m_vanishesFrom;               // -log of a power
     std::vector<std::size_t> m_lights;  // those that shine
-    std::vector<Vec3<float>> m_bases;   // per object: what is there without any
+    std::vector<Vec3<float>> m_bases;   // for each object: its intensity without any light
     long long m_relit = 0, m_powers = 0;
 };
 

@@ -5,10 +5,10 @@
 
 namespace pipeline {
 
-// Stage 6 again in a tile whose light has been kept, in the processor's vectors: what shadePixelsInVectors leaves, bit by
-// bit, for inputs that differ from those it was kept with in nothing but what it is multiplied with. looks: of these
-// inputs, per object. False where what was kept does not suffice: a material has a highlight of another form, or terms
-// that were 0 where it looked no shadow up. Then the tile has to be shaded.
+// Runs stage 6 again in a tile with kept light, with SIMD. The inputs may differ from those of the kept light only in
+// the factors of materials and lights. Then the output has the bits of shadePixelsInVectors. looks: of the new inputs,
+// for each object. Returns false if the kept data does not suffice, and the tile has to be shaded: a material's
+// highlight has another form, or terms were 0 before and so no shadow was looked up.
 bool relightInVectors(const ShadingInputs& inputs, std::span<const Look> looks, const Incidence& kept, Tile tile,
                       ShadingOutput<float>& out, ShadingCounts& counts);
 

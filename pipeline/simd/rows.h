@@ -16,8 +16,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace pipeline::HWY_NAMESPACE {
 
-// Numbers of the pixels of a row of blocks. What shading computes goes from row to row in short loops, which keep what
-// they work on in registers and find what others left in the nearest cache.
+// Numbers of the pixels of a row of blocks. Shading works in short loops over a row. Each loop keeps its data in
+// registers and finds the results of earlier loops in the nearest cache.
 constexpr std::size_t kRowPixels = std::size_t(kBlocksAcross) * kBlockPixels;
 constexpr std::size_t kRowVectors = kRowPixels / std::min<std::size_t>(16, HWY_LANES(float));
 struct Row {
@@ -36,10 +36,10 @@ HWY_INLINE Floats3 choose(Mask mask, Floats3 yes, Floats3 no) {
     return {hn::IfThenElse(mask, yes.x, no.x), hn::IfThenElse(mask, yes.y, no.y), hn::IfThenElse(mask, yes.z, no.z)};
 }
 
-// Vectors of a row, and which of their pixels: as bits, for GCC aligns no memory that a container asks for to vectors
-// wider than those it compiles for by default.
+// Vectors of a row with a mask of lanes for each. The masks are bits, because GCC does not align containers for vectors
+// wider than its default.
 struct Group {
-    std::size_t object = 0, count = 0;  // object: that all of the pixels are of, where that makes a difference
+    std::size_t object = 0, count = 0;  // object: that of all its pixels, if objects are told apart
     std::size_t at[kRowVectors];
     std::uint32_t bits[kRowVectors];
     void add(std::size_t i, std::uint32_t pixels) { at[count] = i, bits[count++] = pixels; }

@@ -14,12 +14,12 @@
 HWY_BEFORE_NAMESPACE();
 namespace pipeline::HWY_NAMESPACE {
 
-// A face of a light, in float, and what was drawn there.
+// A face of a light in float, with its shadow buffer.
 struct LightFace {
     Vec3<float> eye, right, up, forward;
-    Vec2<float> step, centre, width;  // columns and rows a unit; the buffer's middle, texels; units a texel
+    Vec2<float> step, centre, width;  // columns and rows per unit; middle of the buffer, texels; units per texel
     bool perspective;
-    float rounding;  // of LightView
+    float rounding;  // as in LightView
     const BlockBuffer2D<float>* depth;
 
     LightFace(const LightView<float>& light, std::size_t number)
@@ -35,13 +35,13 @@ struct LightFace {
           perspective(view.perspective),
           rounding(rounds),
           depth(&blocks) {
-        // The faces of a cube look along the axes of the world, and points are seen along these: right and up run along
-        // the other two, in their order, forwards or backwards.
+        // The faces of a cube look along the axes of the world, and points are seen along these. Right and up are the
+        // other two axes in their order, forwards or backwards.
         if (!perspective) return;
         if (right.x + right.y + right.z < 0) step.x = -step.x;
         if (up.x + up.y + up.z < 0) step.y = -step.y;
     }
-    float last() const { return float(depth->size.x - 1); }  // column or row
+    float last() const { return float(depth->size.x - 1); }  // last column or row
 
     template <class A>
     HWY_INLINE Floats3 along(Floats3 v) const {
@@ -49,28 +49,28 @@ struct LightFace {
     }
 };
 
-// How far z' may differ from what a texel holds: δ of shadowTest, of polygons with this normal along the face's axes.
+// How much z' can differ from a texel's depth: δ of shadowTest, for polygons with this normal in the face's axes.
 template <class A>
 HWY_INLINE Floats texelSlope(const LightFace& face, const ShadowSettings& settings, Floats3 normal) {
     const float texels = float(settings.filter) + 0.5F + 1.0F / 128;
     return hn::Mul(all(texels),
                    A::mulAdd(hn::Abs(normal.x), all(face.width.x), hn::Mul(hn::Abs(normal.y), all(face.width.y))));
 }
-// The bias that a slope gives, which is not constant.
+// The bias for a slope, if it is not constant.
 HWY_INLINE Floats biasOf(const LightFace& face, const ShadowSettings& settings, Floats slope) {
     if (settings.bias == ShadowBias::Slope) slope = hn::Mul(all(float(settings.biasValue)), slope);
     return hn::Add(slope, all(face.rounding));
 }
 
-// Of a light at infinity that shines from one place, the bias of whole polygons: it depends on their normals alone.
+// For a light at infinity with one sample: the bias of whole polygons, which depends only on their normals.
 struct PolygonBias {
     static constexpr float kTurnedAway = -std::numeric_limits<float>::infinity();
     const ShadowSettings& settings;
-    Vec3<float> source;     // the direction towards it
-    const LightFace* face;  // null where nothing was drawn
+    Vec3<float> source;     // direction towards the light
+    const LightFace* face;  // null if nothing was drawn
 
     HWY_INLINE static Mask turnsAway(Floats bias) { return hn::Eq(bias, all(kTurnedAway)); }
-    // kTurnedAway of those that do not face the light.
+    // kTurnedAway for polygons that do not face the light.
     template <class A>
     HWY_INLINE Floats of(Floats3 normal) const {
         Floats bias = all(float(settings.biasValue));

@@ -16,18 +16,18 @@ namespace pipeline::HWY_NAMESPACE {
 
 HWY_INLINE Ints pick(Mask mask, Ints yes, Ints no) { return hn::IfThenElse(hn::RebindMask(I(), mask), yes, no); }
 
-// An edge function, in steps² of the grid: a more at the next column of pixels, b at the next row, c at some pixel.
+// An edge function in steps² of the grid: c at some pixel, a and b the steps to the next column and row.
 struct EdgeInVectors {
     Ints a, b, c;
-    Ints bias;  // 0 where the edge owns the samples on it, else 1
+    Ints bias;  // 0 if the edge owns the samples on it, else 1
 };
 
-// The corners of as many triangles as a vector holds.
+// The snapped vertices of each lane's triangle.
 struct SnappedCorners {
-    Ints x[3], y[3], planes[3];  // of SnappedVertex
+    Ints x[3], y[3], planes[3];  // as in SnappedVertex
     Floats w[3];
 
-    // vertexOf(l, i): corner i of the triangle in lane l.
+    // vertexOf(l, i): vertex i of the triangle in lane l.
     template <class VertexOf>
     HWY_INLINE SnappedCorners(const SnappedVertices& from, VertexOf vertexOf) {
         const auto at = [&](std::size_t vertex) {
@@ -39,13 +39,13 @@ struct SnappedCorners {
             x[i] = corner.of[0], y[i] = corner.of[1], w[i] = hn::BitCast(F(), corner.of[2]), planes[i] = corner.of[3];
         }
     }
-    // Twice their areas, steps²; above 0 where they run clockwise on the screen.
+    // Twice their areas in steps²; positive if clockwise on the screen.
     HWY_INLINE Ints area2() const {
         return hn::Sub(hn::Mul(hn::Sub(x[1], x[0]), hn::Sub(y[2], y[0])),
                        hn::Mul(hn::Sub(y[1], y[0]), hn::Sub(x[2], x[0])));
     }
-    // Puts corners into the order of RasterTriangle: clockwise, the first of those that are farthest before the others.
-    // turned: which of them run anticlockwise.
+    // Orders the vertices as in RasterTriangle: clockwise, and the farthest first (of equal ones the first). turned:
+    // the lanes that are anticlockwise.
     HWY_INLINE void putInOrder(Mask turned) {
         const auto turn = [&](auto& values, auto choose) HWY_ATTR {
             const auto one = values[1];
@@ -65,7 +65,7 @@ struct SnappedCorners {
         };
         rotate(x, choose), rotate(y, choose), rotate(w, chooseFloats);
     }
-    // The edge function of an edge, c at a place. bits: of the grid.
+    // The edge function of an edge, with c at a position. bits: of the grid.
     HWY_INLINE EdgeInVectors edge(int from, int to, int bits, Ints atX, Ints atY) const {
         const Ints dx = hn::Sub(x[to], x[from]), dy = hn::Sub(y[to], y[from]), zero = hn::Zero(I());
         const auto owns = hn::Or(hn::Lt(dy, zero), hn::And(hn::Eq(dy, zero), hn::Gt(dx, zero)));
@@ -73,19 +73,20 @@ struct SnappedCorners {
                 hn::Sub(hn::Mul(dx, hn::Sub(atY, y[from])), hn::Mul(dy, hn::Sub(atX, x[from]))),
                 hn::IfThenZeroElse(owns, hn::Set(I(), 1))};
     }
-    // Where a pixel's centre is, of its column or row.
+    // The centre of a pixel's column or row, in steps.
     HWY_INLINE static Ints centre(Ints pixel, int bits) {
         return hn::Add(hn::ShiftLeftSame(pixel, bits), hn::Set(I(), 1 << (bits - 1)));
     }
 };
 
-// 1 / area, of areas above 0, rounded once from double.
+// 1 / area for positive areas, rounded once from double.
 HWY_INLINE Floats inverseOf(Ints area) {
 #if HWY_TARGET == HWY_SCALAR
     return hn::Set(F(), float(1 / double(hn::GetLane(area))));
 #else
-    // Float holds areas of up to 24 bits, and rounds their inverses as double and then float would: double has more than
-    // twice as many bits and two. S. Figueroa, "When is double rounding innocuous?", ACM SIGNUM Newsletter 1995.
+    // Float holds areas of up to 24 bits exactly. Dividing in float then rounds like dividing in double and rounding to
+    // float, because double has more than twice as many bits plus two. S. Figueroa, "When is double rounding
+    // innocuous?", ACM SIGNUM Newsletter 1995.
     if (HWY_LIKELY(hn::AllTrue(I(), hn::Lt(area, hn::Set(I(), 1 << 24)))))
         return hn::Div(all(1), hn::ConvertTo(F(), area));
     const hn::Half<I> half;

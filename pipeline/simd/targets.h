@@ -1,8 +1,8 @@
 #pragma once
-// Before Highway's headers: for which processors kernels are compiled. What lies below SSE4 takes the compiler's own
-// way, and what AVX3_DL adds to AVX-512 no kernel uses. Structs hold vectors in them, which those of no
-// fixed width forbid. Under the address sanitizer a compiler takes a quarter of an hour for the widest of the shading
-// kernels: there vectors of one number and of eight are watched, and the tests hold the others to their bits.
+// Before Highway's headers: the instruction sets for which kernels are compiled. Below SSE4 the compiler's default is
+// used; no kernel uses what AVX3_DL adds to AVX-512. Structs contain vectors, so vectors without a fixed width are
+// excluded. Under the address sanitizer the widest shading kernels take a quarter of an hour to compile. So it checks
+// vectors of one and of eight numbers, and the tests compare the bits of the others with these.
 #if defined(__SANITIZE_ADDRESS__) && defined(__x86_64__)
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_SSE4 | HWY_AVX3 | HWY_AVX3_DL)
 #else

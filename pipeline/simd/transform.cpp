@@ -18,7 +18,7 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// A number a vertex, as many as there are doubles in a vector.
+// One number for each vertex, as many as a vector of doubles has.
 using D = hn::ScalableTag<double>;
 using F = hn::Rebind<float, D>;
 using I = hn::RebindToSigned<F>;
@@ -31,7 +31,7 @@ struct Floats3 {
 
 HWY_INLINE Floats all(float value) { return hn::Set(F(), value); }
 
-// Products before sums, sums from the left, nothing fused: glm's order.
+// Products before sums, sums from the left, nothing fused: the order of glm.
 HWY_INLINE Floats dot(Vec3<float> a, Floats3 b) {
     return hn::Add(hn::Add(hn::Mul(all(a.x), b.x), hn::Mul(all(a.y), b.y)), hn::Mul(all(a.z), b.z));
 }
@@ -43,7 +43,7 @@ HWY_INLINE Floats3 load(const Vec3<float>* at) {
 }
 HWY_INLINE void store(Floats3 v, Vec3<float>* at) { hn::StoreInterleaved3(v.x, v.y, v.z, F(), &at->x); }
 
-// A view's, in float.
+// The axes of a view, in float.
 struct Axes {
     Vec3<float> pivot, right, up, forward;
     float depth;
@@ -55,9 +55,9 @@ struct Axes {
     }
 };
 
-// v / z, with the bits of a division, from the inverse of z, which has the bits of a float, and not nearly as far from 1 as
-// double reaches. P. Markstein, "Computation of elementary functions on the IBM RISC System/6000 processor", IBM Journal
-// of Research and Development 1990.
+// v / z from the inverse of z, with the bits of a division. z has the bits of a float, and is far from the limits of
+// double. P. Markstein, "Computation of elementary functions on the IBM RISC System/6000 processor", IBM Journal of
+// Research and Development 1990.
 HWY_INLINE hn::Vec<D> quotient(hn::Vec<D> v, hn::Vec<D> z, hn::Vec<D> inverse) {
 #if HWY_NATIVE_FMA
     const auto guess = hn::Mul(v, inverse);
@@ -77,7 +77,7 @@ HWY_INLINE Floats3 inFloat(const Vec3d* from) {
     return {hn::DemoteTo(F(), x), hn::DemoteTo(F(), y), hn::DemoteTo(F(), z)};
 }
 
-// A view as vertices are projected and snapped in it.
+// Projects and snaps vertices in a view.
 template <bool kPerspective>
 class Snapper {
 public:
@@ -90,8 +90,8 @@ public:
           m_far(view.far),
           m_places(double(1 << view.subPixelBits)) {}
 
-    // Vertices between two loops, as many as stay in the nearest cache. What needs a quotient waits for the divider; in a
-    // loop of its own, nothing behind it waits along.
+    // Vertices between two loops, as many as stay in the nearest cache. Divisions have a loop of their own, so that
+    // nothing else waits for the divider.
     static constexpr std::size_t kMost = 128;
     struct InView {
         HWY_ALIGN float x[kMost], y[kMost], z[kMost];
@@ -115,8 +115,8 @@ public:
         auto column = inSteps(hn::Add(hn::Set(d, m_centre.x), divided(x)));
         auto row = inSteps(hn::Sub(hn::Set(d, m_centre.y), divided(y)));
 
-        // Most vertices are in the picture, which the guard band encloses: they have no bits, and to round steps down is to
-        // cut digits off.
+        // Most vertices are in the picture, and so within the guard band. They have no bits, and rounding their steps
+        // down is truncation.
         const auto spread = kPerspective ? z : one;
         const auto isWithin = [&](auto v, double band)
                                   HWY_ATTR { return hn::Le(hn::Abs(v), hn::Mul(hn::Set(d, band), spread)); };
@@ -134,7 +134,7 @@ public:
     }
 
 private:
-    // planesAgainst, of the picture and of the guard band.
+    // planesAgainst, for the picture and the guard band.
     HWY_NOINLINE Ints planesOf(hn::Vec<D> x, hn::Vec<D> y, hn::Vec<D> z, hn::Vec<D> spread) const {
         const D d;
         const auto zero = hn::Zero(d);
@@ -157,12 +157,12 @@ private:
     }
 
     Axes m_axes;
-    glm::dvec2 m_scale, m_centre, m_half;  // the last: half the picture's size
+    glm::dvec2 m_scale, m_centre, m_half;  // m_half: half of the picture's size
     double m_near, m_far, m_places;
 };
 
-// Snaps vertices from `begin` on, as long as they fill vectors; gives the first that is left. worldAt(i): as many places in
-// world space as a vector holds, from vertex i on.
+// Snaps vertices from `begin` on while they fill whole vectors; returns the first one that is left. worldAt(i): one
+// vector of positions in world space, from vertex i on.
 template <bool kPerspective, class WorldAt>
 HWY_INLINE std::size_t snapWith(const Snapper<kPerspective>& snapper, std::size_t begin, std::size_t end,
                                 SnappedVertex* to, WorldAt worldAt) {
@@ -192,7 +192,7 @@ void snapAll(const View& view, std::span<const Vec3<float>> world, std::size_t b
         return load(&world[i]);
     });
     if (first == end) return;
-    // The rest, in a vector's room of its own.
+    // The rest, padded to a whole vector.
     std::array<Vec3<float>, 16> from;
     from.fill(world[first]);
     std::array<SnappedVertex, 16> snapped;

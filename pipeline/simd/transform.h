@@ -6,16 +6,16 @@
 
 namespace pipeline {
 
-// What transform does in float, several vertices at a time, with the same bits; and snaps them.
+// Does what transform does in float, several vertices at a time, with the same bits; also snaps them.
 void transformInVectors(const TransformInputs& inputs, std::size_t object, std::size_t begin, std::size_t end,
                         TransformOutput<float>& out);
 
-// Takes the vertices [begin, end) into a view, as toView does, and projects and snaps them, as setUpTriangle does. world:
-// in world space. `out` has room.
+// Transforms the vertices [begin, end) into a view as toView does, then projects and snaps them as setUpTriangle does.
+// world: in world space. `out` has room.
 void snapInVectors(const View& view, std::span<const Vec3<float>> world, std::size_t begin, std::size_t end,
                    SnappedVertices& out);
 
-// boundsIn and largestIn.
+// Does what boundsIn and largestIn do.
 Bounds boundsInVectors(const View& view, std::span<const Vec3<float>> points);
 float largestInVectors(std::span<const Vec3<float>> points);
 

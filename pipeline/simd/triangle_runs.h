@@ -20,7 +20,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace pipeline::HWY_NAMESPACE {
 
-// The runs of a tile jump about in the small triangles: those that are drawn next are on their way before.
+// Prefetches the small triangles of a tile's next runs, which are scattered in memory.
 class FetchedAhead {
 public:
     FetchedAhead(const TrianglePiece& piece, std::span<const TriangleRun> runs) : m_piece(piece), m_runs(runs) {
@@ -40,7 +40,7 @@ private:
     std::size_t m_run = 0;
     std::uint32_t m_at = 0;
 };
-// How many of the runs are of small triangles before one is not.
+// The number of runs of small triangles at the beginning of `runs`.
 HWY_INLINE std::size_t smallOnes(std::span<const TriangleRun> runs) {
     return std::size_t(std::ranges::find_if(runs, &TriangleRun::isNotSmall) - runs.begin());
 }
@@ -49,7 +49,7 @@ template <class Visit>
 HWY_INLINE void forEachSmall(const TrianglePiece& piece, TriangleRun run, FetchedAhead& ahead, Visit visit) {
     for (std::uint32_t i = 0; i < run.count; ++i) ahead.fetch(), visit(piece.small[run.first + i]);
 }
-// Calls visit(at, z, id), or visit(at, z), for those of a run of fragments.
+// Calls visit(at, z, id), or visit(at, z), for the fragments of a run.
 template <class Visit>
 HWY_INLINE void forEachFragment(const Fragments& all, TriangleRun run, Visit visit) {
     const std::size_t first = run.first & ~TriangleRun::kTiny;
@@ -60,7 +60,7 @@ HWY_INLINE void forEachFragment(const Fragments& all, TriangleRun run, Visit vis
             visit(std::size_t(all.at[i]), all.z[i], all.id[i]);
     }
 }
-// Calls visit(triangle, index) for those of a run of others.
+// Calls visit(triangle, index) for the triangles of a run of others.
 template <class Visit>
 HWY_INLINE void forEachOther(const TrianglePiece& piece, TriangleRun run, Visit visit) {
     const std::uint32_t first = run.first & ~TriangleRun::kOther;

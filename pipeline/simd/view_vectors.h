@@ -14,8 +14,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace pipeline::HWY_NAMESPACE {
 
-// V of the pixels of a tile, row of blocks after row of blocks: towardsEye. Of the ray through a pixel one part is the
-// same all over a column, and the other all over a row.
+// V at the pixels of a tile, one row of blocks at a time: towardsEye. One part of the ray through a pixel is the same
+// in a whole column, the other in a whole row.
 class ViewVectors {
 public:
     ViewVectors(const View& view, Tile tile)
@@ -31,7 +31,7 @@ public:
             store(down - all(m_rays.forward), m_down, i);
         }
     }
-    // Of vector i of the row, where `wanted` says so; elsewhere any numbers.
+    // For vector i of the row, in the lanes `wanted`; arbitrary numbers in the others.
     template <class A>
     HWY_INLINE Floats3 at(std::size_t i, Mask wanted) const {
         if (!m_isPerspective) return all(m_back);
@@ -44,10 +44,10 @@ private:
         return hn::Mul(hn::Add(pixel, all(m_rays.first[part])), all(m_rays.step[part]));
     }
     bool m_isPerspective;
-    Vec3<float> m_back;  // against the direction of an orthographic view
+    Vec3<float> m_back;  // opposite to the direction of an orthographic view
     PixelRays<float> m_rays;
     Tile m_tile;
-    Row3 m_across, m_down;  // of the pixels of a row, and of one of its blocks
+    Row3 m_across, m_down;  // at the pixels of a row, and of one of its blocks
 };
 
 }  // namespace pipeline::HWY_NAMESPACE
