@@ -3,9 +3,9 @@
 
 namespace app {
 
-// The program's window loop. Where something that is done in it runs out of memory, that is given up and MemoryNotice says
-// so: what is open and not saved yet is kept. A label shows its text as it is, and markup only where it asks for
-// Qt::RichText: texts come from files, and Qt would guess.
+// The program's event loop. If an operation runs out of memory, it is dropped and MemoryNotice says so; unsaved work is
+// kept. Labels show their text as plain text, unless they ask for Qt::RichText: texts come from files, and Qt would
+// guess.
 class Application : public QApplication {
 public:
     using QApplication::QApplication;

@@ -5,14 +5,14 @@
 
 namespace app {
 
-// What is to be changed in the file of the document's scene to have the scene on show. A file that the document has not
-// read last is read once, when first asked for.
+// The changes that turn the scene of the document's file into the current scene. If the document did not read the file
+// last, it is read once, on first use.
 class ChangedSettings {
 public:
     explicit ChangedSettings(const Document& document) : m_document(document) {}
 
-    // "--set", "KEY=VALUE" for every setting, as a shell takes them; nothing where the scene has other objects or lights
-    // than its file, or the file cannot be read.
+    // "--set", "KEY=VALUE" for every changed setting, as words for a shell. Empty if the scene has other objects or
+    // lights than its file, or if the file cannot be read.
     QStringList words(const pipeline::Scene& scene);
 
 private:

@@ -7,49 +7,49 @@
 
 namespace app {
 
-// The cues of a talk: a row a cue, and the file that they are in. What is changed is written to the
-// file a moment later, unless someone else has written to it since.
+// The cues of a talk, one row each, and their file. Changes are written to the file a moment later, unless somebody
+// else has written to it since.
 class CueModel : public QAbstractListModel {
     Q_OBJECT
 public:
-    enum Role { PlaceRole = Qt::UserRole, CurrentRole };  // where the cue stands, in words; bool
+    enum Role { PlaceRole = Qt::UserRole, CurrentRole };  // the cue's place in words; whether it is current
 
-    // file: where the list is until another one is opened; need not be there. One that cannot be read stays as it is:
-    // then the list begins empty in a file of a free name beside it, and unread() says why.
+    // file: the list's file until another one is opened; it need not exist. If it cannot be read, it is kept: the list
+    // then begins empty in a new file beside it, and unread() gives the reason.
     explicit CueModel(const QString& file, QObject* parent = nullptr);
     ~CueModel() override;
 
     const pipeline::Errors& unread() const { return m_unread; }
     const lessons::CueList& list() const { return m_list; }
     const QString& file() const { return m_file; }
-    std::filesystem::path folder() const;  // from which scenes are named
+    std::filesystem::path folder() const;  // scene names are relative to it
     int size() const { return int(m_list.cues.size()); }
     const lessons::Cue& cue(int i) const { return m_list.cues[std::size_t(i)]; }
-    int current() const { return m_current; }  // the cue shown last; -1: none
+    int current() const { return m_current; }  // the last cue shown; -1: none
     const lessons::Cue* currentCue() const { return m_current < 0 ? nullptr : &cue(m_current); }
     void setCurrent(int i);
 
-    // When the file cannot be read, or the list before cannot be written, that one stays; notRead() or notWritten() tells
-    // why.
+    // If the file cannot be read, or the old list cannot be written, the old list stays. notRead() or notWritten()
+    // gives the reason.
     bool open(const QString& file);
-    bool readAgain();  // likewise; what has not been written is given up
-    // And goes on there; scenes are named from its folder. When it cannot be written nothing changes, and notWritten()
-    // tells why.
+    bool readAgain();  // the same; unwritten changes are discarded
+    // Continues in that file, with scene names relative to its folder. If it cannot be written, nothing changes, and
+    // notWritten() gives the reason.
     bool saveAs(const QString& file);
-    bool write();  // now, what has been changed; likewise
+    bool write();  // writes changes now; the same
     bool isUnsaved() const { return m_list != m_written; }
-    void clear();  // an empty list in the file of the beginning; likewise
+    void clear();  // an empty list in the first file; the same
     void setMinutes(int minutes);
 
-    int add(lessons::Cue cue);  // after the current one, under a free name; gives its row and makes it current
+    int add(lessons::Cue cue);  // after the current one, with a free name; returns its row and makes it current
     void setState(int i, const lessons::WindowState& state);
-    bool rename(int i, const QString& name);  // not to nothing, nor to the name of another
+    bool rename(int i, const QString& name);  // not to an empty name or the name of another cue
     void setCaption(int i, const QString& caption);
     void setNote(int i, const QString& note);
     void move(int from, int to);  // to: its row afterwards
     void remove(int i);
     bool canPutBack() const { return m_removed.has_value(); }
-    void putBack();  // what was removed last
+    void putBack();  // the last removed cue
 
     int rowCount(const QModelIndex& parent = {}) const override;
     QVariant data(const QModelIndex& index, int role) const override;
@@ -59,9 +59,9 @@ public:
     bool moveRows(const QModelIndex& from, int row, int count, const QModelIndex& to, int child) override;
 
 signals:
-    void changed();  // the list, its file, or which cue is current
+    void changed();  // the list, its file, or the current cue
     void notRead(const pipeline::Errors& errors);
-    void putAside(const QString& file);  // the own list, when a new one began
+    void putAside(const QString& file);  // the program's own list, when a new one was begun
     void notWritten(const QString& file, const pipeline::Errors& errors);
 
 private:
@@ -77,7 +77,7 @@ private:
     int m_current = -1;
     QTimer m_soon;
     std::optional<std::pair<int, lessons::Cue>> m_removed;
-    std::string m_text;  // of the file, with what someone has written into it by hand; m_written is the list in it
+    std::string m_text;  // of the file, with edits by hand; m_written is the list in it
     lessons::CueList m_written;
 };
 

@@ -6,28 +6,28 @@
 
 namespace app {
 
-// What the document shows: scene, stage, step, pixel, channel, bookmarks; views and space as they begin. The scene is
-// named from `folder`. Only when it has a scene. Errors: the scene is too large for a text.
+// The state of the document: scene, stage, step, pixel, channel, bookmarks; views and space have their defaults. The
+// scene's name is relative to `folder`. The document must have a scene. Errors: the scene is too large for a text.
 pipeline::Result<lessons::WindowState> stateOf(const Document& document, const std::filesystem::path& folder);
 
-// How the scene of a state is taken.
+// How to treat the scene of a state.
 enum class SceneChanges {
-    Given,  // what the state changes in its file belongs to it: nothing to be kept
-    Ours,   // changes that were not saved, as one step of undo
+    Given,  // the state's changes belong to the scene: nothing to save
+    Ours,   // unsaved changes, as one step of undo
     Pasted  // likewise
 };
-// Shows a state, of which readStateScene gave the scene. A scene from the file that is open stays the same document with
-// one more step of undo, which has `looks`.
+// Shows a state; readStateScene has read its scene. If the scene is from the open file, the document stays and gets one
+// more step of undo, with `looks`.
 void show(Document& document, const OpenedScene& opened, const lessons::WindowState& state, SceneChanges changes,
           Document::Looks looks = {});
 
-// The same without its scene.
+// The same without the scene.
 void showPlace(Document& document, const lessons::WindowState& state);
 
-// Whether the document has the file that the state's scene comes from.
+// Whether the state's scene comes from the document's file.
 bool isOpen(const Document& document, const lessons::WindowState& state, const std::filesystem::path& folder);
 
-// "z-buffer/polygon=2 · pixel 268, 281": where a state stands.
+// "z-buffer/polygon=2 · pixel 268, 281": the place of a state.
 QString placeText(const lessons::WindowState& state);
 
 }  // namespace app

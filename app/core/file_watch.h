@@ -8,19 +8,19 @@
 
 namespace app {
 
-// Watches the file of the document's scene: whether another program has written to it since it was read or saved.
+// Watches whether another program writes to the file of the document's scene after it was read or saved.
 class FileWatch : public QObject {
     Q_OBJECT
 public:
     explicit FileWatch(Document& document);
 
     bool hasChanged() const { return m_changed; }
-    // The user's switch, for reading it again without being asked; off to begin with.
+    // The user's switch for automatic reloading; off by default.
     static bool readsAgain();
     static void setReadsAgain(bool reads);
 
 signals:
-    void changed();  // hasChanged(), or the file has changed once more
+    void changed();  // hasChanged(), or another change of the file
 
 private:
     struct Stamp {
@@ -34,7 +34,7 @@ private:
 
     Document& m_document;
     QFileSystemWatcher m_watcher;
-    QTimer m_rest;  // programs write in several goes
+    QTimer m_rest;  // programs write a file in several steps
     KeptScene m_kept;
     Stamp m_known, m_told;
     bool m_changed = false;

@@ -7,7 +7,7 @@
 
 namespace app {
 
-// What a film shows, by places that hold in any frame.
+// The contents of a film, by places that are valid in any frame.
 struct FilmOrder {
     pipeline::BufferName buffer{pipeline::BufferId::Color};
     pipeline::StepLevel level = pipeline::StepLevel::Polygon;
@@ -17,10 +17,10 @@ struct FilmOrder {
     bool algorithm = false;
     std::filesystem::path target;  // a file that ends in .gif, or a folder
 };
-// From before the first step of the buffer's stage to its end.
+// From before the first step of the buffer's stage to the stage's end.
 FilmOrder filmOf(const pipeline::BufferName& buffer);
-// "shadescope film pyramid.scene --buffer z_view --by polygon --pictures 120 -o film": the same as a command, with the
-// words of ChangedSettings.
+// "shadescope film pyramid.scene --buffer z_view --by polygon --pictures 120 -o film": the same film as a command, with
+// the words of ChangedSettings.
 QString filmCommand(const pipeline::Scene& scene, const QStringList& changes, const FilmOrder& order);
 
 // Writes a film on a thread of its own. One job, one film.

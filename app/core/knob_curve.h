@@ -8,28 +8,27 @@
 
 namespace app {
 
-// The errors of both forms of a case at one value of its knob.
+// The errors of both forms of a case at one value of the slider.
 struct KnobErrors {
     double at = 0;
     double naive = 0, ours = 0;
 };
 
-// Values from the knob's lowest to its highest, evenly over its range (over its logarithm where it is logarithmic).
-// count >= 2
+// Values over the whole range of the slider, evenly spaced (in the logarithm if it is logarithmic). count >= 2
 std::vector<double> knobValues(const pipeline::check::Knob& knob, std::size_t count);
 
-// Evaluates the knob of one case at a time, beside the window: a curve over the whole range, and single values of
-// which only the newest is of interest.
+// Evaluates the slider of one case at a time, in the background: a curve over the whole range, and single values. Only
+// the newest single value matters.
 class KnobCurve : public QObject {
     Q_OBJECT
 public:
     static constexpr std::size_t kPoints = 49;
 
     explicit KnobCurve(QObject* parent = nullptr);
-    ~KnobCurve() override;  // cancels what has not begun, and waits for the rest
+    ~KnobCurve() override;  // cancels waiting work and joins
 
-    void askCurve(const pipeline::check::Knob& knob);  // answers for another knob do not come any more
-    void askAt(double at);                             // of that knob
+    void askCurve(const pipeline::check::Knob& knob);  // answers for other sliders stop
+    void askAt(double at);                             // for the same slider
     void forget();
 
 signals:

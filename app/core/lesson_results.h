@@ -5,10 +5,10 @@
 
 namespace app {
 
-// What somebody has tried in lessons, as lessons/results.h keeps it: written after each change.
+// The user's tries in lessons, as lessons/results.h stores them; written after each change.
 class LessonResults {
 public:
-    LessonResults();  // reads the file; one that cannot be read counts as empty, and is left as it is until the next try
+    LessonResults();  // an unreadable file counts as empty, and is kept until the next try
 
     // page: its heading.
     lessons::Progress progress(const QString& lesson, const QString& page) const;

@@ -10,24 +10,24 @@ namespace app {
 // How real numbers are written in buffers, tables and the inspector.
 struct NumberFormat {
     enum class Form {
-        AsStored,     // in the digits of what they are: a depth in those of its format, a dot product in four
-        Fixed,        // so many digits after the point
-        Scientific,   // the same of a mantissa, with its power of ten
-        Hexadecimal,  // every bit of it: 0x1.8p-1 is 1.5 / 2
+        AsStored,     // the digits of the stored number: a depth in those of its format, a dot product in four
+        Fixed,        // that many digits after the point
+        Scientific,   // that many digits of the mantissa, and a power of ten
+        Hexadecimal,  // every bit: 0x1.8p-1 is 1.5 / 2
     };
-    static constexpr int kMostDigits = 17;                  // what tells any two doubles apart
-    static constexpr int kLeastPower = 1, kMostPower = 15;  // of ten, from which on it is written out
+    static constexpr int kMostDigits = 17;                  // enough to distinguish any two doubles
+    static constexpr int kLeastPower = 1, kMostPower = 15;  // powers of ten from which an exponent is written
     Form form = Form::AsStored;
-    int digits = 6;            // of Fixed and Scientific, and of what is written with a power
-    std::optional<int> power;  // AsStored and Fixed: from 10^power on and below 10^-power with a power; else never
+    int digits = 6;            // for Fixed and Scientific, and for numbers with an exponent
+    std::optional<int> power;  // AsStored and Fixed: exponent from 10^power on and below 10^-power; else never
     bool operator==(const NumberFormat&) const = default;
 };
 
-// Nothing where the format leaves the digits to what the number is. At most `characters` long if that is > 0, by leaving
-// out digits; hexadecimal numbers stay whole.
+// Empty if the format leaves the digits to the kind of number. At most `characters` long if that is > 0, by dropping
+// digits; hexadecimal numbers are never shortened.
 std::optional<QString> written(const NumberFormat& format, double value, int characters = 0);
 
-// The format in force: one object for the program, as the theme is.
+// The current format: one object for the program, like the theme.
 class NumberStyle : public QObject {
     Q_OBJECT
 public:
@@ -41,11 +41,11 @@ signals:
 private:
     friend class WornLook;
     NumberStyle() = default;
-    static thread_local const NumberFormat* s_worn;  // as the theme's
+    static thread_local const NumberFormat* s_worn;  // like the theme's
     NumberFormat m_format;
 };
 
-// written() in the format in force.
+// written() in the current format.
 std::optional<QString> chosenText(double value, int characters = 0);
 pipeline::NumberText chosenNumbers();
 

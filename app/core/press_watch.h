@@ -7,7 +7,8 @@
 
 namespace app {
 
-// Tells of every press of a mouse button on a widget or on a part of it, before they take it. Not in the menus of its parts.
+// Reports every press of a mouse button on a widget or on a part of it, before they handle it. Not in the menus of its
+// parts.
 class PressWatch : public QObject {
 public:
     PressWatch(QWidget& widget, std::function<void()> tell) : QObject(&widget), m_tell(std::move(tell)) {

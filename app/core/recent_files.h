@@ -5,22 +5,21 @@
 
 namespace app {
 
-// The files opened last, newest first, kept in the program's settings.
+// The last opened files, newest first, stored in the program's settings.
 struct RecentFile {
-    QString file;    // absolute path
-    QDateTime when;  // opened last
-    QString where =
-        {};  // "z-buffer/polygon=2 · pixel 268, 281": where the window stood when it was closed; may be empty
+    QString file;        // absolute path
+    QDateTime when;      // of the last opening
+    QString where = {};  // "z-buffer/polygon=2 · pixel 268, 281": the window's place when it was closed; may be empty
     QString state = {};  // the same as TOML: lessons/state/window_state.h
 };
 
 inline constexpr int kMaxRecentFiles = 8;
 
-std::vector<RecentFile> recentFiles();  // those that still exist
-// Their names, with the folder where two have the same.
+std::vector<RecentFile> recentFiles();  // files that still exist
+// Their names, with the folder if two names are equal.
 QStringList recentNames(const std::vector<RecentFile>& files);
 void addRecentFile(const QString& file);
-// Of a file in the list; does nothing for any other.
+// For a file in the list; does nothing for other files.
 void rememberPlace(const QString& file, const QString& where, const QString& state);
 
 }  // namespace app

@@ -3,10 +3,10 @@
 
 namespace app {
 
-// A document's scene with its file and its steps of undo, put aside while another one is on show.
+// A document's scene with its file and its undo steps, put aside while another scene is shown.
 class SceneAside {
 public:
-    explicit SceneAside(const Document& document);  // which has a scene
+    explicit SceneAside(const Document& document);  // it must have a scene
     void putBack(Document& document) const;
 
 private:

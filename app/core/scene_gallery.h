@@ -10,21 +10,21 @@
 
 namespace app {
 
-// The frame buffer as an image; empty where the frame has none.
+// The frame buffer as an image; empty if the frame has none.
 QImage colorImage(const pipeline::Frame& frame);
 
-// The scenes that come with the program, as pictures that the pipeline computes in the
-// background, one after the other.
+// Pictures of the built-in scenes, computed by the pipeline in the background, one at a time.
 class SceneGallery : public QObject {
     Q_OBJECT
 public:
     explicit SceneGallery(QObject* parent = nullptr);
-    ~SceneGallery() override;  // stops the pictures that are still being made
-    // Whether somebody looks: pictures are made only meanwhile, so that a scene that opens has the processor to itself.
+    ~SceneGallery() override;  // stops the running pictures
+    // Whether the gallery is visible. Pictures are computed only then, so that a scene that opens has the CPU to
+    // itself.
     void setWatched(bool watched);
 
     const std::vector<pipeline::BuiltInScene>& scenes() const { return m_scenes; }
-    // 4:3; empty until it is there, and for a scene that cannot be read.
+    // 4:3; empty before it is ready, and for a scene that cannot be read.
     const QImage& picture(std::size_t scene) const { return m_pictures[scene]; }
 
 signals:

@@ -6,7 +6,7 @@
 
 namespace app {
 
-// A thing of the scene that can be selected.
+// A selectable part of the scene.
 struct SceneItem {
     enum class Kind : unsigned char { Scene, Object, Material, Light, Ambient, Camera };
     Kind kind = Kind::Scene;
@@ -24,13 +24,13 @@ struct OutlineRow {
     QString detail;  // "at infinity, 100"
 };
 
-// The scene's rows from top to bottom; the first is the scene itself, the others are its parts.
+// The scene's rows from top to bottom: first the scene itself, then its parts.
 std::vector<OutlineRow> outline(const pipeline::Scene& scene);
 
-// The settings of one thing, in the order of the table. Of the scene itself: those of the picture,
-// and what is left out of it.
+// The settings of one part, in the order of the table. For the scene itself: the settings of the picture and the rules
+// for leaving out.
 std::vector<pipeline::SettingRef> settingsOf(const pipeline::Scene& scene, const SceneItem& item);
-// The settings of a group that belongs to the scene as a whole: shading, depth, shadow.
+// The settings of a group of the whole scene: shading, depth, shadow.
 std::vector<pipeline::SettingRef> settingsOf(const pipeline::Scene& scene, pipeline::SettingGroup group);
 
 }  // namespace app

@@ -11,14 +11,14 @@ public:
     using ScenePtr = std::shared_ptr<const pipeline::Scene>;
     using Looks = Document::Looks;
 
-    // drag: steps with the same number >= 0 merge; -1 never does.
+    // drag: steps with the same number >= 0 merge; steps with -1 never do.
     SceneStep(Document& document, ScenePtr before, ScenePtr after, const QString& text, int drag = -1);
     SceneStep(Document& document, ScenePtr before, ScenePtr after, const pipeline::SettingRef& setting, int drag);
 
-    // What was on show goes along; it may be all that the step changes.
+    // The views' state belongs to the step; it may be all that the step changes.
     SceneStep(Document& document, ScenePtr before, ScenePtr after, const QString& text, Looks looks);
 
-    // The same step, for a stack of undo that begins anew.
+    // The same step, for a new undo stack.
     SceneStep* copy() const;
 
     int id() const override { return m_drag; }

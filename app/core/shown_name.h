@@ -8,7 +8,7 @@
 
 namespace app {
 
-// A text of a file on one line: line ends and other control characters are escaped.
+// A text from a file on one line: line ends and other control characters are escaped.
 inline QString onOneLine(std::string_view text) { return toQString(pipeline::escaped(text)); }
 
 // A file's name without its folder, as the window shows it.

@@ -6,15 +6,15 @@ class QComboBox;
 
 namespace app {
 
-// What a widget that paints itself is to a screen reader, which would take it for an empty frame. Before it has a name:
-// what is asked about a widget once is kept.
+// Tells a screen reader the role of a widget that paints itself; otherwise it would be an empty frame. Call it before
+// the widget has a name, because answers about a widget are cached.
 void speakAs(QWidget& widget, QAccessible::Role role);
 
-// The name of a list to choose from that has no label of its own beside it. Where names come from labels alone, as in Qt
-// on Linux, a reader would call it by its value.
+// The name of a list without a label beside it. If names come only from labels, as in Qt on Linux, a screen reader
+// would call it by its value.
 void nameChoice(QComboBox& box, const QString& name);
 
-// A widget that moves one number between two ends: a slider to a screen reader, with its number.
+// A widget that moves one number between two ends: for a screen reader a slider with its number.
 class SpokenSlider {
 public:
     struct Scale {
@@ -22,10 +22,10 @@ public:
     };
     virtual ~SpokenSlider() = default;
     virtual Scale spoken() const = 0;
-    virtual void slideTo(double value) = 0;  // as if the user had
+    virtual void slideTo(double value) = 0;  // as if the user had done it
 
 protected:
-    static void speak(QWidget& slider);     // once, when it is made
+    static void speak(QWidget& slider);     // once, on creation
     static void sayValue(QWidget& slider);  // after each change
 };
 

@@ -6,13 +6,12 @@
 
 namespace app {
 
-// The buffer that a view shows when the window goes to a stage. It may be left out; the view then
-// says why.
+// The buffer that a view shows when the window goes to a stage. It may be left out; then the view gives the reason.
 pipeline::BufferName mainBuffer(pipeline::StageId stage, const pipeline::Scene& scene);
-// The same while the window stands inside the stage: later stages have left nothing yet.
+// The same inside the stage, where later stages have no output yet.
 pipeline::BufferName mainBufferInside(pipeline::StageId stage, const pipeline::Scene& scene);
-// The main one, then what explains it, each once: for as many views as there are. All but the main one are buffers that
-// the scene has a use for; inside the stage none is of a later one.
+// The main buffer and then those that explain it, each once, for any number of views. All except the main one are
+// useful in this scene; inside the stage none is from a later stage.
 std::vector<pipeline::BufferName> usefulBuffers(pipeline::StageId stage, const pipeline::Scene& scene, bool inside);
 
 }  // namespace app

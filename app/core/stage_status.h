@@ -12,30 +12,30 @@ namespace app {
 enum class StageState : unsigned char { Ran, Reused, LeftOut, InProgress, NotYet };
 QString word(StageState state);  // "left out"
 
-// What a stage's card says. Numbers are empty where the stage has none.
+// The texts of a stage's card. Numbers are empty if the stage has none.
 struct StageStatus {
     StageState state = StageState::NotYet;
-    QString time;                      // "0.161 ms": of the run that made the result, reused or not
+    QString time;                      // "0.161 ms": of the run that made the result, even if it was reused
     QString error;                     // "3.9e-6" against double precision; "…" until it is computed
-    QString counts;                    // "3 of 5 polygons kept", with the parts that are left out
+    QString counts;                    // "3 of 5 polygons kept", and the parts that are left out
     QString reason;                    // why the stage ran, was reused or left out
     QString tooltip;                   // lines: the stage, its state and reason, and each of its parts
-    std::optional<double> progress{};  // 0 to 1, while it is being stepped through
+    std::optional<double> progress{};  // 0 to 1, while the user steps through it
 };
 
 // "1.5e-5 px"
 QString errorOf(const pipeline::StageError& error);
 
-// Of the six stages in this frame; without a frame they are not yet, or in progress.
+// For the six stages of this frame; without a frame they are not yet run, or in progress.
 std::array<StageStatus, pipeline::kStageCount> stageStatus(const pipeline::Frame* frame, const StageErrors& errors,
                                                            bool busy);
 
-// The same while the window stands inside a stage: that one is in progress, with its fragments and where it is in
-// place of time and counts; those after it are not yet.
+// The same inside a stage: that stage is in progress, with its fragments and its place instead of time and counts;
+// later stages are not yet run.
 std::array<StageStatus, pipeline::kStageCount> stageStatus(const pipeline::Steps& steps, pipeline::Moment at,
                                                            pipeline::StepLevel level, const StageErrors& errors);
 
-// What the last place of the strip says.
+// The texts of the last card.
 struct FrameStatus {
     QString title;    // "Frame 42"
     QString time;     // "0.287 ms"

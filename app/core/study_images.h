@@ -9,15 +9,15 @@
 
 namespace app {
 
-// The pictures of one setting of a study: a null image where there is none.
+// The pictures of one setting of a study; a null image if there is none.
 struct SettingPictures {
     QImage image, reference, error;
-    QString referenceName;  // "the true surfaces by rays"; where there is no reference, why
-    double range = 0;       // the error's palette goes from −range to range, in shares of I_max
+    QString referenceName;  // "the true surfaces by rays"; without a reference, the reason
+    double range = 0;       // the error's palette goes from −range to range, in fractions of I_max
 };
 
-// Computes the pictures of a setting on a thread of its own, the newest asked for. A reference stays
-// for the next setting that has the same one.
+// Computes the pictures of a setting on a thread of its own, always for the newest request. The reference is kept for
+// the next setting with the same one.
 class StudyImages : public QObject {
     Q_OBJECT
 public:
@@ -31,11 +31,11 @@ signals:
     void ready(const SettingPictures& pictures);
 
 private:
-    // The job's thread alone: what computes the settings of one study, and which study that is.
+    // Used by the job's thread only: computes the settings of one study, and which study that is.
     std::optional<pipeline::ErrorFinder> m_finder;
     std::shared_ptr<const pipeline::Scene> m_scene;
     std::vector<pipeline::SweepAxis> m_axes;
-    BackgroundJob m_job;  // last: it ends before what its work looks at
+    BackgroundJob m_job;  // last: it ends before the members that its work uses
 };
 
 }  // namespace app

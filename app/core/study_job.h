@@ -7,16 +7,16 @@
 
 namespace app {
 
-// Measures a study on a thread of its own: the errors point by point, then the times. One job, one study.
+// Measures a study on a thread of its own: first all errors, then the times. One job, one study.
 class StudyJob : public ThreadJob {
     Q_OBJECT
 public:
     explicit StudyJob(pipeline::StudyRequest request, QObject* parent = nullptr);
 
 signals:
-    // share: of all the work, 0 to 1. secondsLeft: below 0 while nothing is known.
+    // share: of all work, 0 to 1. secondsLeft: negative while unknown.
     void progressed(double share, const QString& what, double secondsLeft);
-    void reported(const pipeline::StudyReport& report);  // what is known so far
+    void reported(const pipeline::StudyReport& report);  // the results so far
     void finished(bool cancelled);
 };
 

@@ -8,27 +8,27 @@
 
 namespace app {
 
-// A scene table as an item model. It reads the cells that are looked at and no others; sorting
-// keeps an order of rows and leaves the table as it is.
+// A scene table as an item model. It reads only the cells that are displayed. Sorting keeps an order of rows and does
+// not change the table.
 class TableModel : public QAbstractTableModel {
     Q_OBJECT
 public:
     explicit TableModel(QObject* parent = nullptr);
 
-    // Columns, rows and order stay where the new table has as many of them under the same names.
+    // Columns, rows and order are kept if the new table has as many of them under the same names.
     void setTable(pipeline::SceneTable table);
     void clear();
     const pipeline::SceneTable& table() const { return m_table; }
 
-    // Where a row of the table stands, and back.
+    // The row at a place in the sorted order, and the inverse.
     std::uint32_t rowAt(int place) const {
         return m_order.empty() ? std::uint32_t(place) : m_order[std::size_t(place)];
     }
     int placeOf(std::uint32_t row) const;
-    // Rows that stand out, in ascending order: what is under the cursor in another view.
+    // Highlighted rows in ascending order: the object under the cursor in another view.
     void setPointed(std::vector<std::uint32_t> rows);
     const std::vector<std::uint32_t>& pointed() const { return m_pointed; }
-    // The rows at these places as text with a line of headings; in the order on show.
+    // The rows at these places as text with headings, in the displayed order.
     QString text(std::vector<int> places, pipeline::TableFormat format) const;
     // Why columns are empty: "N x, N y: Flat shading needs polygon normals only."
     QString remarks() const;

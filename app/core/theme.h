@@ -11,15 +11,15 @@ namespace app {
 
 enum class ThemeId { Dark, Light, Projector };
 
-// The colours of one theme; names as in the design's table.
+// The colours of one theme, with the names of the design's table.
 struct ThemeColors {
     QColor bg, surface, raised, hover, view, hatch, line, outline, text, text2, text3, accent, fill, onFill, tint, run,
         reused, leftOut, failed, warn, focus;
     QColor N, L, V, R, H;
 };
 
-// The theme in force and its font scale: one object for the program, passed to nobody, because
-// every painter needs it. Widgets repaint on changed(). A thread beside the window's wears a look of its own.
+// The current theme and its text size: one object for the program, not passed around because every painter needs it.
+// Widgets repaint on changed(). Other threads use a look of their own.
 class Theme : public QObject {
     Q_OBJECT
 public:
@@ -33,13 +33,14 @@ public:
     Look look() const { return s_worn ? *s_worn : Look{m_id, m_scales[std::size_t(m_id)]}; }
     ThemeId id() const { return look().id; }
     void set(ThemeId id);
-    // What 3840 by 2160 pixels need where one is a pixel of the screen: 2 % of the height is 44 pixels of a letter of 12.
+    // The largest scale suits 3840 × 2160 pixels on a screen without scaling: 2 % of the height is 44 pixels for a
+    // letter of 12.
     static constexpr double kLeastScale = 0.85, kMostScale = 4;
-    // Within these; each theme keeps its own, the projector's starts at 1.25.
+    // Within these limits. Each theme keeps its own scale; the projector's starts at 1.25.
     double scale() const { return look().scale; }
     void setScale(double scale);  // clamped, in steps of 0.05
-    // Gives palette, font and style sheet to the application, and emits changed().
-    // set and setScale do it too; without either, call it once at the start.
+    // Sets palette, font and style sheet of the application, and emits changed(). set and setScale call it too;
+    // otherwise call it once at the start.
     void apply();
 
     const ThemeColors& colors() const { return colors(id()); }
@@ -61,7 +62,7 @@ signals:
 private:
     friend class WornLook;
     Theme() = default;
-    static thread_local const Look* s_worn;  // in the window's own thread null
+    static thread_local const Look* s_worn;  // null in the window's own thread
     ThemeId m_id = ThemeId::Light;
     std::array<double, 3> m_scales{1.0, 1.0, 1.25};
 };

@@ -6,7 +6,7 @@
 
 namespace app {
 
-// Writes the file whole, or leaves what stands there: then the errors say why.
+// Writes the whole file, or keeps the old one; then the errors give the reason.
 pipeline::Errors writeFile(const QString& file, QByteArrayView bytes);
 
 }  // namespace app
