@@ -1,7 +1,6 @@
 #include "lessons/live_page.h"
 
 #include <array>
-#include <map>
 #include <utility>
 
 #include <fmt/format.h>
@@ -10,6 +9,7 @@
 #include "lessons/library.h"
 #include "lessons/live_text.h"
 #include "lessons/misconceptions.h"
+#include "lessons/page_parts.h"
 #include "lessons/prose_html.h"
 #include "pipeline/core/printable.h"
 #include "pipeline/core/text.h"
@@ -17,7 +17,6 @@
 #include "pipeline/export/file_hash.h"
 #include "pipeline/export/html_text.h"
 #include "pipeline/export/json.h"
-#include "pipeline/formats/built_in_scenes.h"
 #include "pipeline/formats/scene_folder.h"
 #include "pipeline/formats/toml_writer.h"
 #include "pipeline/run/runner.h"
@@ -35,29 +34,6 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kCoreName = "shadescope_core.wasm.gz";
 
-// The installed program has both in one folder, the source tree has the page's files apart from what is built.
-std::vector<fs::path> liveFolders() {
-    const fs::path resources = pipeline::resourceFolder();
-    return {resources / "web", resources.parent_path() / "build" / "web",
-            resources.parent_path() / "app" / "web" / "page"};
-}
-
-Result<std::string> readLive(std::string_view name) {
-    std::error_code ignored;
-    for (const fs::path& folder : liveFolders())
-        if (fs::exists(folder / name, ignored)) return pipeline::readFile(folder / name);
-    return Error{{std::string(name), 0, 0}, "no such file", {}};
-}
-
-// What a page's policy calls a script or a style.
-std::string policyHash(std::string_view text) {
-    const std::string hex = pipeline::sha256Of(text);
-    const auto half = [&](std::size_t i) { return hex[i] <= '9' ? hex[i] - '0' : hex[i] - 'a' + 10; };
-    std::string bytes;
-    for (std::size_t i = 0; i + 1 < hex.size(); i += 2) bytes += char(16 * half(i) + half(i + 1));
-    return "sha256-" + pipeline::base64(bytes);
-}
-
 // JSON for a data block: no "<" in it begins or ends an element or a comment.
 std::string blockText(const Json& json) {
     std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace), out;
@@ -66,24 +42,6 @@ std::string blockText(const Json& json) {
             out += "\\u003c";
         else
             out += c;
-    }
-    return out;
-}
-
-// Each hole @NAME@ of the page filled once: what is put in is not looked through again.
-std::string withHolesFilled(std::string_view page, const std::map<std::string, std::string, std::less<>>& values) {
-    std::string out;
-    while (!page.empty()) {
-        const std::size_t at = page.find('@'), end = at == page.npos ? at : page.find('@', at + 1);
-        const auto value = end == page.npos ? values.end() : values.find(page.substr(at + 1, end - at - 1));
-        if (value == values.end()) {
-            const std::size_t length = at == page.npos ? page.size() : at + 1;
-            out += page.substr(0, length);
-            page.remove_prefix(length);
-            continue;
-        }
-        out.append(page.substr(0, at)).append(value->second);
-        page.remove_prefix(end + 1);
     }
     return out;
 }
@@ -114,6 +72,12 @@ std::string paperOf(const std::string& handout) {
         rest.remove_prefix(at + picture.size());
     }
     return paper.append(rest);
+}
+
+// The core, or where it is.
+std::string coreElement(const LiveParts& parts) {
+    if (!parts.sharedCore.empty()) return "<script src=\"" + pipeline::escapedHtml(parts.sharedCore) + "\"></script>";
+    return "<script type=\"application/octet-stream\" id=\"core\">" + pipeline::base64(parts.core) + "</script>";
 }
 
 // lesson: read from `text` with the scenes of `sceneNamed`.
@@ -165,7 +129,8 @@ Result<LivePage> makePage(const std::string& text, const fs::path& folder, const
                                              {"SCRIPT", parts.script},
                                              {"PAPER", paperOf(handout->pages)},
                                              {"DATA", blockText(data)},
-                                             {"CORE", pipeline::base64(parts.core)}});
+                                             {"SELF", parts.sharedCore.empty() ? "" : " 'self' file:"},
+                                             {"CORE", coreElement(parts)}});
     return page;
 }
 
@@ -249,16 +214,16 @@ Result<LiveParts> liveParts() {
     static constexpr std::array<std::string_view, 10> kScripts{"core.js",  "view.js",     "pictures.js", "stages.js",
                                                                "pixel.js", "settings.js", "worker.js",   "lesson.js",
                                                                "space.js", "page.js"};
-    std::vector<std::pair<std::string_view, std::string*>> files{{"page.html", &parts.page},
-                                                                 {"page.css", &parts.style}};
+    std::vector<std::pair<std::string_view, std::string*>> files{
+        {"page.html", &parts.page}, {"tokens.css", &parts.style}, {"page.css", &parts.style}};
     parts.script = "'use strict';\n";
     for (const std::string_view name : kScripts) files.emplace_back(name, &parts.script);
     for (const auto& [name, text] : files) {
-        const auto read = readLive(name);
+        const auto read = readPageFile(name);
         if (!read) return read.errors();
         *text += *read;
     }
-    auto core = readLive(kCoreName);
+    auto core = readPageFile(kCoreName);
     if (!core)
         return Error{{},
                      "the core of live pages is not built: install the packages under [web] of resources/packages.txt, "

@@ -14,7 +14,9 @@ namespace lessons {
 // What every page has in common: the core, and the page's own files.
 struct LiveParts {
     std::string core;                 // WebAssembly, packed by gzip
-    std::string page, style, script;  // page.html with holes @NAME@, page.css, page.js
+    std::string page, style, script;  // page.html with holes @NAME@, its styles and scripts
+    // The file beside the page that has the core, "globalThis.sharedCore = '…'" in base64; empty: it stands in the page.
+    std::string sharedCore = {};
 };
 // Found beside the installed program's resources, or in the source tree and its folder build/web. An error says how to
 // build the core where it is not there.

@@ -19,18 +19,11 @@ namespace app {
 
 namespace {
 
-// Its help alone: main opens the window.
-void declarePresent(CLI::App& program, const CliHost&, int&) {
-    CLI::App* command = program.add_subcommand("present", "Open a cue list in the window, as a talk");
-    command->add_option("FILE", "A cue list; FILE:CUE begins with another cue than the first, by its name or number")
-        ->type_name("[:CUE]");
-}
-
 constexpr std::array kCommands{
     Command{"export", declareExport},   Command{"plan", declarePlan},       Command{"inspect", declareInspect},
     Command{"study", declareStudy},     Command{"check", declareCheck},     Command{"bench", declareBench},
     Command{"film", declareFilm},       Command{"lesson", declareLesson},   Command{"bug", declareBug},
-    Command{"compare", declareCompare}, Command{"present", declarePresent},
+    Command{"compare", declareCompare}, Command{"present", declarePresent}, Command{"site", declareSite},
 };
 
 constexpr std::array<std::string_view, 4> kOptions{"-h", "--help", "--version", "--help-all"};

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "lessons/talk_page.h"
 #include "pipeline/core/result.h"
 #include "pipeline/run/frame.h"
 
@@ -27,6 +28,8 @@ struct CliHost {
     std::function<pipeline::Result<std::vector<std::filesystem::path>>(
         const pipeline::Frame& frame, std::optional<glm::ivec2> pixel, const std::filesystem::path& folder)>
         writeViews;
+    // Draws a view of a cue as the window does; empty in a build without it.
+    lessons::DrawView drawCueView;
     bool hasWindow = false;
 };
 

@@ -29,5 +29,7 @@ void declareFilm(CLI::App& program, const CliHost& host, int& status);
 void declareBug(CLI::App& program, const CliHost& host, int& status);
 void declareCompare(CLI::App& program, const CliHost& host, int& status);
 void declareLesson(CLI::App& program, const CliHost& host, int& status);
+void declareSite(CLI::App& program, const CliHost& host, int& status);
+void declarePresent(CLI::App& program, const CliHost& host, int& status);
 
 }  // namespace app

@@ -10,9 +10,13 @@
 
 namespace app {
 
-LivePartsFound livePartsOrTell(const std::string& file, std::string_view command) {
+bool isNoFile(const std::string& file) {
     std::error_code ignored;
-    if (file.empty() || std::filesystem::is_directory(file, ignored)) {
+    return file.empty() || std::filesystem::is_directory(file, ignored);
+}
+
+LivePartsFound livePartsOrTell(const std::string& file, std::string_view command) {
+    if (isNoFile(file)) {
         tell("shadescope {}: with --live, -o needs the name of a file, as lesson.html\n", command);
         return {{}, kWrongUsage};
     }
@@ -22,24 +26,28 @@ LivePartsFound livePartsOrTell(const std::string& file, std::string_view command
     return {{}, kCouldNotWrite};
 }
 
-int writeLivePage(const pipeline::Result<lessons::LivePage>& page, const std::string& file,
-                  const Interrupt& interrupt) {
+int writePage(const pipeline::Result<std::string>& html, const std::string& file, const Interrupt& interrupt) {
     if (interrupt.asked()) {
         tell("Cancelled. Nothing was written.\n");
         return kInterrupted;
     }
-    if (!page) {
-        printErrors(page.errors());
+    if (!html) {
+        printErrors(html.errors());
         return kBadInput;
     }
-    const auto written = pipeline::writeWhole(file, page->html);
+    const auto written = pipeline::writeWhole(file, *html);
     if (!written) {
         printErrors(written.errors());
         return kCouldNotWrite;
     }
-    printErrors(page->leftOut);
-    tell("{}, {}\n", file, pipeline::sizeText(page->html.size()));
+    tell("{}, {}\n", file, pipeline::sizeText(html->size()));
     return kDone;
+}
+
+int writeLivePage(const pipeline::Result<lessons::LivePage>& page, const std::string& file,
+                  const Interrupt& interrupt) {
+    if (page) printErrors(page->leftOut);
+    return writePage(page ? pipeline::Result<std::string>(page->html) : page.errors(), file, interrupt);
 }
 
 }  // namespace app

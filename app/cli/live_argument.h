@@ -19,7 +19,12 @@ struct LivePartsFound {
 // command: "export", for messages; file: what -o names.
 LivePartsFound livePartsOrTell(const std::string& file, std::string_view command);
 
+// Whether -o names no file: a folder, or nothing.
+bool isNoFile(const std::string& file);
+
 // Writes a page that was made, and tells how large it is. Gives the exit status.
+int writePage(const pipeline::Result<std::string>& html, const std::string& file, const Interrupt& interrupt);
+// The same, and what was left out of it.
 int writeLivePage(const pipeline::Result<lessons::LivePage>& page, const std::string& file, const Interrupt& interrupt);
 
 }  // namespace app

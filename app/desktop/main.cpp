@@ -15,6 +15,7 @@
 #include "pipeline/core/text.h"
 #include "pipeline/formats/built_in_scenes.h"
 #ifdef SHADESCOPE_WINDOW
+#include "app/desktop/cue_picture.h"
 #include "app/desktop/window_main.h"
 #include "app/view3d/offscreen.h"
 #endif
@@ -26,6 +27,7 @@ app::CliHost makeHost() {
 #ifdef SHADESCOPE_WINDOW
     host.hasWindow = true;
     host.writeViews = app::writeViews;
+    host.drawCueView = app::drawCueView;
 #endif
     return host;
 }
@@ -97,7 +99,8 @@ int runProgram(int argc, char** argv) {
     if (!session) std::rotate(argv + 1, argv + 2, argv + argc--);  // Qt reads the rest
     const std::string first = argc > 1 ? argv[1] : "";
     const bool isHelp = std::any_of(argv, argv + argc, [](std::string_view a) { return a == "-h" || a == "--help"; });
-    if (first == "present" && !isHelp) return present(argc, argv, session);
+    const bool isTalk = first == "present" && !(argc > 3 && std::string_view(argv[2]) == "export");  // else a command
+    if (isTalk && !isHelp) return present(argc, argv, session);
     if (app::isForCli(first)) return app::runCli(argc, argv, makeHost());
     if (first.starts_with("--")) return refuse("there is no option " + pipeline::inQuotes(first));
     const bool file = !first.empty() && first[0] != '-';  // "-platform" and the like are for Qt

@@ -38,30 +38,9 @@ constexpr std::array<View, 6> kViews{{{"world.png", ViewPreset::Iso},
                                       {"eye.png", ViewPreset::Eye},
                                       {"everything.png", ViewPreset::Everything}}};
 
-// Fonts need an application object; the offscreen platform needs no display.
-class FontSystem {
-public:
-    FontSystem() {
-        if (QCoreApplication::instance()) return;
-        m_application = std::make_unique<QGuiApplication>(m_count, m_arguments.data());
-        keepPointInNumbers();
-    }
-    bool ready() const { return qobject_cast<QGuiApplication*>(QCoreApplication::instance()) != nullptr; }
-
-private:
-    std::array<char, 11> m_name{"shadescope"};
-    std::array<char, 10> m_option{"-platform"};
-    std::array<char, 10> m_platform{"offscreen"};
-    std::array<char*, 4> m_arguments{m_name.data(), m_option.data(), m_platform.data(), nullptr};
-    int m_count = 3;
-    std::unique_ptr<QGuiApplication> m_application;
-};
-
 bool savePng(const QImage& image, const std::filesystem::path& file) {
-    QByteArray png;
-    QBuffer out(&png);
-    return out.open(QIODevice::WriteOnly) && image.save(&out, "PNG") &&
-           writeFile(QFile::decodeName(file.c_str()), png).empty();
+    const std::string png = pngBytes(image);
+    return !png.empty() && writeFile(QFile::decodeName(file.c_str()), QByteArray::fromStdString(png)).empty();
 }
 
 glm::ivec2 tileOf(const ViewShot& shot) { return glm::min(shot.size, glm::ivec2(shot.tile)); }
@@ -191,6 +170,26 @@ private:
 };
 
 }  // namespace
+
+struct FontSystem::Own {
+    std::array<char, 11> name{"shadescope"};
+    std::array<char, 10> option{"-platform"};
+    std::array<char, 10> platform{"offscreen"};
+    std::array<char*, 4> arguments{name.data(), option.data(), platform.data(), nullptr};
+    int count = 3;
+    QGuiApplication application{count, arguments.data()};
+};
+FontSystem::FontSystem() : m_own(QCoreApplication::instance() ? nullptr : std::make_unique<Own>()) {
+    if (m_own) keepPointInNumbers();
+}
+FontSystem::~FontSystem() = default;
+bool FontSystem::ready() const { return qobject_cast<QGuiApplication*>(QCoreApplication::instance()) != nullptr; }
+
+std::string pngBytes(const QImage& image) {
+    QByteArray png;
+    QBuffer out(&png);
+    return out.open(QIODevice::WriteOnly) && image.save(&out, "PNG") ? png.toStdString() : std::string();
+}
 
 pipeline::Result<QImage> renderView(const ViewContent& content, const ViewOptions& options, ViewPreset preset,
                                     glm::ivec2 size) {

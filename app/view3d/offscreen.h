@@ -3,6 +3,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <QImage>
@@ -14,6 +15,20 @@
 #include "pipeline/run/frame.h"
 
 namespace app {
+
+// Fonts need an application object; where there is none, one of the platform that needs no display is made and lives as
+// long as this.
+class FontSystem {
+public:
+    FontSystem();
+    ~FontSystem();
+    bool ready() const;  // false: the application there is has no fonts
+
+private:
+    struct Own;
+    std::unique_ptr<Own> m_own;
+};
+std::string pngBytes(const QImage& image);  // empty where it cannot be packed
 
 // One view as an image, in the theme in force, without a display. Needs a QGuiApplication for
 // the letters' fonts.

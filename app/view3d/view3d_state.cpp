@@ -5,8 +5,7 @@
 #include <utility>
 
 #include "app/core/text.h"
-#include "app/view3d/overlay.h"
-#include "app/view3d/point_drawing.h"
+#include "app/view3d/space_picture.h"
 #include "app/view3d/view3d_panel.h"
 #include "lessons/state/shown_words.h"
 
@@ -80,27 +79,37 @@ std::string keyOf(SpaceId id) {
     return id.face < 0 ? light : light + ' ' + std::string(lessons::kFaceNames[std::size_t(id.face)]);
 }
 
+}  // namespace
+
 std::optional<SpaceId> spaceNamed(std::string_view name) {
     const auto words = lessons::parseSpace(name);
     return words ? std::optional(SpaceId{ViewSpace(words->space), words->light, words->face}) : std::nullopt;
 }
 
-}  // namespace
+ViewOptions optionsOf(const lessons::SpaceShown& shown, pipeline::Errors& errors) {
+    ViewOptions options;
+    for (const auto& [name, value] : shown.options) {
+        const auto row = std::ranges::find(kOptions, name, &OptionRow::name);
+        if (row == kOptions.end()) {
+            errors.push_back({{}, "the 3D view has no option \"" + name + '"'});
+            continue;
+        }
+        const lessons::SpaceOption& range = lessons::kSpaceOptions[std::size_t(row - kOptions.begin())];
+        if (!(value >= range.min && value <= range.max))
+            errors.push_back({{}, "the option \"" + name + "\" of the 3D view is out of its range"});
+        else
+            row->set(options, value);
+    }
+    return options;
+}
 
 // A camera that the user has not moved frames the picture as it does the view.
 pipeline::Result<SpacePicture> SceneView::picture(QSize size, bool transparent) const {
     if (!shown()) return pipeline::Error{{}, "the 3D view has nothing to show", {}};
-    constexpr double kUsualHeight = 600;  // of a view with letters in their own size
-    const ViewShot shot{.size = {size.width(), size.height()},
-                        .pixelRatio = std::max(0.2, size.height() / kUsualHeight),
-                        .transparent = transparent,
-                        .isPoint = isPoint(),
-                        .hasGround = isWorld()};
+    const ViewShot shot = shotOf({size.width(), size.height()}, isPoint(), isWorld(), transparent);
     const glm::dvec2 logical = glm::dvec2(shot.size) / shot.pixelRatio;
-    const auto framed = isPoint() ? pointCamera : presetCamera;
-    const double foot = shown()->map.keepsLengths() && shown()->point ? logical.y - legendAt(logical).top() : 0;
     const OrbitCamera camera =
-        m_touched ? m_camera : framed(ViewPreset::Iso, *shown(), m_options, logical, m_camera.orthographic, foot);
+        m_touched ? m_camera : firstCamera(*shown(), m_options, isPoint(), logical, m_camera.orthographic);
     return SpacePicture{shown(), m_options, camera, shot};
 }
 
@@ -120,19 +129,7 @@ lessons::SpaceShown View3dPanel::state() const {
 
 pipeline::Errors View3dPanel::lookAt(const lessons::SpaceShown& state) {
     pipeline::Errors errors;
-    ViewOptions options;
-    for (const auto& [name, value] : state.options) {
-        const auto row = std::ranges::find(kOptions, name, &OptionRow::name);
-        if (row == kOptions.end()) {
-            errors.push_back({{}, "the 3D view has no option \"" + name + '"'});
-            continue;
-        }
-        const lessons::SpaceOption& range = lessons::kSpaceOptions[std::size_t(row - kOptions.begin())];
-        if (!(value >= range.min && value <= range.max))
-            errors.push_back({{}, "the option \"" + name + "\" of the 3D view is out of its range"});
-        else
-            row->set(options, value);
-    }
+    const ViewOptions options = optionsOf(state, errors);
     const auto space = spaceNamed(state.space);
     if (!space) errors.push_back({{}, "the 3D view has no space \"" + state.space + '"', lessons::kSpaceExpected});
     m_wanted = Wanted{options, space.value_or(SpaceId()), state.camera, state};

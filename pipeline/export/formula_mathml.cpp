@@ -108,4 +108,19 @@ std::string toMathml(const Formula& formula) {
     return "<mrow data-refers=\"" + escapedHtml(formula.refers) + "\">" + bare + "</mrow>";
 }
 
+std::vector<std::string> mathmlParts(const Formula& formula) {
+    std::vector<std::string> parts;
+    const std::vector<Formula> row =
+        formula.kind == Formula::Kind::Row && formula.refers.empty() ? formula.parts : std::vector<Formula>{formula};
+    for (const Formula& one : row) {
+        const std::string words = toText(one);
+        const std::size_t first = words.find_first_not_of(' ');
+        const bool begins = one.kind == Formula::Kind::Text && first != std::string::npos &&
+                            (words[first] == '=' || words[first] == '+');
+        if (begins || parts.empty()) parts.emplace_back();
+        parts.back() += toMathml(one);
+    }
+    return parts;
+}
+
 }  // namespace pipeline

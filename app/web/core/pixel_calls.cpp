@@ -6,27 +6,7 @@
 
 namespace web {
 
-using pipeline::Formula;
-
 namespace {
-
-// The parts of a line at its outer level, from one "=" or "+" to the next, so that a page can break the line there.
-Json partsOf(const Formula& formula) {
-    Json parts = Json::array();
-    std::vector<Formula> row =
-        formula.kind == Formula::Kind::Row && formula.refers.empty() ? formula.parts : std::vector<Formula>{formula};
-    std::string part;
-    for (const Formula& one : row) {
-        const std::string words = toText(one);
-        const std::size_t first = words.find_first_not_of(' ');
-        const bool begins = one.kind == Formula::Kind::Text && first != std::string::npos &&
-                            (words[first] == '=' || words[first] == '+');
-        if (begins && !part.empty()) parts.push_back(std::exchange(part, {}));
-        part += toMathml(one);
-    }
-    if (!part.empty()) parts.push_back(part);
-    return parts;
-}
 
 Json lastStep(int level) {
     const ShownScene& own = core().own;
@@ -59,7 +39,7 @@ WEB_CALL(inspect) int webInspect(int x, int y, int channel) {
     if (json.contains("equation")) {
         const auto lines = equation(frame.scene(), report, channel);
         json["equation"] = toJson(lines);
-        for (std::size_t i = 0; i < lines.size(); ++i) json["equation"][i]["mathml"] = partsOf(lines[i].formula);
+        for (std::size_t i = 0; i < lines.size(); ++i) json["equation"][i]["mathml"] = mathmlParts(lines[i].formula);
     }
     return give(json);
 }

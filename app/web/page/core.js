@@ -4,9 +4,11 @@
 
 const decoder = new TextDecoder(), encoder = new TextEncoder();
 
-/** A data block that was packed by gzip. @param {string} id @returns {Promise<Uint8Array>} */
-async function unpacked(id) {
-  const text = atob(/** @type {HTMLElement} */ (document.getElementById(id)).textContent.trim());
+/** The core, packed by gzip, from the page or from the file that several pages share. @returns {Promise<Uint8Array>} */
+async function unpackedCore() {
+  const shared = /** @type {any} */ (globalThis).sharedCore, own = document.getElementById('core');
+  if (!shared && !own) throw new Error('The file with the core is not beside this page: copy the whole folder.');
+  const text = atob(shared || own.textContent.trim());
   const packed = new Uint8Array(text.length);
   for (let i = 0; i < text.length; ++i) packed[i] = text.charCodeAt(i);
   const stream = new Blob([packed]).stream().pipeThrough(new (/** @type {any} */ (globalThis).DecompressionStream)('gzip'));

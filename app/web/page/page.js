@@ -87,7 +87,7 @@ async function start() {
     throw new Error('This browser is too old: the page needs Chromium 91, Firefox 113, Safari 16.4 or newer.');
   const began = performance.now();
   data = JSON.parse(one('#data').textContent);
-  core = await Core.start(await unpacked('core'));
+  core = await Core.start(await unpackedCore());
   for (const [name, text] of Object.entries(data.files)) core.ask('file', name, text);
   const lesson = core.ask('lesson', data.lesson, JSON.stringify(data.texts));
   data.pages = lesson.pages;

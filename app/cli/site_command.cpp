@@ -1,0 +1,67 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "app/cli/commands.h"
+#include "app/cli/interrupt.h"
+#include "app/cli/live_argument.h"
+#include "app/cli/message.h"
+#include "app/cli/progress_printer.h"
+#include "lessons/site.h"
+#include "pipeline/core/text.h"
+#include "pipeline/export/size_text.h"
+#include "pipeline/export/staging.h"
+
+namespace app {
+
+namespace {
+
+int exportSite(const std::string& folder, const CliHost& host) {
+    const Interrupt interrupt;
+    const auto parts = lessons::liveParts();
+    if (!parts) {
+        printErrors(parts.errors());
+        return kCouldNotWrite;
+    }
+    ProgressPrinter progress("pages");
+    const auto site = lessons::makeSite(
+        *parts, host.drawCueView, interrupt.token(),
+        [&](std::size_t done, std::size_t all, const std::string& what) { progress.show(done, all, what); });
+    progress.end();
+    if (interrupt.asked()) {
+        tell("Cancelled. Nothing was written.\n");
+        return kInterrupted;
+    }
+    if (!site) {
+        printErrors(site.errors());
+        return kBadInput;
+    }
+    for (const std::string& line : site->leftOut) tell("left out: {}\n", line);
+    const auto written = pipeline::writeFiles(site->files, folder);
+    if (!written) {
+        printErrors(written.errors());
+        return kCouldNotWrite;
+    }
+    std::size_t bytes = 0;
+    for (const auto& [name, text] : site->files) bytes += text.size();
+    tell("{}: {}, {}. Open {} in a browser.\n", folder, pipeline::plural(std::int64_t(site->files.size()), "file"),
+         pipeline::sizeText(bytes), (std::filesystem::path(folder) / "index.html").string());
+    return kDone;
+}
+
+}  // namespace
+
+void declareSite(CLI::App& program, const CliHost& host, int& status) {
+    CLI::App* command = program.add_subcommand("site", "Write everything that a browser can show, for a course");
+    command->require_subcommand(1);
+    CLI::App* write = command->add_subcommand(
+        "export", "Write an index, all lessons and scenes live, the lectures and the manual into a folder");
+    const auto folder = std::make_shared<std::string>();
+    write->add_option("-o,--output", *folder, "The folder to write into, made when it is missing")
+        ->required()
+        ->type_name("DIR");
+    write->callback([folder, &host, &status] { status = exportSite(*folder, host); });
+}
+
+}  // namespace app

@@ -1,0 +1,217 @@
+#include "lessons/site.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include "lessons/handout.h"
+#include "lessons/library.h"
+#include "lessons/manual_page.h"
+#include "lessons/page_parts.h"
+#include "pipeline/core/version.h"
+#include "pipeline/export/html_text.h"
+#include "pipeline/formats/built_in_scenes.h"
+#include "pipeline/formats/scene_folder.h"
+#include "pipeline/formats/scene_reader.h"
+
+namespace lessons {
+
+namespace {
+
+using pipeline::Error;
+using pipeline::escapedHtml;
+using pipeline::Result;
+namespace fs = std::filesystem;
+
+constexpr const char* kCoreFile = "shadescope-core.js";
+
+// A page without scripts around `body`.
+std::string paperPage(const std::string& style, std::string_view title, const std::string& body) {
+    return fmt::format(
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta "
+        "http-equiv=\"Content-Security-Policy\" "
+        "content=\"default-src 'none'; style-src '{}'; img-src 'self' file: data:; base-uri 'none'; form-action "
+        "'none'\">\n"
+        "<meta name=\"viewport\" content=\"width=device-width, "
+        "initial-scale=1\">\n<title>{}</title>\n<style>{}</style>\n"
+        "</head>\n<body>\n{}</body>\n</html>\n",
+        policyHash(style), escapedHtml(title), style, body);
+}
+
+std::string link(std::string_view address, std::string_view words) {
+    return fmt::format("<a href=\"{}\">{}</a>", escapedHtml(address), escapedHtml(words));
+}
+
+// The file of the manual's page README.md or NAME.md.
+std::string manualFile(std::string_view stem) {
+    return stem == "README" ? "manual.html" : fmt::format("manual-{}.html", stem);
+}
+
+class SiteWriter {
+public:
+    SiteWriter(LiveParts parts, const DrawView& draw, const pipeline::Stop& stop, const SiteProgress& progress)
+        : m_parts(std::move(parts)), m_draw(draw), m_stop(stop), m_progress(progress) {}
+
+    Result<Site> write() {
+        for (const std::string_view name : {"tokens.css", "site.css"}) {
+            const auto style = readPageFile(name);
+            if (!style) return style.errors();
+            m_style += *style;
+        }
+        m_manual = pipeline::resourceFolder() / "manual";
+        const Library library = allLessons();
+        if (!library.errors.empty()) return library.errors;
+        const std::vector<pipeline::BuiltInScene> scenes = pipeline::builtInScenes();
+        const std::vector<fs::path> talks = filesOf(".cues"), manual = filesOf(".md");
+        m_all = library.lessons.size() + scenes.size() + talks.size() + manual.size();
+
+        add(kCoreFile, "globalThis.sharedCore = '" + pipeline::base64(m_parts.core) + "';\n");
+        m_parts.sharedCore = kCoreFile;
+        for (const fs::path& file : talks) addTalk(file);
+        for (const Lesson& lesson : library.lessons) addLesson(lesson);
+        for (const pipeline::BuiltInScene& scene : scenes) addScene(scene);
+        std::set<std::string> pages;
+        for (const fs::path& file : manual) pages.insert(file.stem().string());
+        for (const fs::path& file : manual) addManual(file, pages);
+        if (m_stop.stop_requested()) return Error{{}, "stopped", {}};
+        if (!m_errors.empty()) return m_errors;
+        add("index.html", paperPage(m_style, "Shadescope", index()));
+        return std::move(m_site);
+    }
+
+private:
+    void add(std::string name, std::string bytes) { m_site.files.emplace_back(std::move(name), std::move(bytes)); }
+    // False: stopped.
+    bool begin(const std::string& what) {
+        if (m_progress) m_progress(m_done++, m_all, what);
+        return !m_stop.stop_requested();
+    }
+    std::vector<fs::path> filesOf(const char* ending) const {
+        std::vector<fs::path> files;
+        std::error_code ignored;
+        for (const auto& entry : fs::directory_iterator(m_manual, ignored))
+            if (entry.path().extension() == ending) files.push_back(entry.path());
+        std::ranges::sort(files);
+        return files;
+    }
+    template <class T>
+    bool isMade(const Result<T>& made) {
+        if (made) return true;
+        m_errors.insert(m_errors.end(), made.errors().begin(), made.errors().end());
+        return false;
+    }
+    void leaveOut(const std::string& name, const std::string& why) { m_site.leftOut.push_back(name + ": " + why); }
+
+    void addTalk(const fs::path& file) {
+        if (!begin("talk " + file.stem().string())) return;
+        if (!m_draw) return leaveOut(file.filename().string(), "this build draws no views");
+        const auto parts = talkParts();
+        const auto list = readCueFile(file, m_stop);
+        if (!isMade(parts) || !isMade(list)) return;
+        auto page = makeTalkPage(*list, m_manual, *parts, m_draw, m_stop);
+        if (!isMade(page)) return;
+        for (const std::string& line : page->leftOut) leaveOut(file.filename().string(), line);
+        const std::string name = "talk-" + file.stem().string() + ".html";
+        m_talks += fmt::format("<li>{}<p>{} cues, {} minutes.</p></li>\n",
+                               link(name, list->title.empty() ? file.stem().string() : list->title), list->cues.size(),
+                               list->minutes);
+        add(name, std::move(page->html));
+    }
+
+    void addLesson(const Lesson& lesson) {
+        if (!begin("lesson " + lesson.name)) return;
+        auto page = makeLivePage(lesson, m_parts, m_stop);
+        auto handout = makeHandout(lesson, m_stop);
+        if (!isMade(page) || !isMade(handout)) return;
+        for (const Error& error : page->leftOut) leaveOut(lesson.name, format(error));
+        const std::string live = "lesson-" + lesson.name + ".html", paper = "lesson-" + lesson.name + "-paper.html";
+        m_lessons += fmt::format("<li>{} <span class=\"note\">{}, {} pages, {}</span><p>{}</p></li>\n",
+                                 link(live, lesson.title), escapedHtml(lesson.lecture), lesson.pages.size(),
+                                 link(paper, "on paper"), escapedHtml(lesson.summary));
+        add(live, std::move(page->html));
+        add(paper, std::move(handout->pages));
+    }
+
+    void addScene(const pipeline::BuiltInScene& scene) {
+        if (!begin("scene " + scene.name)) return;
+        const auto read = pipeline::readScene(scene.file);
+        if (!isMade(read)) return;
+        auto page = makeLivePage(*read, scene.title, scene.look, {}, m_parts, m_stop);
+        if (!isMade(page)) return;
+        const std::string name = "scene-" + scene.name + ".html";
+        m_scenes += fmt::format("<li>{}<p>{}</p></li>\n", link(name, scene.title), escapedHtml(scene.look));
+        add(name, std::move(page->html));
+    }
+
+    void addManual(const fs::path& file, const std::set<std::string>& pages) {
+        if (!begin("manual " + file.stem().string())) return;
+        const auto text = pipeline::readFile(file);
+        if (!isMade(text)) return;
+        const auto address = [&](std::string_view to) { return manualAddress(to, pages); };
+        const std::string body = manualHtml(*text, address);
+        std::string title(std::string_view(*text).substr(0, text->find('\n')));
+        title.erase(0, title.find_first_not_of("# "));
+        add(manualFile(file.stem().string()),
+            paperPage(m_style, title,
+                      "<nav>" + link("index.html", "Shadescope") + " › " + link("manual.html", "Manual") +
+                          "</nav>\n<main>" + body + "</main>\n"));
+    }
+
+    // Of a link or picture in the manual; empty where it leads out of the site.
+    std::string manualAddress(std::string_view to, const std::set<std::string>& pages) {
+        if (to.starts_with("#") || to.starts_with("https://")) return std::string(to);
+        const std::size_t hash = std::min(to.find('#'), to.size());
+        const fs::path path(to.substr(0, hash));
+        if (path.extension() == ".md" && !path.has_parent_path() && pages.contains(path.stem().string()))
+            return manualFile(path.stem().string()) + std::string(to.substr(hash));
+        if (path.extension() != ".png" || path.parent_path() != "../pictures") return {};
+        const std::string name = "picture-" + path.filename().string();
+        if (m_pictures.insert(name).second) {
+            auto bytes = pipeline::readFile(m_manual / path);
+            if (!isMade(bytes)) return {};
+            add(name, std::move(bytes).value());
+        }
+        return name;
+    }
+
+    std::string index() const {
+        const auto part = [](std::string_view heading, std::string_view says, const std::string& list) {
+            return list.empty()
+                       ? std::string()
+                       : fmt::format("<section><h2>{}</h2><p>{}</p><ul>\n{}</ul></section>\n", heading, says, list);
+        };
+        return "<main><h1>Shadescope</h1>\n<p>See how polygons become a picture, one step at a time. Every page here "
+               "works in a browser "
+               "of today, with the network off.</p>\n" +
+               part("Lectures", "Pictures, captions, notes and the keys of clickers.", m_talks) +
+               part("Lessons", "Each with the pipeline inside, and questions that are checked on the spot.",
+                    m_lessons) +
+               part("Scenes", "Each with the pipeline inside: click a pixel, move a setting, step through the stages.",
+                    m_scenes) +
+               "<section><h2>Manual</h2><p>" + link("manual.html", "The manual of the program") +
+               "</p></section></main>\n<footer class=\"note\">Made by Shadescope " +
+               escapedHtml(pipeline::programVersion()) + ".</footer>\n";
+    }
+
+    LiveParts m_parts;
+    const DrawView& m_draw;
+    pipeline::Stop m_stop;
+    const SiteProgress& m_progress;
+    std::size_t m_done = 0, m_all = 0;
+    fs::path m_manual;
+    std::string m_style, m_talks, m_lessons, m_scenes;
+    std::set<std::string> m_pictures;
+    pipeline::Errors m_errors;
+    Site m_site;
+};
+
+}  // namespace
+
+Result<Site> makeSite(const LiveParts& parts, const DrawView& draw, const pipeline::Stop& stop,
+                      const SiteProgress& progress) {
+    return SiteWriter(parts, draw, stop, progress).write();
+}
+
+}  // namespace lessons
