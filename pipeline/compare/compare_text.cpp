@@ -98,7 +98,8 @@ private:
         const Suspects& suspects = *m_report.suspects;
         if (suspects.candidates.empty()) {
             labelled("likely", fmt::format("None of the {} known errors explains this.", suspects.tried), true);
-            if (suspects.next && suspects.next->explained > 0)
+            constexpr double kWorthTelling = 0.8;
+            if (suspects.next && suspects.next->explained > kWorthTelling)
                 labelled("likely", fmt::format("The nearest, {}, explains {:.0f} %.", suspects.next->error.name,
                                                100 * suspects.next->explained));
             return;
@@ -139,7 +140,8 @@ private:
             labelled("conventions",
                      fmt::format("{}  {}  {}", padded(one.buffer, 16), padded(one.words, 34), certaintyText(one)));
             const std::string line = fmt::format("{} = \"{}\"", one.key, one.value);
-            if (!one.own && one.certainty != Certainty::Stated && fix.find(line) == fix.npos) fix += "  " + line;
+            const bool isKnown = !one.key.empty() && !one.own && one.certainty != Certainty::Stated;
+            if (isKnown && fix.find(line) == fix.npos) fix += "  " + line;
         }
         if (!fix.empty()) labelled("conventions", "To fix them, write into mine.toml:" + fix);
     }

@@ -73,7 +73,8 @@ Convention said(const HandedFile& file, Axis axis, int value, Certainty certaint
             out.key = "rows", out.value = value ? "bottom-up" : "top-down";
             break;
         case Columns:
-            out.words = value ? "columns right to left" : "columns left to right";
+            out.words = value ? "columns right to left; if that is not meant, the picture is mirrored"
+                              : "columns left to right";
             out.key = "columns", out.value = value ? "right-to-left" : "left-to-right";
             break;
         case Channels:
@@ -260,23 +261,69 @@ double readingCost(const HandedFile& file, const Values& mine, const Values& ref
     return mean + (either ? kMissing * double(alone) / double(either) : 0);
 }
 
-Conventions findConventions(const HandedIn& in, const ReferenceValues& reference, const ReadingContext& context,
+namespace {
+
+// What is covered and drawn by them too, where their files say that they draw clearly less; else nothing.
+std::optional<std::vector<std::uint8_t>> drawnLess(const std::vector<Sounding>& soundings,
+                                                   const ReferenceValues& reference, const ReadingContext& context) {
+    for (const Sounding& sounding : soundings) {
+        const Values& right = reference.at(sounding.file->name.buffer.text());
+        if (right.domain != Domain::Pixel) continue;
+        std::vector<std::uint8_t> drawn =
+            drawnIn(sounding.file->name, read(*sounding.file, sounding.best().reading, context, right));
+        if (drawn.empty()) continue;
+        std::size_t missing = 0;
+        for (std::size_t i = 0; i < drawn.size(); ++i) {
+            missing += context.covered[i] && !drawn[i];
+            drawn[i] = drawn[i] && context.covered[i];
+        }
+        if (100 * missing > drawn.size()) return drawn;
+        return {};
+    }
+    return {};
+}
+
+}  // namespace
+
+Conventions findConventions(const HandedIn& in, const ReferenceValues& reference, const ReadingContext& given,
                             const std::map<std::string, double>& tolerances, const StatedConventions& stated) {
     Conventions out;
+    out.context = given;
+    for (const HandedFile& file : in.files)
+        if (const auto background = backgroundOf(file, given)) {
+            const auto& [r, g, b] = *background;
+            out.said.push_back({file.name.text(), fmt::format("background {} {} {}", r, g, b), {}, {}});
+            out.context.background = background;
+        }
+    const ReadingContext& context = out.context;
     std::vector<Sounding> soundings;
-    for (const HandedFile& file : in.files) {
+    const auto cost = [&](const HandedFile& file, const Reading& reading, const ReadingContext& where) {
         const std::string name = file.name.buffer.text();
         const Values& right = reference.at(name);
-        Sounding sounding{&file, {}, right.domain == Domain::Pixel};
-        for (const Reading& reading : readingsOf(file, context)) {
-            const Values mine = read(file, reading, context, right);
-            sounding.candidates.push_back({reading, readingCost(file, mine, right, context, tolerances.at(name))});
-        }
+        return readingCost(file, read(file, reading, context, right), right, where, tolerances.at(name));
+    };
+    for (const HandedFile& file : in.files) {
+        Sounding sounding{&file, {}, reference.at(file.name.buffer.text()).domain == Domain::Pixel};
+        for (const Reading& reading : readingsOf(file, context))
+            sounding.candidates.push_back({reading, cost(file, reading, context)});
         soundings.push_back(std::move(sounding));
     }
-    Choosing choosing(std::move(soundings), stated, out);
-    choosing.chooseAll();
-    for (const Sounding& sounding : choosing.soundings()) {
+    const std::vector<Convention> before = out.said;
+    std::optional<Choosing> choosing;
+    choosing.emplace(soundings, stated, out).chooseAll();
+    if (const auto drawn = drawnLess(choosing->soundings(), reference, context)) {
+        // Where they draw nothing, their numbers of it stand for nothing either.
+        ReadingContext less = context;
+        less.covered = *drawn;
+        for (Sounding& sounding : soundings) {
+            const bool says = !drawnIn(sounding.file->name, reference.at(sounding.file->name.buffer.text())).empty();
+            if (sounding.isPicture && !says)
+                for (PossibleReading& one : sounding.candidates) one.cost = cost(*sounding.file, one.reading, less);
+        }
+        out.said = before;
+        choosing.emplace(std::move(soundings), stated, out).chooseAll();
+    }
+    for (const Sounding& sounding : choosing->soundings()) {
         const Reading reading = sounding.best().reading;
         std::vector<Reading> others;
         const auto with = [&](Reading other, int channels) {

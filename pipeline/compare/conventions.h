@@ -43,6 +43,7 @@ struct Conventions {
     std::vector<ReadFile> files;
     std::vector<Convention> said;
     bool geometryIsStated = false;  // rows and columns
+    ReadingContext context{};       // of their files: with what they show where nothing is drawn
 };
 
 using ReferenceValues = std::map<std::string, Values>;  // by the buffer's name

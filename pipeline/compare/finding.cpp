@@ -176,7 +176,8 @@ Finding compareValues(const ReadFile& file, const Values& right, const Reference
         if (bad && weight > worst) worst = weight, out.worst = i;
     }
     if (numbers > 0) out.rms = std::sqrt(squares / double(numbers));
-    out.agrees = double(out.bad()) <= (picture ? kStrayPixels * double(out.compared) : 0);
+    const double stray = picture ? kStrayPixels : right.domain == Domain::Texel ? kStrayTexels : 0;
+    out.agrees = double(out.bad()) <= stray * double(out.compared);
     return out;
 }
 

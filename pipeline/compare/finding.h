@@ -36,6 +36,7 @@ struct Finding {
 // The share of the elements that may be wrong in a buffer that agrees: of pixels, as rasterizers differ in ways that a
 // neighbourhood of one pixel does not explain.
 inline constexpr double kStrayPixels = 0.001;
+inline constexpr double kStrayTexels = 0.01;  // of a shadow buffer, whose frame is found, not known
 
 Finding compareValues(const ReadFile& file, const Reference& reference);
 // The same of values that somebody else has made: `right` takes the place of the reference's.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "pipeline/run/runner.h"
 
@@ -15,8 +16,9 @@ constexpr double kPixels = 320 * 240;   // of the picture that hypotheses are ra
 constexpr std::size_t kConfirmed = 5;   // in the picture's own size
 constexpr double kSameFloor = 0.35;     // tolerances: what rounding to bytes leaves
 constexpr double kClearlyBetter = 2;    // times as close as the next
-constexpr double kExplains = 4;         // times as close as the right renderer
-constexpr double kExplainsOne = 10;     // the same of one file alone
+constexpr double kExplains = 20;        // times as close as the right renderer
+constexpr double kFits = 0.9;           // tolerances: what fits whatever the right renderer is off
+constexpr double kFitsAtMost = 3;       // tolerances: what fits, however far off the right renderer is
 constexpr double kMissingCost = 100;    // tolerances
 constexpr double kTrimmedShare = 0.03;  // of the pixels that are wrong, the farthest: rasterizers differ
 constexpr double kNoise = 1;            // tolerances: what two right renderers differ by
@@ -78,8 +80,10 @@ std::vector<std::uint8_t> openPixels(const Frame& frame) {
 struct Evidence {
     const HandedFile* file;
     double tolerance;
-    bool differs;  // from the reference
-    double wrong;  // elements that are, at least a thousandth of all
+    bool differs;                   // from the reference
+    const Finding* finding;         // in the picture's own size; null in a smaller one
+    const Values* right = nullptr;  // of the reference; null likewise
+    double wrong;                   // elements that are, at least a thousandth of all
     // With the rows from the top and from the bottom, each in all readings that the file may have.
     std::array<std::vector<Values>, 2> mine;
 };
@@ -101,6 +105,8 @@ public:
             Evidence one{file.file,
                          reference.tolerances.at(name.text()),
                          !findings[i].agrees,
+                         factor == 1 ? &findings[i] : nullptr,
+                         factor == 1 ? &right : nullptr,
                          std::max(1.0, picture ? wrong / double(factor * factor) : wrong),
                          {}};
             std::vector<Reading> readings = file.others;
@@ -109,7 +115,7 @@ public:
                 for (Reading reading : readings) {
                     if (picture) reading.bottomUp = up;
                     const Values mine =
-                        reading == file.reading ? file.mine : read(*file.file, reading, reference.context, right);
+                        reading == file.reading ? file.mine : read(*file.file, reading, conventions.context, right);
                     one.mine[up].push_back(smaller(mine, factor, isNames(name.id)));
                 }
             pictures += picture, bottomUp += picture && file.reading.bottomUp;
@@ -120,6 +126,7 @@ public:
         for (const BufferId id : {BufferId::PolygonId, BufferId::Shadow, BufferId::VerticesView})
             m_wanted.set(index(id));
     }
+    BufferId bufferOf(std::size_t file) const { return m_evidence[file].file->name.buffer.id; }
     std::string key() const { return fmt::format("{} ", int(m_corner)); }  // of frames that are kept
     bool takenRows() const { return m_taken; }                             // whether most pictures are read bottom-up
 
@@ -137,6 +144,10 @@ public:
         Distances out(m_evidence.size(), {HUGE_VAL, HUGE_VAL});
         for (std::size_t i = 0; i < out.size(); ++i) {
             const Evidence& one = m_evidence[i];
+            if (one.file->name.buffer.id == BufferId::ShadowBuffer) {  // what it leads to tells more: S
+                out[i] = {0, 0};
+                continue;
+            }
             auto values = valuesIn(*kept, one.file->name.buffer);
             if (!values || !values->isSameSize(one.mine[0][0])) continue;
             if (one.file->name.buffer.id == BufferId::VerticesScreen)
@@ -177,7 +188,8 @@ private:
                 ++undecided;
                 continue;
             }
-            if (picture && open[i] && *d > 0) {  // a border may be a pixel off
+            // A border may be a pixel off, but not where this is already known to be no border's doing.
+            if (picture && open[i] && *d > 0 && !isKnownWrong(one, right, i)) {
                 const std::size_t x = i % width, y = i / width;
                 for (std::size_t v = y > 0 ? y - 1 : 0; v <= std::min(y + 1, right.rows - 1); ++v)
                     for (std::size_t u = x > 0 ? x - 1 : 0; u <= std::min(x + 1, width - 1); ++u)
@@ -197,43 +209,21 @@ private:
         return std::sqrt(sum / one.wrong);
     }
 
+    // Whether a pixel is wrong and the hypothesis has there what the right renderer has.
+    static bool isKnownWrong(const Evidence& one, const Values& right, std::size_t i) {
+        if (!one.finding) return false;
+        const Class of = one.finding->classes[i];
+        if (of != Class::Wrong && of != Class::Missing && of != Class::Extra) return false;
+        if (!right.there[i] || !one.right->there[i]) return right.there[i] == one.right->there[i];
+        return differenceAt(toleranceOf(one.file->name.buffer.id)->measure, right, *one.right, i) <= one.tolerance;
+    }
+
     std::size_t m_factor;
     PixelCorner m_corner;  // in a smaller picture that is a part of a pixel
     bool m_rowsAreStated, m_taken = false;
     BufferSet m_wanted;
     std::vector<Evidence> m_evidence;
 };
-
-// Where two frames differ most, in the first buffer in which they clearly do.
-std::optional<Experiment> experimentBetween(const std::vector<Candidate>& candidates, const Scene& scene,
-                                            const Reference& reference, const Stop& stop) {
-    std::vector<FramePtr> frames;
-    BufferSet wanted;
-    for (const Tolerance& row : toleranceTable()) wanted.set(index(row.buffer));
-    for (std::size_t i = 0; i < 2; ++i) {
-        frames.push_back(runFrame(referenceScene(candidates[i].error.plant(scene), reference.corner),
-                                  {wanted, StageId::Shading, 0, stop}, nullptr));
-        if (!frames.back()) return {};
-    }
-    for (const BufferName& name : allBuffers(scene.lights.size())) {
-        const Tolerance* const row = toleranceOf(name.id);
-        if (!row || name.id == BufferId::ShadowBuffer || !reference.tolerances.contains(name.text())) continue;
-        const auto a = valuesIn(*frames[0], name), b = valuesIn(*frames[1], name);
-        if (!a || !b || !a->isSameSize(*b)) continue;
-        const double tolerance = reference.tolerances.at(name.text());
-        double largest = 0;
-        std::size_t at = 0;
-        for (std::size_t i = 0; i < a->count(); ++i) {
-            const double d = differenceAt(row->measure, *a, *b, i);
-            if (d > largest) largest = d, at = i;
-        }
-        if (!(largest > 10 * tolerance)) continue;
-        Finding shown;
-        shown.name.buffer = name, shown.columns = a->columns;
-        return Experiment{name.text(), placeText(shown, at), {valueText(shown, *a, at), valueText(shown, *b, at)}};
-    }
-    return {};
-}
 
 // All known errors of a scene and how far each is from each file, measured once.
 class Trial {
@@ -250,23 +240,23 @@ public:
     std::size_t count() const { return m_errors.size(); }
     // False where it was stopped.
     bool measure(const Stop& stop, const HypothesisProgress& progress, HypothesisFrames* frames) {
-        for (const KnownError& error : m_errors) {
-            if (progress) progress(m_distances.size(), m_errors.size());
-            FramePtr passing;
-            auto distances = m_small.of(error.plant(m_scene), stop,
-                                        frames ? (*frames)[m_small.key() + error.id + error.way] : passing);
-            if (!distances) return false;
-            m_distances.push_back(std::move(*distances));
-        }
         FramePtr passing;
         auto right = m_full.of(m_scene, stop, passing);
         if (!right) return false;
         m_right = std::move(*right);
+        for (const KnownError& error : m_errors) {
+            if (progress) progress(m_distances.size(), m_errors.size());
+            passing = nullptr;
+            auto distances = m_small.of(error.plant(m_scene), stop,
+                                        frames ? (*frames)[m_small.key() + error.id + error.way] : passing);
+            if (!distances) return false;
+            m_distances.push_back(left(error, std::move(*distances)));
+        }
         return true;
     }
 
-    // What explains these files. explains: how many times as close as the right renderer.
-    Suspects judge(const std::vector<std::size_t>& files, double explains, const Stop& stop) {
+    // What explains these files.
+    Suspects judge(const std::vector<std::size_t>& files, const Stop& stop) {
         Suspects out;
         out.tried = m_errors.size();
         out.right = worst(m_right, files, m_full.takenRows());
@@ -286,16 +276,26 @@ public:
                     FramePtr passing;
                     auto distances = m_full.of(m_errors[i].plant(m_scene), stop, passing);
                     if (!distances) return out.stopped = true, out;
-                    m_confirmed[i] = std::move(*distances);
+                    m_confirmed[i] = left(m_errors[i], std::move(*distances));
                 }
                 one = candidate(i, m_confirmed[i], files);
             }
             one.explained = out.right > 0 ? 1 - (one.distance * one.distance) / (out.right * out.right) : 0;
         }
-        std::ranges::stable_sort(best, {}, byDistance);
+        // Of those that fit equally well the rows of the program's own convention are the likelier.
+        std::ranges::stable_sort(best, [&](const auto& a, const auto& b) {
+            const double nearer = std::max(a.first.distance, kSameFloor),
+                         other = std::max(b.first.distance, kSameFloor);
+            const bool upA = a.first.otherRows != m_full.takenRows(), upB = b.first.otherRows != m_full.takenRows();
+            // Then those that fit more of the files.
+            const std::size_t missesA = misses(a.second, a.first), missesB = misses(b.second, b.first);
+            return std::tuple(nearer, upA, missesA, a.first.distance) <
+                   std::tuple(other, upB, missesB, b.first.distance);
+        });
         if (best.empty()) return out;
         const double nearest = best[0].first.distance, least = std::max(nearest, kSameFloor);
-        const bool does = nearest <= std::max(1.0, out.right / explains) && nearest < out.right / 2;
+        const double fits = std::clamp(out.right / kExplains, kFits, kFitsAtMost);
+        const bool does = nearest <= fits && nearest < out.right / 2;
         for (auto& [one, i] : best) {
             if (does && one.distance < kClearlyBetter * least && one.distance < out.right / 2)
                 out.candidates.push_back(std::move(one));
@@ -310,6 +310,18 @@ private:
     static std::size_t factorOf(const Scene& scene) {
         const double pixels = double(scene.settings.width) * scene.settings.height;
         return std::max<std::size_t>(1, std::size_t(std::sqrt(pixels / kPixels) + 0.01));
+    }
+    // With the right renderer's where the error leaves a buffer right.
+    Court::Distances left(const KnownError& error, Court::Distances distances) const {
+        for (std::size_t i = 0; i < distances.size(); ++i)
+            if (std::ranges::find(error.leaves, m_full.bufferOf(i)) != error.leaves.end()) distances[i] = m_right[i];
+        return distances;
+    }
+    std::size_t misses(std::size_t i, const Candidate& one) const {
+        const auto confirmed = m_confirmed.find(i);
+        const Court::Distances& distances = confirmed != m_confirmed.end() ? confirmed->second : m_distances[i];
+        const bool up = one.otherRows != m_full.takenRows();
+        return std::size_t(std::ranges::count_if(distances, [&](const auto& d) { return d[up] > kFits; }));
     }
     static double worst(const Court::Distances& distances, const std::vector<std::size_t>& files, bool up) {
         double out = 0;
@@ -363,10 +375,10 @@ Suspects findSuspects(const Scene& scene, const Reference& reference, const Conv
     if (!trial.measure(stop, progress, frames)) return stopped;
     std::vector<std::size_t> all(findings.size());
     for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
-    Suspects out = trial.judge(all, kExplains, stop);
+    Suspects out = trial.judge(all, stop);
     if (!out.candidates.empty() || out.stopped || !first.stage) return out;
     for (const std::vector<std::size_t>& files : focusOn(findings, *first.stage, first.wrongHere)) {
-        Suspects focused = trial.judge(files, kExplainsOne, stop);
+        Suspects focused = trial.judge(files, stop);
         if (!focused.candidates.empty() || focused.stopped) return focused;
     }
     return out;

@@ -42,6 +42,10 @@ struct FirstWrong {
     std::vector<std::size_t> wrongHere;  // findings that are wrong given what they got, or differ in that stage
 };
 
+// Where the frames of the first two differ most, in the first buffer in which they clearly do.
+std::optional<Experiment> experimentBetween(const std::vector<Candidate>& candidates, const Scene& scene,
+                                            const Reference& reference, const Stop& stop);
+
 // Which known errors explain the files. Ranked in a small picture; the best five are confirmed in the picture's own size.
 // Where none explains all of them, what explains the first wrong file and leaves those before as they are is taken.
 Suspects findSuspects(const Scene& scene, const Reference& reference, const Conventions& conventions,

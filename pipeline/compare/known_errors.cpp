@@ -3,10 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
 
+#include "pipeline/core/numerics.h"
 #include "pipeline/core/text.h"
 #include "pipeline/defects/defect_table.h"
+#include "pipeline/scene/make_mesh.h"
+#include "pipeline/scene/object_matrix.h"
 #include "pipeline/scene/settings_table.h"
+#include "pipeline/scene/view.h"
 
 namespace pipeline::foreign {
 
@@ -17,6 +24,108 @@ void each(Scene& scene, const std::function<void(Material&)>& change) {
         change(object.material);
         if (object.backMaterial) change(*object.backMaterial);
     }
+}
+
+// A mesh of the same polygons.
+std::shared_ptr<const Mesh> reshaped(const Mesh& mesh, std::vector<Vec3d> positions, std::vector<Vec3d> normals,
+                                     bool reversed) {
+    Mesh out;
+    for (const Vec3d& p : positions) out.positions.push_back(p);
+    for (const Vec3d& n : normals) out.normals.push_back(n);
+    for (std::size_t p = 0; p < mesh.polygonCount(); ++p) {
+        const auto corners = mesh.polygon(p);
+        std::vector<std::uint32_t> order(corners.begin(), corners.end());
+        if (reversed) std::ranges::reverse(order);
+        out.addPolygon(order);
+    }
+    return makeMesh(std::move(out));
+}
+
+// The scene with the vertices of each object where `place` puts them, and its given normals through the same matrix.
+Scene placed(Scene scene, const std::function<ObjectMatrix(ObjectTransform)>& place) {
+    for (Object& object : scene.objects) {
+        const ObjectMatrix matrix = place(object.transform);
+        const glm::dmat3 ofNormals = glm::transpose(glm::inverse(matrix.linear));
+        std::vector<Vec3d> positions, normals;
+        for (const Vec3d& p : object.mesh->positions) positions.push_back(matrix.linear * p + matrix.translation);
+        for (const Vec3d& n : object.mesh->normals) normals.push_back(normalized(ofNormals * n));
+        object.mesh = reshaped(*object.mesh, positions, normals, glm::determinant(matrix.linear) < 0);
+        object.transform = {};
+    }
+    return scene;
+}
+
+// The scene with its vertices moved to whole pixels, at their depths. round: to the nearest, else to the left and up.
+Scene atWholePixels(Scene scene, bool round) {
+    const View view = makeView(scene);
+    Scene moved = placed(scene, makeObjectMatrix);
+    for (Object& object : moved.objects) {
+        std::vector<Vec3d> positions(object.mesh->positions.begin(), object.mesh->positions.end());
+        for (Vec3d& p : positions) {
+            const Vec3d at = toView<double>(view, p);
+            const double z = view.perspective ? at.z : 1;
+            if (!(z > 0) || at.z < view.near) continue;
+            glm::dvec2 pixel(view.centre.x + view.scale.x * at.x / z, view.centre.y - view.scale.y * at.y / z);
+            pixel = round ? glm::round(pixel) : glm::floor(pixel);
+            p = worldPoint(view, pixel, at.z);
+        }
+        object.mesh =
+            reshaped(*object.mesh, positions, {object.mesh->normals.begin(), object.mesh->normals.end()}, false);
+    }
+    return moved;
+}
+
+// Errors of placing objects and camera.
+void addErrorsOfPlacing(
+    const Scene& scene,
+    const std::function<void(std::string, std::string, std::string, std::string, std::function<void(Scene&)>)>& add) {
+    const auto turnsOtherwise = [](Scene& s, const std::array<int, 3>& last) {
+        for (Object& o : s.objects) {
+            if (!o.transform.turns.empty()) continue;
+            // The last that is written is the first to act.
+            for (const int axis : last) {
+                Vec3d about(0);
+                about[axis] = 1;
+                o.transform.turns.push_back({o.transform.rotation[axis], about});
+            }
+        }
+    };
+    const auto isTurned = [](const Object& o) {
+        return (o.transform.rotation.x != 0) + (o.transform.rotation.y != 0) + (o.transform.rotation.z != 0) > 1;
+    };
+    if (std::ranges::any_of(scene.objects, isTurned))
+        add("rotation-order", "rotations are made in the order z, y, x", "R = R_x R_y R_z", "R = R_z R_y R_x",
+            [=](Scene& s) {
+                turnsOtherwise(s, {0, 1, 2});
+            });
+    const auto isStretched = [](const Object& o) {
+        const Vec3d scale = o.transform.scale;
+        return (scale.x != scale.y || scale.y != scale.z) && o.transform.rotation != Vec3d(0);
+    };
+    if (std::ranges::any_of(scene.objects, isStretched))
+        add("scale-last", "objects are scaled after they are turned", "p = S R v + t", "p = R S v + t", [](Scene& s) {
+            s = placed(s, [](ObjectTransform t) {
+                const Vec3d scale = t.scale;
+                t.scale = Vec3d(1);
+                ObjectMatrix matrix = makeObjectMatrix(t);
+                matrix.linear = glm::dmat3(scale.x, 0, 0, 0, scale.y, 0, 0, 0, scale.z) * matrix.linear;
+                return matrix;
+            });
+        });
+    add("one-scale", "one factor of scale is taken for all axes", "s_x for x, y and z", "s_x, s_y, s_z", [](Scene& s) {
+        for (Object& o : s.objects) o.transform.scale = Vec3d(o.transform.scale.x);
+    });
+    add("whole-pixels", "vertices are cut off to whole pixels", "x_s = int(…)", "x_s as it is",
+        [](Scene& s) { s = atWholePixels(std::move(s), false); });
+    add("rounded-pixels", "vertices are rounded to whole pixels", "x_s = round(…)", "x_s as it is",
+        [](Scene& s) { s = atWholePixels(std::move(s), true); });
+    if (scene.camera.kind == CameraKind::LookAt && scene.camera.projection == ProjectionKind::Perspective)
+        add("horizontal-fov", "the field of view is taken across instead of up", "d = (w/2) / tan(fov/2)",
+            "d = (h/2) / tan(fov/2)", [](Scene& s) {
+                const double half =
+                    std::tan(s.camera.fovY * std::numbers::pi / 360) * s.settings.height / s.settings.width;
+                s.camera.fovY = std::atan(half) * 360 / std::numbers::pi;
+            });
 }
 
 // Errors of those who write a renderer for a scene that is given: a number that is read wrongly, a term that is left out.
@@ -101,6 +210,10 @@ std::vector<KnownError> errorsOfReading(const Scene& scene) {
         [](Scene& s) {
             for (Object& o : s.objects) o.transform.translation = Vec3d(0);
         });
+    addErrorsOfPlacing(scene, [&](std::string id, std::string name, std::string wrong, std::string right,
+                                  std::function<void(Scene&)> change) {
+        add(std::move(id), std::move(name), transform, std::move(wrong), std::move(right), std::move(change));
+    });
     if (scene.camera.kind == CameraKind::Spherical) {
         add("elevation", "φ is measured from the ground", transform, "z = ρ sin φ", "z = ρ cos φ",
             [](Scene& s) { s.camera.phi = 90 - s.camera.phi; });
@@ -126,11 +239,16 @@ std::vector<KnownError> knownErrors(const Scene& scene) {
             error.wrong = row.wrong, error.right = row.fix;
             error.lesson = row.lesson, error.heading = row.heading;
             if (way > 0) error.way = row.otherWays[std::size_t(way) - 1];
+            if (row.id == Defect::NormalShort && way > 0) error.leaves = {BufferId::Normal};
             error.plant = [id = row.id, way](Scene planted) { return plant(std::move(planted), id, way); };
             all.push_back(std::move(error));
         }
     for (KnownError& error : errorsOfReading(scene))
         if (!findDefect(error.id)) all.push_back(std::move(error));
+    using enum BufferId;
+    for (KnownError& error : all)
+        if (error.id == "whole-pixels" || error.id == "rounded-pixels")
+            error.leaves = {VerticesWorld, VerticesView, PolygonsNormal, VerticesNormal};
     // What changes nothing, or cannot be drawn, explains nothing.
     std::erase_if(all, [&](const KnownError& error) {
         const Scene planted = error.plant(scene);

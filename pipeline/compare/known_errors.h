@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "pipeline/buffers/buffer_table.h"
 #include "pipeline/core/stage.h"
 #include "pipeline/scene/scene.h"
 
@@ -17,6 +18,7 @@ struct KnownError {
     std::string lesson, heading;   // about it; empty where there is none
     std::string way;               // how it is made, where there are several
     std::function<Scene(Scene)> plant;
+    std::vector<BufferId> leaves{};  // right, though its frame shows others
 };
 
 // All that this scene can show: every planted defect in each of its ways, and errors that a change of settings shows.

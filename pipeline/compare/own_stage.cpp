@@ -21,16 +21,19 @@ bool isSafe(const Values& values, std::size_t i) {
 
 Vec3d vectorAt(const Values& values, std::size_t i) { return {values.at(i)[0], values.at(i)[1], values.at(i)[2]}; }
 
-// Their vertices in world space, from the first of the three buffers that was handed in.
+// Their vertices in world space, from the first of the three buffers that was handed in; or, as what is drawn depends on
+// their places in the picture, from those, at the depths that the others have.
 class OwnVertices {
 public:
-    OwnVertices(const Conventions& conventions, const Reference& reference)
+    OwnVertices(const Conventions& conventions, const Reference& reference, bool drawn)
         : m_view(reference.context.view), m_world(reference.values.at("vertices.world")) {
-        const Values right = m_world;
         const auto take = [&](const char* name, auto place) {
             const Values* const theirs = handedValues(conventions, name);
-            if (!theirs || !from.empty()) return;
+            const bool isScreen = std::string_view(name) == "vertices.screen";
+            if (!theirs || (!from.empty() && !(drawn && isScreen))) return;
+            if (drawn && isScreen) from.clear();
             from.emplace_back(name);
+            const Values right = m_world;
             for (std::size_t i = 0; i < m_world.count(); ++i) {
                 if (!isSafe(*theirs, i)) continue;
                 const Vec3d p = place(vectorAt(*theirs, i), vectorAt(right, i));
@@ -60,12 +63,14 @@ class TheirScene {
 public:
     TheirScene(const Conventions& conventions, const Reference& reference)
         : m_reference(reference),
-          m_vertices(conventions, reference),
+          m_vertices(conventions, reference, false),
+          m_drawn(conventions, reference, true),
           m_verdicts(handedValues(conventions, "polygons.verdict")),
           m_normals(handedValues(conventions, "vertices.normal")) {
         if (!m_verdicts) m_verdicts = handedValues(conventions, "polygons.visible");
     }
     const OwnVertices& vertices() const { return m_vertices; }
+    const OwnVertices& drawnVertices() const { return m_drawn; }
     bool hasVerdicts() const { return m_verdicts != nullptr; }
     bool hasNormals() const { return m_normals != nullptr; }
 
@@ -82,7 +87,7 @@ public:
             const bool mirrored = data.transform->mirrored[o] != 0;
             Mesh theirs;
             for (std::size_t v = 0; v < mesh.positions.size(); ++v)
-                theirs.positions.push_back(m_vertices[firstVertex + v]);
+                theirs.positions.push_back((drops ? m_drawn : m_vertices)[firstVertex + v]);
             const Values& normals = m_normals ? *m_normals : m_reference.values.at("vertices.normal");
             for (std::size_t v = 0; v < mesh.positions.size() && normals.count() > 0; ++v) {
                 const std::size_t at = firstVertex + v;
@@ -109,7 +114,7 @@ public:
 
 private:
     const Reference& m_reference;
-    OwnVertices m_vertices;
+    OwnVertices m_vertices, m_drawn;
     const Values* m_verdicts;
     const Values* m_normals;
     std::vector<int> m_polygons;
@@ -214,7 +219,7 @@ std::vector<std::optional<OwnResult>> compareOwn(const Conventions& conventions,
             if (const FramePtr made = frame(lit, false)) right = valuesIn(*made, name), from = vertices.from;
         } else if (findings[i].stage == StageId::ZBuffer && (!vertices.from.empty() || theirs.hasVerdicts())) {
             if (const FramePtr made = frame(drawn, true)) right = ownPicture(*made, name, theirs);
-            from = vertices.from;
+            from = theirs.drawnVertices().from;
             if (theirs.hasVerdicts()) from.emplace_back("polygons.verdict");
         } else if (name.id == Normal && theirs.hasNormals()) {
             if (const FramePtr made = frame(drawn, true)) right = valuesIn(*made, name);

@@ -1,4 +1,5 @@
 #include "pipeline/compare/reading.h"
+#include "pipeline/compare/shadow_frame.h"
 
 #include <algorithm>
 #include <cmath>
@@ -67,18 +68,21 @@ private:
     std::size_t m_channels;
 };
 
+// What brings the colours of a file to 0 to 255.
+double colorScale(const NumberFile& file) {
+    if (file.kind != NumberKind::Real) return holdsLevels(file) ? 255 / levelsOf(file) : 1;
+    double largest = 0;  // fractions, if none is above 1 by more than rounding
+    for (const double v : file.values)
+        if (std::isfinite(v)) largest = std::max(largest, v);
+    return largest <= 4 ? 255 : 1;
+}
+
 // Of encoded colours two codes are the same, as two of 255 are of linear ones: far less in the dark, more in the light.
 // The reference's own rounding is taken out, as it would be several codes there.
 void readColor(const HandedFile& file, const FilePicture& picture, const Reading& reading,
                const ReadingContext& context, const Values& reference, Values& out) {
     constexpr double kCodes = 2.5;  // and half a one for rounding
-    double scale = holdsLevels(file.numbers) ? 255 / levelsOf(file.numbers) : 1;
-    if (file.numbers.kind == NumberKind::Real) {  // fractions, if none is above 1 by more than rounding
-        double largest = 0;
-        for (const double v : file.numbers.values)
-            if (std::isfinite(v)) largest = std::max(largest, v);
-        if (largest <= 4) scale = 255;
-    }
+    const double scale = colorScale(file.numbers);
     const auto linear = [coding = reading.coding](double v) {
         return coding == Coding::Srgb ? toLinear(v) : std::pow(v, 2.2);
     };
@@ -86,8 +90,21 @@ void readColor(const HandedFile& file, const FilePicture& picture, const Reading
     const double own = toleranceOf(BufferId::Color)->value;
     const bool exact = encoded && context.unrounded.size() == out.numbers.size();
     if (encoded) out.slack.assign(out.count(), -own);
+    const auto isBackground = [&](std::size_t i) {
+        if (!context.background) return false;
+        for (std::size_t c = 0; c < 3; ++c) {
+            const std::size_t channel = reading.bgr ? 2 - c : c;  // the background is in the order of the file
+            const double v = scale * picture.at(i % out.columns, i / out.columns, c);
+            if (std::abs(v - (*context.background)[channel]) > 0.5) return false;
+        }
+        return true;
+    };
     for (std::size_t i = 0; i < out.count(); ++i)
         for (int c = 0; c < 3; ++c) {
+            if (isBackground(i)) {
+                out.at(i)[c] = 0;
+                continue;
+            }
             const double raw = picture.at(i % out.columns, i / out.columns, std::size_t(c));
             if (!std::isfinite(raw)) out.there[i] = 0;
             double v = std::clamp(scale * raw, 0.0, 255.0);
@@ -235,6 +252,7 @@ void readVertices(const HandedFile& file, const Reading& reading, const ReadingC
         }
         if (file.name.buffer.id == BufferId::VerticesScreen) p.z = 0;  // the depth is the z-buffer's affair
         if (reading.coding == Coding::PixelFromCentre) p.x += 0.5, p.y += 0.5;
+        if (reading.coding == Coding::FromTheFoot) p.y = double(context.height) - p.y;
         if (reading.coding == Coding::TowardsViewer) p.z = -p.z;
         if (reading.coding == Coding::View || reading.coding == Coding::ViewTowards)
             p = normalOf(p, reading.coding, context.view);
@@ -263,6 +281,35 @@ void readNumbersAsThey(const HandedFile& file, const FilePicture& picture, const
 
 }  // namespace
 
+std::optional<std::array<double, 3>> backgroundOf(const HandedFile& file, const ReadingContext& context) {
+    constexpr double kMost = 0.6;     // of the pixels where nothing is, at least
+    constexpr double kFewest = 0.01;  // of all pixels: so many have to be free
+    if (file.name.buffer.id != BufferId::Color || file.numbers.channels() < 3) return {};
+    const std::size_t count = context.covered.size();
+    const double scale = colorScale(file.numbers);
+    std::optional<std::array<double, 3>> best;
+    double share = kMost;
+    for (const bool mirrored : {false, true})
+        for (const bool bottomUp : {false, true}) {
+            const FilePicture picture(file, {bottomUp, mirrored, false, Coding::AsIs});
+            std::map<std::array<double, 3>, std::size_t> colors;
+            std::size_t free = 0;
+            for (std::size_t i = 0; i < count; ++i) {
+                if (context.covered[i]) continue;
+                std::array<double, 3> color{};
+                for (std::size_t c = 0; c < 3; ++c)
+                    color[c] = std::round(scale * picture.at(i % context.width, i / context.width, c));
+                ++free, ++colors[color];
+            }
+            if (double(free) < kFewest * double(count)) return {};
+            const auto commonest = std::ranges::max_element(colors, {}, [](const auto& one) { return one.second; });
+            const double here = double(commonest->second) / double(free);
+            if (here > share) share = here, best = commonest->first;
+        }
+    if (best && (*best)[0] < 1 && (*best)[1] < 1 && (*best)[2] < 1) return {};
+    return best;
+}
+
 Values read(const HandedFile& file, const Reading& reading, const ReadingContext& context, const Values& reference) {
     Values out{reference.domain, reference.rows, reference.columns, reference.channels, {}, {}};
     out.numbers.assign(out.count() * std::size_t(out.channels), 0);
@@ -281,6 +328,12 @@ Values read(const HandedFile& file, const Reading& reading, const ReadingContext
         case VerticesScreen:
         case PolygonsNormal:
         case VerticesNormal: readVertices(file, reading, context, out); break;
+        case ShadowBuffer:
+            if (auto found = inFrameOf(file.numbers, reference, context.ofShadowBuffers))
+                out = std::move(*found);
+            else
+                out.there.assign(out.count(), 0);
+            break;
         default: readNumbersAsThey(file, picture, reading, context, reference, out); break;
     }
     return out;

@@ -57,6 +57,8 @@ enum class Coding : std::uint8_t {
     // depth, where the scene leaves near and far open
     WindowOfOwnPlanes,
     LinearOfOwnPlanes,
+    // vertices in the picture again
+    FromTheFoot,
 };
 struct CodingInfo {
     Coding id;
@@ -85,6 +87,8 @@ struct ReadingContext {
     std::vector<double> unrounded{};    // color as the reference had it before it was rounded; may be empty
     std::vector<std::uint8_t> covered;  // per pixel, in the reference
     std::size_t width = 0, height = 0;
+    double ofShadowBuffers = 0;                         // their tolerance, world units
+    std::optional<std::array<double, 3>> background{};  // of theirs, in the codes of its file: read as nothing
 };
 
 // Whether a file's numbers are the steps of a picture, 0 to 255 or to 65535.
@@ -94,6 +98,10 @@ inline bool holdsLevels(const NumberFile& file) {
 
 // All readings that such a file may have, the program's own first, then those that explain least.
 std::vector<Reading> readingsOf(const HandedFile& file, const ReadingContext& context);
+
+// What a picture shows where nothing is drawn, if that is not black: the commonest of its colours where the reference has
+// nothing, in whatever order of rows and columns. 0 to 255; nothing where it is black or no one colour.
+std::optional<std::array<double, 3>> backgroundOf(const HandedFile& file, const ReadingContext& context);
 
 // The numbers of a file in this program's units and space. `reference` of the same buffer.
 Values read(const HandedFile& file, const Reading& reading, const ReadingContext& context, const Values& reference);

@@ -44,6 +44,8 @@ constexpr std::array kCodings{
     CodingInfo{C::WindowOfOwnPlanes, "depth", "window-own-planes",
                "window or NDC depth of other near and far planes than chosen here"},
     CodingInfo{C::LinearOfOwnPlanes, "depth", "linear-own-planes", "linear in z_view, of another unit and beginning"},
+    CodingInfo{C::FromTheFoot, "screen", "y-up",
+               "y from the bottom up, as the rows; if that is not meant, it is the error y-down"},
 };
 static_assert([] {
     for (std::size_t i = 0; i < kCodings.size(); ++i)

@@ -193,6 +193,7 @@ std::optional<Reference> makeReference(const Scene& scene, const std::map<std::s
                           : row.of == Tolerance::Of::DepthRange ? std::max(farthest - nearest, extent * 1e-3)
                                                                 : extent;
         const auto override = overrides.find(std::string(bufferInfo(buffer.id).name));
+        if (buffer.id == BufferId::ShadowBuffer) out.context.ofShadowBuffers = row.value * of;
         out.tolerances[name] = override != overrides.end() ? override->second : row.value * of;
     }
     if (out.values.contains("polygon_id")) findOutline(out);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pipeline/compare/shadow_frame.h"
 #include "pipeline/core/text.h"
 
 namespace pipeline::foreign {
@@ -91,6 +92,18 @@ void judgeStages(Report& report) {
             if (verdict.standing == Standing::Agrees || standing == Standing::WrongHere) verdict.standing = standing;
         }
     }
+    // Behind a stage that is wrong one is wrong too only if it has made something else of all that it got.
+    bool isBehind = false;
+    for (StageVerdict& verdict : report.stages) {
+        if (verdict.standing != Standing::WrongHere) continue;
+        const bool isRight = std::ranges::any_of(verdict.findings, [&](std::size_t i) {
+            return !report.findings[i].agrees && report.own[i] && report.own[i]->finding.agrees;
+        });
+        const bool isTold = std::ranges::any_of(
+            verdict.findings, [&](std::size_t i) { return report.own[i] && !report.own[i]->finding.agrees; });
+        if (isBehind && (isRight || !isTold)) verdict.standing = Standing::GivenInput;
+        isBehind = true;
+    }
 }
 
 // 1 may stand for dropped polygons, or front and back are exchanged: what is drawn of them tells. Where nothing does, both
@@ -103,7 +116,7 @@ void settleFlags(Report& report) {
         if (!isFlags) continue;
         ReadFile turned = file;
         turned.reading.coding = file.file->name.form == Form::Visible ? Coding::DroppedIsOne : Coding::Flags;
-        turned.mine = read(*file.file, turned.reading, report.reference->context,
+        turned.mine = read(*file.file, turned.reading, report.conventions.context,
                            report.reference->values.at(file.file->name.buffer.text()));
         const Finding finding = compareValues(turned, *report.reference);
         if (!finding.agrees) continue;
@@ -126,9 +139,11 @@ void settleFlags(Report& report) {
 
 // What a reading explains wholly is no error, however close the one that was taken came. Colours of a gamma are one, and
 // of flags what is drawn decides.
+// isUp: of vertices in the picture, whether y may run upwards.
 void settleCoding(const StatedConventions& stated, const Reference& reference, Conventions& conventions, ReadFile& file,
-                  Finding& finding) {
-    const std::vector<Reading> readings = readingsOf(*file.file, reference.context);
+                  Finding& finding, bool isUp = false) {
+    std::vector<Reading> readings = readingsOf(*file.file, conventions.context);
+    if (isUp) readings.push_back({false, false, false, Coding::FromTheFoot});
     const auto isStated = [&](const Reading& r) {
         return r.coding != Coding::AsIs && std::ranges::find(stated.codings, r.coding) != stated.codings.end();
     };
@@ -137,9 +152,10 @@ void settleCoding(const StatedConventions& stated, const Reference& reference, C
         Reading wanted = file.reading;
         wanted.coding = reading.coding;
         if (reading != wanted || reading == file.reading || reading.coding == Coding::Gamma22) continue;
-        ReadFile other{file.file, reading,
-                       read(*file.file, reading, reference.context, reference.values.at(file.file->name.buffer.text())),
-                       file.others};
+        ReadFile other{
+            file.file, reading,
+            read(*file.file, reading, conventions.context, reference.values.at(file.file->name.buffer.text())),
+            file.others};
         Finding found = compareValues(other, reference);
         if (!found.agrees) continue;
         const std::string name = file.file->name.text();
@@ -166,6 +182,16 @@ bool readFiles(Report& report, const StatedConventions& stated) {
         Finding& finding = report.findings.back();
         if (!finding.agrees) settleCoding(stated, reference, report.conventions, file, finding);
     }
+    // A program whose rows run upwards has y in the picture upwards too. If it culls otherwise than the reference does, y
+    // is the error.
+    bool isUp = false, culls = true;
+    for (const Finding& finding : report.findings) {
+        isUp = isUp || (finding.isPicture() && finding.agrees && finding.reading.bottomUp);
+        culls = culls && (finding.agrees || finding.name.buffer.id != BufferId::PolygonsVerdict);
+    }
+    for (std::size_t i = 0; i < report.findings.size() && isUp && culls; ++i)
+        if (!report.findings[i].agrees && report.findings[i].name.buffer.id == BufferId::VerticesScreen)
+            settleCoding(stated, reference, report.conventions, report.conventions.files[i], report.findings[i], true);
     return true;
 }
 
@@ -217,6 +243,20 @@ bool settleSamples(Report& report, const StatedConventions& stated) {
     return true;
 }
 
+// A light's frame and extent are everybody's own: a shadow buffer is compared if its frame is found.
+void leaveOutShadowBuffers(const Reference& reference, HandedIn& in) {
+    std::erase_if(in.files, [&](const HandedFile& file) {
+        if (file.name.buffer.id != BufferId::ShadowBuffer) return false;
+        const Values& right = reference.values.at(file.name.buffer.text());
+        if (inFrameOf(file.numbers, right, reference.context.ofShadowBuffers)) return false;
+        in.others.push_back(
+            fmt::format("{} is not compared: no frame of the light was found in which it is the reference's. Hand in "
+                        "shadow.{}, which does not depend on the frame",
+                        inQuotes(file.path.filename().string()), file.name.buffer.light));
+        return true;
+    });
+}
+
 FirstWrong firstWrongOf(const Report& report) {
     FirstWrong out;
     for (std::size_t i = 0; i < report.findings.size(); ++i) {
@@ -249,17 +289,6 @@ void nameFirstWrong(Report& report) {
 }
 
 }  // namespace
-
-std::string_view words(Standing standing) {
-    switch (standing) {
-        case Standing::Agrees: return "agrees";
-        case Standing::WrongHere: return "wrong here";
-        case Standing::GivenInput: return "given what it got";
-        case Standing::NoFile: return "no file";
-        case Standing::CannotTell: return "cannot tell";
-    }
-    return {};
-}
 
 bool Report::agrees() const { return std::ranges::all_of(findings, &Finding::agrees); }
 bool Report::conventionsDiffer() const {
@@ -310,6 +339,7 @@ Result<Report> compareRenderer(const Scene& scene, std::shared_ptr<const Referen
                   [&](const HandedFile& file) { return bufferInfo(file.name.buffer.id).stage > options.until; });
     auto stated = readStated(in.conventions, in.conventionsName);
     if (!stated) return stated.errors();
+    leaveOutShadowBuffers(*out.reference, in);
     out.in = std::make_shared<const HandedIn>(std::move(in));
     if (out.in->files.empty()) {
         if (!out.in->errors.empty()) return out.in->errors;
@@ -337,58 +367,6 @@ Result<Report> compareRenderer(const Scene& scene, std::shared_ptr<const Referen
         if (out.suspects->stopped) return Error{{}, "cancelled", {}};
     }
     nameFirstWrong(out);
-    return out;
-}
-
-std::string headline(const Report& report) {
-    if (report.agrees()) return "Everything handed in agrees.";
-    if (report.options.hints < 1) return "Something differs.";
-    const bool two = report.suspects && report.suspects->candidates.size() > 1;
-    if (report.firstWrong) {
-        const std::string_view stage = stageInfo(*report.firstWrong).label;
-        if (report.isCertain) return fmt::format("{} is the first wrong stage.", stage);
-        if (report.suspects && report.suspects->candidates.size() == 1)
-            return fmt::format("{} is most likely the first wrong stage.", stage);
-        return fmt::format("{} is the first stage that differs.", stage);
-    }
-    const bool onlyColor = report.findings.size() == 1 && report.findings[0].name.buffer.id == BufferId::Color;
-    const std::string_view what = onlyColor ? "Colour alone" : "What was handed in";
-    if (two)
-        return fmt::format(
-            "The picture differs. {} cannot decide between {} known errors.", what,
-            report.suspects->candidates.size() == 2 ? "two" : std::to_string(report.suspects->candidates.size()));
-    return fmt::format("The picture differs. {} cannot tell which stage is wrong.", what);
-}
-
-std::string evidence(const Report& report) {
-    if (report.agrees()) {
-        std::size_t said = 0;
-        for (const Convention& one : report.conventions.said) said += !one.own;
-        return said == 0 ? std::string()
-                         : fmt::format("{} of yours {} read as such.", plural(std::int64_t(said), "convention"),
-                                       said == 1 ? "was" : "were");
-    }
-    const Finding* const first = report.firstDifference();
-    if (!first || report.options.hints < 1) return {};
-    return fmt::format("{}: {}.", first->name.text(), findingText(*first));
-}
-
-std::vector<std::string> hints(const Report& report) {
-    std::vector<std::string> out;
-    if (report.agrees()) return out;
-    const Finding* const first = report.firstDifference();
-    if (report.options.hints >= 1)
-        out.push_back(report.firstWrong ? fmt::format("Stage: {}.", stageInfo(*report.firstWrong).label)
-                                        : "The files do not tell the stage. Hand in more of them.");
-    if (report.options.hints >= 2 && first)
-        out.push_back(first->worst
-                          ? fmt::format("Look at {} of {}.", placeText(*first, *first->worst), first->name.text())
-                          : fmt::format("Look at {}.", first->name.text()));
-    if (report.options.hints >= 3 && report.suspects) {
-        if (report.suspects->candidates.empty()) out.push_back("None of the known errors explains this.");
-        for (const Candidate& one : report.suspects->candidates)
-            out.push_back(fmt::format("{}: {} in place of {}.", one.error.name, one.error.wrong, one.error.right));
-    }
     return out;
 }
 

@@ -65,12 +65,13 @@ void spoilRotations(StageKeys& keys, double factor) {
     }
 }
 
-// A light's numbers, taken for those of a space whose axes are the eye's: x right, y up, z towards the viewer.
-void spoilLightSpace(StageKeys& keys) {
+// A light's numbers, taken for those of a space whose axes are the eye's: x right, y up, z towards the viewer, or away.
+void spoilLightSpace(const Planted& planted, StageKeys& keys) {
+    const double away = planted.way % 2 == 0 ? -1 : 1;
     const View& view = keys.transform.view;
     for (Light& light : keys.shading.lights) {
         const Vec3d p = light.position;
-        light.position = p.x * view.right + p.y * view.up - p.z * view.forward;
+        light.position = p.x * view.right + p.y * view.up + away * p.z * view.forward;
         if (light.kind != LightKind::AtInfinity) light.position += view.eye;
     }
 }
@@ -89,6 +90,8 @@ void tellStage(const Scene& scene, Planted planted, StageKeys& keys) {
     using enum Defect;
     switch (planted.defect) {
         case NormalMatrix:
+            if (planted.way >= 3) keys.normals.planted = planted;
+            [[fallthrough]];
         case ClipNormals: keys.transform.planted = planted; return;
         case NormalSpace:  // of given normals, and of polygons
             keys.transform.planted = keys.normals.planted = planted;
@@ -112,7 +115,11 @@ void tellStage(const Scene& scene, Planted planted, StageKeys& keys) {
         case KsKd:
         case FadeTwice:
         case NoSpecular: keys.shading.illumination.detail.planted = planted; return;
-        case NormalShort:
+        case LightInEye:
+            if (planted.way < 2) return;
+            keys.shading.shadow.eye = keys.transform.view, keys.shading.planted = planted;
+            return;
+        case NormalShort: keys.shading.illumination.detail.planted = planted; [[fallthrough]];
         case EyeAtOrigin:
         case AmbientInShadow:
         case AmbientPerLight:
@@ -174,7 +181,7 @@ void spoilGiven(const Scene& scene, StageKeys& keys) {
     switch (planted.defect) {
         case Defect::TrsOrder: spoilTranslations(keys); break;
         case Defect::Degrees: spoilRotations(keys, 1 / kDegrees); break;
-        case Defect::LightInEye: spoilLightSpace(keys); break;
+        case Defect::LightInEye: spoilLightSpace(planted, keys); break;
         case Defect::NoBias:
         case Defect::BigBias: spoilShadowBias(planted, keys); break;
         case Defect::Affine: keys.shading.interpolation = Interpolation::Affine; break;

@@ -1,4 +1,7 @@
 // Defects that rewrite what a stage has left.
+#include <cmath>
+
+#include "pipeline/core/numerics.h"
 #include "pipeline/defects/hooks.h"
 #include "pipeline/stages/cull.h"
 #include "pipeline/stages/normals.h"
@@ -61,16 +64,28 @@ void spoilPolygonNormals(const Planted& planted, const TransformOutput<Real>& in
                          NormalsOutput<Real>& out) {
     const View& view = in.view;
     const auto inView = [&](Vec3<Real> n) {
+        const Real along = glm::dot(Vec3<Real>(view.forward), n);
         return Vec3<Real>(glm::dot(Vec3<Real>(view.right), n), glm::dot(Vec3<Real>(view.up), n),
-                          -glm::dot(Vec3<Real>(view.forward), n));
+                          planted.way > 0 ? along : -along);
     };
-    const auto spoil = [&](Vec3<Real>& normal) {
-        // Never -0, which a buffer would show.
-        normal = (planted.defect == Defect::NormalFlip ? -normal : inView(normal)) + Vec3<Real>(0);
+    // The normal of a polygon in its own space is along Mᵀ N; the wrong matrix, which stage 1 has left, takes it back.
+    const auto throughMatrix = [&](Vec3<Real> n, std::size_t polygon) {
+        const glm::dmat3& wrong = in.normalMatrix[in.topology->objectOfPolygon(polygon)];
+        const glm::dmat3 linear = planted.way % 3 == 0   ? wrong
+                                  : planted.way % 3 == 1 ? glm::inverse(wrong)
+                                                         : glm::transpose(wrong);
+        const Vec3d there = normalized(wrong * normalized(glm::transpose(linear) * Vec3d(n)));
+        return std::isfinite(glm::dot(there, there)) ? Vec3<Real>(there) : n;
+    };
+    const auto spoil = [&](Vec3<Real>& normal, std::size_t polygon) {
+        const Vec3<Real> wrong = planted.defect == Defect::NormalFlip     ? -normal
+                                 : planted.defect == Defect::NormalMatrix ? throughMatrix(normal, polygon)
+                                                                          : inView(normal);
+        normal = wrong + Vec3<Real>(0);  // never -0, which a buffer would show
     };
     for (std::size_t polygon = 0; polygon < polygons; ++polygon) {
-        spoil(out.polygon[polygon]);
-        if (!out.weighted.empty()) spoil(out.weighted[polygon]);
+        spoil(out.polygon[polygon], polygon);
+        if (!out.weighted.empty()) spoil(out.weighted[polygon], polygon);
     }
 }
 

@@ -11,7 +11,10 @@ using D = Defect;
 
 constexpr std::string_view kRadianWays[]{"the rotations of objects too"};
 constexpr std::string_view kWindingWays[]{"every polygon of the file"};
-constexpr std::string_view kMatrixWays[]{"the inverse, not transposed", "the transpose, not inverted"};
+constexpr std::string_view kMatrixWays[]{"the inverse, not transposed", "the transpose, not inverted",
+                                         "of polygons too", "the inverse, of polygons too",
+                                         "the transpose, of polygons too"};
+constexpr std::string_view kShortWays[]{"made unit after N·L"};
 constexpr std::string_view kBiasWays[]{"half as large", "twice as large"};
 constexpr std::string_view kNearWays[]{"a hundredth of what it may be", "a thousandth of what it may be"};
 
@@ -151,7 +154,8 @@ constexpr auto kDefectsOfDrawing = std::to_array<DefectRow>({
      .first = B::Normal,
      .lesson = "smooth",
      .heading = "Too short a normal",
-     .source = kOwnJudgement},
+     .source = kOwnJudgement,
+     .otherWays = kShortWays},
     {.id = D::ShadowSpace,
      .name = "the point in the camera's space",
      .stage = S::Shading,

@@ -9,6 +9,7 @@ using S = StageId;
 using B = BufferId;
 using D = Defect;
 
+constexpr std::string_view kEyeWays[]{"with z away from the viewer"};
 constexpr std::string_view kExponentWays[]{"n/4 for n"};
 constexpr std::string_view kAspectWays[]{"left out"};
 constexpr std::string_view kHalfPixelWays[]{"half a pixel to the right and down", "to the right and up",
@@ -29,6 +30,7 @@ constexpr auto kDefectsOfRenderers = std::to_array<DefectRow>({
      .lesson = "normals",
      .heading = "Directions as colours",
      .source = "feature list T5",
+     .otherWays = kEyeWays,
      .inGame = false},
     {.id = D::ClipNormals,
      .name = "normals through the projection",

@@ -9,6 +9,8 @@ using S = StageId;
 using B = BufferId;
 using D = Defect;
 
+constexpr std::string_view kEyeSpaceWays[]{"with z away from the viewer", "and V too", "and V too, with z away"};
+constexpr std::string_view kSumWays[]{"in the sum alone"};
 constexpr std::string_view kMaxWays[]{"the absolute value, |N·L|"};
 constexpr std::string_view kReflectWays[]{"the factor 2 forgotten"};
 constexpr std::string_view kHalfwayWays[]{"the mean of L and V, not made unit"};
@@ -53,7 +55,8 @@ constexpr auto kDefectsOfShading = std::to_array<DefectRow>({
      .first = B::LightVector,
      .lesson = "diffuse",
      .heading = "Walk around it",
-     .source = "feature list T5, T7"},
+     .source = "feature list T5, T7",
+     .otherWays = kEyeSpaceWays},
     {.id = D::NoMax,
      .name = "negative diffuse light",
      .stage = S::Shading,
@@ -137,7 +140,8 @@ constexpr auto kDefectsOfShading = std::to_array<DefectRow>({
      .first = B::Ambient,
      .lesson = "shadows",
      .heading = "What is left in the shadow",
-     .source = kOwnJudgement},
+     .source = kOwnJudgement,
+     .otherWays = kSumWays},
     {.id = D::AmbientPerLight,
      .name = "ambient light once a light",
      .stage = S::Shading,
@@ -150,7 +154,8 @@ constexpr auto kDefectsOfShading = std::to_array<DefectRow>({
      .first = B::Ambient,
      .lesson = "diffuse",
      .heading = "Two lights",
-     .source = kOwnJudgement},
+     .source = kOwnJudgement,
+     .otherWays = kSumWays},
     {.id = D::KsKd,
      .name = "highlight in the colour of the surface",
      .stage = S::Shading,

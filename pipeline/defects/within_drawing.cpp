@@ -10,8 +10,10 @@
 namespace pipeline {
 namespace {
 
-// Rows right, up and towards the viewer: OpenGL's eye space.
-glm::dmat3 eyeFromWorld(const View& view) { return glm::transpose(glm::dmat3(view.right, view.up, -view.forward)); }
+// Rows right, up and towards the viewer: OpenGL's eye space; or away.
+glm::dmat3 eyeFromWorld(const View& view, bool away = false) {
+    return glm::transpose(glm::dmat3(view.right, view.up, away ? view.forward : -view.forward));
+}
 
 // P of OpenGL's model, whose inverse transpose some take normals through.
 glm::dmat4 projectionOf(const View& view) {
@@ -40,12 +42,12 @@ bool isFinite(const glm::dmat3& m) {
 
 void spoilNormalMatrix(const Planted& planted, const View& view, const ObjectMatrix& matrix, glm::dmat3& normalMatrix) {
     glm::dmat3 wrong = normalMatrix;
-    if (planted.defect == Defect::NormalSpace) wrong = eyeFromWorld(view) * normalMatrix;
+    if (planted.defect == Defect::NormalSpace) wrong = eyeFromWorld(view, planted.way > 0) * normalMatrix;
     if (planted.defect == Defect::ClipNormals) wrong = throughClipSpace(view, matrix);
     if (planted.defect == Defect::NormalMatrix)
-        wrong = planted.way == 0   ? matrix.linear
-                : planted.way == 1 ? glm::inverse(matrix.linear)
-                                   : glm::transpose(matrix.linear);
+        wrong = planted.way % 3 == 0   ? matrix.linear
+                : planted.way % 3 == 1 ? glm::inverse(matrix.linear)
+                                       : glm::transpose(matrix.linear);
     if (isFinite(wrong)) normalMatrix = wrong;
 }
 

@@ -73,6 +73,13 @@ void spoilDirections(const Illumination& illumination, const Light& light, const
             s.R = planted.way == 0 ? s.L - 2 * s.nDotL * at.N : s.nDotL * at.N - s.L;
             s.rDotV = glm::dot(s.R, at.V);
             return;
+        case Defect::NormalShort:
+            if (planted.way > 0) {  // after N·L it is made unit
+                const Vec3<Real> n = normalized(at.N, unit);
+                s.R = Real(2) * glm::dot(n, s.L) * n - s.L;
+                s.rDotV = glm::dot(s.R, at.V), s.nDotH = glm::dot(n, s.H);
+            }
+            return;
         case Defect::HRaw:
             s.H = planted.way == 0 ? normalized(rawDirection(light, at) + at.V, unit) : (s.L + at.V) / Real(2);
             s.nDotH = glm::dot(at.N, s.H);
@@ -92,7 +99,8 @@ void spoilTerms(const Illumination& illumination, const Light& light, const Mate
     const bool behind = !(s.nDotL > 0);
     switch (planted.defect) {
         // The stable form of the power is of unit vectors alone.
-        case Defect::LRaw: s = again(at, s, PowerForm::Pow); break;
+        case Defect::LRaw:
+        case Defect::NormalShort: s = again(at, s, PowerForm::Pow); break;
         case Defect::HRaw:
             if (planted.way > 0) s = again(at, s, PowerForm::Pow);
             break;

@@ -14,6 +14,12 @@ template <class Real>
 void spoilSurface(const ShadingInputs& inputs, Surface<Real>& surface) {
     if (inputs.planted.defect == Defect::EyeAtOrigin)
         surface.V = normalized(-surface.position, inputs.illumination.detail.unit);
+    if (inputs.planted.defect == Defect::LightInEye) {  // V's numbers too
+        const View& view = *inputs.shadow.eye;
+        const Vec3d v(surface.V);
+        const double along = inputs.planted.way % 2 == 0 ? -v.z : v.z;
+        surface.V = Vec3<Real>(v.x * view.right + v.y * view.up + along * view.forward);
+    }
 }
 
 template <class Real>
@@ -29,6 +35,7 @@ template <class Real>
 void spoilAmbient(const Planted& planted, std::size_t light, Real shadow, Vec3<Real> whole, Vec3<Real>& ambient,
                   Vec3<Real>& intensity) {
     const Vec3<Real> before = ambient;
+    const bool isRight = planted.way > 0;  // the term itself, in a buffer of its own; the sum is not
     switch (planted.defect) {
         case Defect::AmbientInShadow:
             if (light == 0) ambient = shadow * whole;
@@ -40,6 +47,7 @@ void spoilAmbient(const Planted& planted, std::size_t light, Real shadow, Vec3<R
         default: return;
     }
     intensity += ambient - before;
+    if (isRight) ambient = before;
 }
 
 void spoilFrameBuffer(const Planted& planted, Vec3d intensity, double iMax, Color8& value) {

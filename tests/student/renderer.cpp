@@ -80,12 +80,14 @@ const Mistake kMistakes[] = {
     {"light-in-eye-space", "light-in-eye", "n_dot_l.0"},  // N turned into eye space, L not
     {"reflect-of-l", "r-flip", "r_dot_v.0"},
     {"ambient-in-loop", "ambient-per-light", "intensity"},
+    {"turn-z-first", "rotation-order", "vertices.world"},  // rotations about z, y, x
+    {"both-sides", "no-max", "diffuse.0"},                 // |N.L|
     // In no table.
-    {"turn-z-first", "-", "vertices.world"},  // rotations about z, y, x
-    {"both-sides", "-", "diffuse.0"},         // |N.L|
-    {"repeated-rows", "-", "color"},          // each eighth row is the one before
-    {"banded", "-", "intensity"},             // in sixteenths of I_max
-    {"swapped-light", "-", "n_dot_l.0"},      // y and z of the light's direction
+    {"half-lambert", "-", "diffuse.0"},            // ((N.L + 1) / 2)^2
+    {"neighbour-normal", "-", "vertices.normal"},  // of the vertex before
+    {"repeated-rows", "-", "color"},               // each eighth row is the one before
+    {"banded", "-", "intensity"},                  // in sixteenths of I_max
+    {"swapped-light", "-", "n_dot_l.0"},           // y and z of the light's direction
 };
 
 struct Options {
@@ -246,7 +248,9 @@ std::vector<V> lit(V p, V n, int object) {
                     : o.wrong("light-in-eye-space") ? reflect(-l, shaded)
                                                     : reflect(-l, sharp);
         const float rv = dot(r, v), nh = dot(sharp, normalize(l + v));
-        const float lambert = o.wrong("both-sides") ? std::fabs(nl) : std::max(nl, 0.f);
+        const float lambert = o.wrong("both-sides")     ? std::fabs(nl)
+                              : o.wrong("half-lambert") ? (nl + 1) * (nl + 1) / 4
+                                                        : std::max(nl, 0.f);
         const float c = o.halfwayOf(object) ? nh : rv;
         const float shine = nl > 0 && c > 0 ? std::pow(c, m.n) : 0;
         terms.push_back((light.power * lambert) * m.kd);
@@ -571,6 +575,7 @@ int main(int argc, char** argv) {
     for (const Polygon& p : polygons)
         for (const int v : p.vertices) vertexNormal[std::size_t(v)] = vertexNormal[std::size_t(v)] + p.normal;
     for (V& n : vertexNormal) n = normalize(n);
+    if (o.wrong("neighbour-normal")) std::rotate(vertexNormal.begin(), vertexNormal.end() - 1, vertexNormal.end());
     cull();
     draw();
     write();
