@@ -5,34 +5,15 @@
 
 #include <vtkCallbackCommand.h>
 #include <vtkCommand.h>
-#include <vtkGenericOpenGLRenderWindow.h>
-#include <vtkObject.h>
-#include <vtkObjectFactory.h>
 #include <vtkSmartPointer.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
 #include <array>
 
+#include "app/view3d/egl_render_window.h"
+
 namespace app {
-
-// Debian's GLEW is built for GLX: in an EGL context glewInit loads every function and then reports
-// that there is no GLX display, which VTK 9.1 takes for a failure.
-class SurfacelessRenderWindow : public vtkGenericOpenGLRenderWindow {
-public:
-    static SurfacelessRenderWindow* New();
-    vtkTypeMacro(SurfacelessRenderWindow, vtkGenericOpenGLRenderWindow)
-
-        void OpenGLInitContext() override {
-        const int warnings = vtkObject::GetGlobalWarningDisplay();
-        vtkObject::SetGlobalWarningDisplay(0);
-        Superclass::OpenGLInitContext();
-        vtkObject::SetGlobalWarningDisplay(warnings);
-        GlewInitValid = true;
-        Initialized = true;
-    }
-};
-vtkStandardNewMacro(SurfacelessRenderWindow);
 
 static pipeline::Error noContext(const char* found) {
     return {{}, found, "an EGL that gives OpenGL 3.2 without a display"};
@@ -80,7 +61,7 @@ struct HeadlessWindow::Context {
 };
 
 struct HeadlessWindow::Window {
-    vtkSmartPointer<SurfacelessRenderWindow> vtk;
+    vtkSmartPointer<EglRenderWindow> vtk;
 };
 
 pipeline::Result<std::shared_ptr<HeadlessWindow>> HeadlessWindow::create(glm::ivec2 size) {
@@ -91,7 +72,7 @@ pipeline::Result<std::shared_ptr<HeadlessWindow>> HeadlessWindow::create(glm::iv
 
 HeadlessWindow::HeadlessWindow(std::unique_ptr<Context> context, glm::ivec2 size)
     : m_context(std::move(context)), m_window(std::make_unique<Window>()), m_size(size) {
-    auto window = vtkSmartPointer<SurfacelessRenderWindow>::New();
+    auto window = vtkSmartPointer<EglRenderWindow>::New();
     m_window->vtk = window;
     // VTK asks before each use; both answers are about the one context there is.
     auto makeCurrent = vtkSmartPointer<vtkCallbackCommand>::New();

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/view3d/egl_render_window.h"
 #include "app/view3d/vtk_turn.h"
 #include "app/view3d/world_scene.h"
 
@@ -57,7 +58,13 @@ VtkRenderer::VtkRenderer(QSurface& surface) : m_impl(std::make_unique<Impl>(surf
         !impl.context.makeCurrent(&surface))
         return;
     const std::lock_guard turn(vtkTurn());
-    auto window = vtkSmartPointer<vtkGenericOpenGLRenderWindow>::New();
+    // Under Wayland Qt makes its contexts by EGL.
+    const bool isEgl = impl.context.nativeInterface<QNativeInterface::QEGLContext>() != nullptr;
+    vtkSmartPointer<vtkGenericOpenGLRenderWindow> window;
+    if (isEgl)
+        window = vtkSmartPointer<EglRenderWindow>::New();
+    else
+        window = vtkSmartPointer<vtkGenericOpenGLRenderWindow>::New();
     auto makeCurrent = vtkSmartPointer<vtkCallbackCommand>::New();
     makeCurrent->SetClientData(&impl);
     makeCurrent->SetCallback([](vtkObject*, unsigned long, void* client, void*) {

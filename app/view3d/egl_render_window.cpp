@@ -1,0 +1,18 @@
+#include "app/view3d/egl_render_window.h"
+
+#include <vtkObjectFactory.h>
+
+namespace app {
+
+vtkStandardNewMacro(EglRenderWindow);
+
+void EglRenderWindow::OpenGLInitContext() {
+    const int warnings = vtkObject::GetGlobalWarningDisplay();
+    vtkObject::SetGlobalWarningDisplay(0);
+    Superclass::OpenGLInitContext();
+    vtkObject::SetGlobalWarningDisplay(warnings);
+    GlewInitValid = true;
+    Initialized = true;
+}
+
+}  // namespace app
