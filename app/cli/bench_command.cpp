@@ -17,6 +17,7 @@
 #include "pipeline/export/json.h"
 #include "pipeline/formats/scene_reader.h"
 #include "pipeline/run/runner.h"
+#include "pipeline/study/memory_share.h"
 
 namespace app {
 
@@ -36,7 +37,15 @@ struct Times {
     std::vector<double> frame;
     std::array<std::vector<double>, pipeline::kStageCount> stages;  // empty where a stage was left out
     pipeline::FramePtr last;
+    double peakBytes = 0;  // of the process, before bandwidth was measured
+    double bandwidth = 0;  // bytes a second, of a memset by as many threads
 };
+
+double peakMemory() {  // bytes
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return double(usage.ru_maxrss) * 1024;
+}
 
 // Each frame is computed from nothing. Nothing when interrupted.
 std::optional<Times> measure(const std::shared_ptr<const pipeline::Scene>& scene, const pipeline::FrameRequest& request,
@@ -51,13 +60,9 @@ std::optional<Times> measure(const std::shared_ptr<const pipeline::Scene>& scene
             if (times.last->plan()[index(stage)].action == pipeline::Action::Run)
                 times.stages[index(stage)].push_back(times.last->run(stage).milliseconds);
     }
+    times.peakBytes = peakMemory();
+    times.bandwidth = pipeline::memsetBandwidth(request.threads);
     return times;
-}
-
-double peakMemory() {  // bytes
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    return double(usage.ru_maxrss) * 1024;
 }
 
 int threadsUsed(const BenchOptions& options) {
@@ -76,6 +81,12 @@ std::string row(std::string_view what, const std::vector<double>& times, double 
 double shareOf(const std::vector<double>& stage, const Times& times) {
     const double frame = pipeline::summarize(times.frame).median;
     return frame > 0 ? pipeline::summarize(stage).median / frame : 0;
+}
+
+// How much of the time of a frame a memset of the buffers that it keeps would take.
+double bandwidthShare(const Times& times) {
+    const double seconds = pipeline::summarize(times.frame).median / 1000, most = times.bandwidth * seconds;
+    return most > 0 ? pipeline::bufferBytes(*times.last) / most : 0;
 }
 
 std::string tallyText(const pipeline::Tally& tally) {
@@ -99,7 +110,9 @@ void printTable(const Times& times, const BenchOptions& options) {
         say("{}", row(label, taken, shareOf(taken, times), run.counts));
         for (const pipeline::Tally& tally : run.tallies) say("{}", tallyText(tally));
     }
-    say("{}", row("frame", times.frame, 1, fmt::format("peak memory {:.1f} MB", peakMemory() / 1e6)));
+    say("{}", row("frame", times.frame, 1, fmt::format("peak memory {:.1f} MB", times.peakBytes / 1e6)));
+    say("\nThe buffers that a frame keeps take {:.1f} MB: {:.1f} % of what memset writes in that time ({:.1f} GB/s).\n",
+        pipeline::bufferBytes(*times.last) / 1e6, 100 * bandwidthShare(times), times.bandwidth / 1e9);
 }
 
 pipeline::Json summaryJson(const std::vector<double>& times) {
@@ -131,7 +144,10 @@ void printJson(const Times& times, const BenchOptions& options) {
                               {"repeats", options.repeats()},
                               {"milliseconds", summaryJson(times.frame)},
                               {"stages", stages},
-                              {"peak_memory_bytes", peakMemory()}};
+                              {"peak_memory_bytes", times.peakBytes},
+                              {"buffer_bytes", pipeline::bufferBytes(*times.last)},
+                              {"memset_bytes_per_second", times.bandwidth},
+                              {"share_of_memset", bandwidthShare(times)}};
     say("{}\n", json.dump(2, ' ', false, pipeline::Json::error_handler_t::replace));
 }
 

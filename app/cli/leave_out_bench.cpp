@@ -8,6 +8,7 @@
 #include "app/cli/message.h"
 #include "pipeline/core/sample.h"
 #include "pipeline/run/runner.h"
+#include "pipeline/study/memory_share.h"
 
 namespace app {
 
@@ -31,12 +32,7 @@ long long done(const Frame& frame, std::string_view what) {
     return 0;
 }
 
-double megabytes(const Frame& frame) {
-    double bytes = 0;
-    for (const pipeline::AnyBuffer& buffer : frame.buffers())
-        bytes += std::visit([](const auto& numbers) { return double(numbers.size_bytes()); }, buffer.data);
-    return bytes / 1e6;
-}
+double megabytes(const Frame& frame) { return pipeline::bufferBytes(frame) / 1e6; }
 
 constexpr std::array<std::string_view, 3> kCounters{"light evaluations", "powers", "shadow look-ups"};
 

@@ -44,7 +44,7 @@ std::string nameOf(const std::vector<SweepAxis>& axes, const std::vector<std::st
 }
 
 // whyNone: why the study has no such error of some points; empty.
-PointAnalysis place(const StudyPoint& point, const ErrorChoice& choice, const std::string& whyNone) {
+PointAnalysis placePoint(const StudyPoint& point, const ErrorChoice& choice, const std::string& whyNone) {
     PointAnalysis result;
     if (!point.frame.empty()) {
         const SampleSummary summary = point.frame.summary();
@@ -216,7 +216,7 @@ StudyAnalysis analyse(const StudyReport& report, const ErrorChoice& choice) {
     const std::string whyNone = explains ? report.whyNone[kind] : std::string();
     for (std::size_t i = 0; i < report.points.size(); ++i) {
         const StudyPoint& point = report.points[i];
-        PointAnalysis& placed = analysis.points.emplace_back(place(point, choice, whyNone));
+        PointAnalysis& placed = analysis.points.emplace_back(placePoint(point, choice, whyNone));
         placed.label =
             nameOf(report.axes, point.values, [&](std::size_t a) { return report.axes[a].values.size() > 1; });
         if (analysis.refined) placed.step = point.values[*analysis.refined];

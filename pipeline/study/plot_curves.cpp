@@ -10,7 +10,7 @@ namespace pipeline {
 
 namespace {
 
-using Place = Vec2<double>;
+using PlotPlace = Vec2<double>;
 using Anchor = PlotText::Anchor;
 
 constexpr std::array kShapes{PlotShape::Square,       PlotShape::Triangle, PlotShape::Disc,  PlotShape::Diamond,
@@ -110,10 +110,10 @@ void drawFront(PlotLayout& layout) {
     });
     if (front.empty()) return;
     std::ranges::sort(front, {}, [](const PlotPoint& point) { return std::pair(point.x, point.y); });
-    std::vector<Place> steps{{layout.at(front[0]).x, layout.area.top}};
+    std::vector<PlotPlace> steps{{layout.at(front[0]).x, layout.area.top}};
     double lowest = layout.area.top;
     for (const PlotPoint& point : front) {
-        const Place place = layout.at(point);
+        const PlotPlace place = layout.at(point);
         if (place.y <= lowest) continue;  // by accident slower and not better
         steps.push_back({place.x, lowest});
         steps.push_back(place);
@@ -128,9 +128,9 @@ void drawCurves(PlotLayout& layout) {
     const double size = layout.markerSize();
     for (std::size_t s = 0; s < layout.plot.series.size(); ++s) {
         const PlotSeries& series = layout.plot.series[s];
-        std::vector<Place> places;
+        std::vector<PlotPlace> places;
         for (const PlotPoint& point : series.points) {
-            const Place place = layout.at(point);
+            const PlotPlace place = layout.at(point);
             if (!places.empty()) layout.labels.line(places.back(), place);
             places.push_back(place);
             layout.labels.block({place.x - size / 2, place.y - size / 2, place.x + size / 2, place.y + size / 2});
@@ -139,9 +139,9 @@ void drawCurves(PlotLayout& layout) {
             const double left = layout.x.place(point.xLow > 0 ? point.xLow : point.x);
             const double right = layout.x.place(point.xHigh), cap = size / 3;
             if (right - left < size + 3) continue;  // it would not show beside the marker
-            for (auto&& bar : {std::vector<Place>{{left, place.y}, {right, place.y}},
-                               std::vector<Place>{{left, place.y - cap}, {left, place.y + cap}},
-                               std::vector<Place>{{right, place.y - cap}, {right, place.y + cap}}})
+            for (auto&& bar : {std::vector<PlotPlace>{{left, place.y}, {right, place.y}},
+                               std::vector<PlotPlace>{{left, place.y - cap}, {left, place.y + cap}},
+                               std::vector<PlotPlace>{{right, place.y - cap}, {right, place.y + cap}}})
                 layout.drawing.lines.push_back({bar, seriesInk(s), layout.u / 10, PlotDash::Solid});
             layout.labels.line({left, place.y}, {right, place.y});
         }

@@ -11,6 +11,7 @@
 #include "pipeline/study/blame.h"
 #include "pipeline/study/errors.h"
 #include "pipeline/study/machine.h"
+#include "pipeline/study/memory_share.h"
 #include "pipeline/study/ray_caster.h"
 
 namespace pipeline {
@@ -44,10 +45,7 @@ void setCounters(const Frame& frame, StudyPoint& point) {
     point.counters.clear();  // an interrupted search may have left some
     for (const StageId stage : kStages)
         for (const Tally& tally : frame.run(stage).tallies) point.counters[std::string(tally.what)] += tally.done;
-    double bytes = 0;
-    for (const AnyBuffer& buffer : frame.buffers())
-        bytes += std::visit([](const auto& numbers) { return double(numbers.size_bytes()); }, buffer.data);
-    point.megabytes = bytes / 1e6;
+    point.megabytes = bufferBytes(frame) / 1e6;
 }
 
 // What no reference reads takes its default: scenes with an equal rest have the same one.

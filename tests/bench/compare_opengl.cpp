@@ -14,6 +14,7 @@
 #include "pipeline/core/text.h"
 #include "pipeline/export/json.h"
 #include "pipeline/run/runner.h"
+#include "pipeline/study/memory_share.h"
 #include "tests/bench/gl_scene.h"
 #include "tests/bench/rounds.h"
 #include "tests/bench/workloads.h"
@@ -146,7 +147,10 @@ Json measure(const Point& point, const Options& options) {
                                     {"fast", [&] { fast.draw(); }}},
                                    options.turns, point.threads == 1 ? Watch::Processor : Watch::Wall);
     const std::size_t better = median(medians[1]) < median(medians[0]) ? 1 : 0;
-    const Goal goal = goalOf(point.workload, point.part, point.threads);
+    const double bandwidth = pipeline::memsetBandwidth(point.threads);
+    const auto share = [&](const Ours& ours, double milliseconds) {
+        return pipeline::bufferBytes(ours.frame()) / (bandwidth * milliseconds / 1000);
+    };
     return {{"workload", point.workload.name},
             {"triangles", mesh->triangles.size()},
             {"width", point.workload.width},
@@ -154,6 +158,7 @@ Json measure(const Point& point, const Options& options) {
             {"part", name(point.part, point.workload)},
             {"threads", point.threads},
             {"opengl", context->renderer()},
+            {"opengl_version", context->version()},
             {"opengl_ms", median(medians[better])},
             {"opengl_geometry", better == 1 ? "unshared" : "indexed"},
             {"opengl_indexed_ms", median(medians[0])},
@@ -164,8 +169,9 @@ Json measure(const Point& point, const Options& options) {
             {"fast_ms", median(medians[3])},
             {"fast_ratio", ratiosJson(medians[better], medians[3])},
             {"fast_stages_ms", fast.stages()},
-            {"hold", goal.hold},
-            {"target", goal.target},
+            {"memset_bytes_per_second", bandwidth},
+            {"exact_share_of_memset", share(exact, median(medians[2]))},
+            {"fast_share_of_memset", share(fast, median(medians[3]))},
             {"pixels_alike", alike},
             {"mesh_megabytes", meshMegabytes},
             {"peak_megabytes", oursMegabytes}};
@@ -199,32 +205,41 @@ Json inChild(const Point& point, const Options& options) {
     return json;
 }
 
-std::string goalText(double goal) { return goal > 0 ? fmt::format("{}", goal) : "–"; }
-
 std::string ratioText(const Json& ratio) {
     return fmt::format("{:.2f} ({:.2f} to {:.2f})", ratio["median"].get<double>(), ratio["min"].get<double>(),
                        ratio["max"].get<double>());
 }
 
+// "llvmpipe, Mesa 22.3.6": the first word of the renderer's name, and the version of who made it.
+std::string driverText(const Json& row) {
+    const auto renderer = row["opengl"].get<std::string>(), version = row["opengl_version"].get<std::string>();
+    const auto maker = version.find("Mesa");
+    return renderer.substr(0, renderer.find(' ')) + ", " + (maker == version.npos ? version : version.substr(maker));
+}
+
 void printHead(const Options& options) {
     fmt::print(
         "{}, {} processors; medians of {} rounds in turns, ms a frame (of one thread: of the "
-        "processor's time); ratio: OpenGL's time over ours\n\n",
+        "processor's time); ratio: OpenGL's time over ours; memset: how much of that time a memset of the buffers that "
+        "our frame keeps takes\n\n",
         processorName(), processorCount(), options.turns.rounds);
     fmt::print(
-        "| polygons | picture | drawn | threads | OpenGL | its geometry | exact | ratio (min to max) | hold | fast | "
-        "ratio "
-        "(min to max) | target | alike | peak MB |\n|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
+        "| polygons | picture | drawn | threads | driver | OpenGL | its geometry | exact | ratio (min to max) | memset "
+        "| fast | "
+        "ratio (min to max) | memset | alike | peak MB "
+        "|\n|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
 }
 
 void printRow(const Json& row, const Options& options) {
     const auto number = [&](const char* key) { return row[key].get<double>(); };
-    fmt::print("| {} | {}×{} | {} | {} | {:.2f} | {} | {:.2f} | {} | {} | {:.2f} | {} | {} | {:.2f} % | {:.0f} |\n",
-               row["triangles"].get<std::size_t>(), row["width"].get<int>(), row["height"].get<int>(),
-               row["part"].get<std::string>(), row["threads"].get<int>(), number("opengl_ms"),
-               row["opengl_geometry"].get<std::string>(), number("exact_ms"), ratioText(row["exact_ratio"]),
-               goalText(number("hold")), number("fast_ms"), ratioText(row["fast_ratio"]), goalText(number("target")),
-               100 * number("pixels_alike"), number("peak_megabytes"));
+    fmt::print(
+        "| {} | {}×{} | {} | {} | {} | {:.2f} | {} | {:.2f} | {} | {:.1f} % | {:.2f} | {} | {:.1f} % | {:.2f} % | "
+        "{:.0f} |\n",
+        row["triangles"].get<std::size_t>(), row["width"].get<int>(), row["height"].get<int>(),
+        row["part"].get<std::string>(), row["threads"].get<int>(), driverText(row), number("opengl_ms"),
+        row["opengl_geometry"].get<std::string>(), number("exact_ms"), ratioText(row["exact_ratio"]),
+        100 * number("exact_share_of_memset"), number("fast_ms"), ratioText(row["fast_ratio"]),
+        100 * number("fast_share_of_memset"), 100 * number("pixels_alike"), number("peak_megabytes"));
     if (options.stages)
         fmt::print("    exact: {}\n    fast:  {}\n", row["exact_stages_ms"].dump(), row["fast_stages_ms"].dump());
     std::fflush(stdout);

@@ -33,23 +33,6 @@ std::string name(Part part, const Workload& workload) {
     return {};
 }
 
-Goal goalOf(const Workload& workload, Part part, int threads) {
-    struct Row {
-        const char* name;
-        Goal goals[2][3];  // by threads - 1 and part
-    };
-    static constexpr Row kRows[]{
-        {"100", {{{4, 6}, {3, 5}, {3.5, 6}}, {{4, 7}, {2.5, 6}, {4, 7}}}},
-        {"5k", {{{8, 12}, {4.5, 9}, {6, 12}}, {{8, 12}, {5, 10}, {7, 13}}}},
-        {"70k", {{{7, 13}, {4, 9}, {5, 10}}, {{7, 14}, {4, 10}, {5, 12}}}},
-        {"1M", {{{6, 12}, {4.5, 12}, {5, 13}}, {{6, 14}, {4.5, 14}, {5, 15}}}},
-        {"10M", {{{5, 10}, {0, 0}, {5, 11}}, {{4, 10}, {0, 0}, {4.5, 12}}}},
-    };
-    for (const Row& row : kRows)
-        if (workload.name == row.name && threads <= 2) return row.goals[threads - 1][std::size_t(part)];
-    return {};
-}
-
 namespace {
 
 // Rings of twice as many segments as there are rings; triangles, also at the poles.

@@ -25,12 +25,6 @@ enum class Part : std::uint8_t { Depth, Phong, PhongShadow };
 inline constexpr Part kParts[]{Part::Depth, Part::Phong, Part::PhongShadow};
 std::string name(Part part, const Workload& workload);  // "Phong + 1024²"
 
-// What the project aims at, as OpenGL's time over ours: what no version may fall below, and what is wanted.
-struct Goal {
-    double hold = 0, target = 0;
-};
-Goal goalOf(const Workload& workload, Part part, int threads);
-
 // The five rows of the table.
 const std::vector<Workload>& workloads();
 const Workload& workload(std::string_view name);  // one of them

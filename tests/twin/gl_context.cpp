@@ -126,6 +126,7 @@ public:
         eglDestroyContext(m_display, m_context);
         eglTerminate(m_display);
     }
+    std::string version() const override { return reinterpret_cast<const char*>(glGetString(GL_VERSION)); }
     std::string renderer() const override { return reinterpret_cast<const char*>(glGetString(GL_RENDERER)); }
     int subPixelBits() const override {
         GLint bits = 0;

@@ -24,8 +24,9 @@ public:
     static std::unique_ptr<GlContext> make(std::string& whyNot);
     virtual ~GlContext() = default;
 
-    virtual std::string renderer() const = 0;
-    virtual int subPixelBits() const = 0;  // as it says itself
+    virtual std::string renderer() const = 0;  // "llvmpipe (LLVM 15.0.6, 256 bits)"
+    virtual std::string version() const = 0;   // "4.5 (Core Profile) Mesa 22.3.6"
+    virtual int subPixelBits() const = 0;      // as it says itself
     // Carries the calls out twice: lit, and with a colour per polygon.
     virtual GlPicture draw(const std::vector<pipeline::GlCall>& calls, glm::ivec2 size) = 0;
 };
