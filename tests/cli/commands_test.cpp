@@ -197,6 +197,11 @@ TEST(Bench, MeasuresEveryStageThatRuns) {
     EXPECT_EQ(json["threads"], 1);
     EXPECT_EQ(json["repeats"], 7);
     EXPECT_GT(json["peak_memory_bytes"].get<double>(), 640 * 480 * 3);
+    // The picture is among the buffers that the frame keeps; the share is their bytes over what memset writes meanwhile.
+    const double kept = json["buffer_bytes"].get<double>(), rate = json["memset_bytes_per_second"].get<double>();
+    EXPECT_GE(kept, 640 * 480 * 3);
+    EXPECT_NEAR(json["share_of_memset"].get<double>() * rate * json["milliseconds"]["median"].get<double>() / 1000,
+                kept, 1e-6 * kept);
     ASSERT_EQ(json["stages"].size(), 6u);
     EXPECT_FALSE(json["stages"][3].contains("milliseconds"));  // left out
     double sum = 0;
