@@ -18,6 +18,7 @@
 #include "pipeline/compare/compare_text.h"
 #include "pipeline/core/text.h"
 #include "pipeline/export/byte_file.h"
+#include "pipeline/export/staging.h"
 #include "pipeline/formats/built_in_scenes.h"
 #include "pipeline/formats/scene_folder.h"
 #include "pipeline/formats/text_scanner.h"
@@ -50,13 +51,23 @@ std::optional<std::string> parseTolerance(const std::string& text, std::map<std:
         equals == text.npos ? std::nullopt : pipeline::parseNumber(std::string_view(text).substr(equals + 1));
     if (!value || *value < 0) return fmt::format("--tolerance is {}, expected BUFFER=NUMBER", pipeline::inQuotes(text));
     const std::string buffer = name == "depth" ? "z_view" : name;
-    for (const foreign::Tolerance& row : foreign::toleranceTable())
-        if (bufferInfo(row.buffer).name == buffer) {
+    std::vector<std::string> names;
+    for (const foreign::Tolerance& row : foreign::toleranceTable()) {
+        names.emplace_back(bufferInfo(row.buffer).name);
+        if (names.back() == buffer) {
             into[buffer] = *value;
             return {};
         }
-    return fmt::format("--tolerance: no buffer is called {}; {}", pipeline::inQuotes(name),
-                       foreign::insteadOfHanded(name));
+    }
+    return fmt::format("--tolerance: no buffer is called {}; the nearest name is {}", pipeline::inQuotes(name),
+                       pipeline::nearest(name, names));
+}
+
+std::string stageNames() {
+    std::string names;
+    for (const pipeline::StageId stage : pipeline::kStages)
+        names += (names.empty() ? "" : ", ") + std::string(stageInfo(stage).name);
+    return names;
 }
 
 // Whether a terminal shows more than ASCII.
@@ -148,9 +159,9 @@ int compareOnce(const CompareArguments& arguments, const pipeline::Scene& scene,
     }
     const int status = statusOf(*report);
     if (!arguments.output.empty()) {
-        pipeline::ByteFile page(arguments.output);
-        page.write(reportHtml(*report, commandOf(arguments)));
-        if (const auto written = page.close(); !written) {
+        // A report of the comparison before is written over: one mends and compares again.
+        if (const auto written = pipeline::writeWhole(arguments.output, reportHtml(*report, commandOf(arguments)));
+            !written) {
             printErrors(written.errors());
             return kCouldNotWrite;
         }
@@ -214,7 +225,8 @@ int runCompare(const CompareArguments& arguments) {
     if (!arguments.stage.empty()) {
         const auto stage = pipeline::findStage(arguments.stage);
         if (!stage)
-            return wrongCompare(fmt::format("--stage: no stage is called {}", pipeline::inQuotes(arguments.stage)));
+            return wrongCompare(fmt::format("--stage: no stage is called {}; the stages are {}",
+                                            pipeline::inQuotes(arguments.stage), stageNames()));
         options.until = *stage;
     }
     options.known = !arguments.noKnown && arguments.hints >= 3;

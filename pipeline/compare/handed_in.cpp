@@ -42,6 +42,15 @@ std::vector<std::string> handedNames() {
     return names;
 }
 
+// What makes a picture of another shape the right one; nothing where none of the usual ways does.
+std::string_view whatMayHelp(const std::vector<std::size_t>& found, const std::vector<std::size_t>& expected) {
+    const std::size_t height = expected[0], width = expected[1];
+    if (found.size() >= 2 && found[0] == width && found[1] == height) return "; rows come before columns: transpose it";
+    if (found.size() == 3 && found[1] == height && found[2] == width) return "; a pixel's channels come last";
+    if (found.size() >= 2) return "; --size compares at another size";
+    return {};
+}
+
 // Why an array cannot be this buffer, or empty.
 std::optional<Error> wrongSize(const HandedFile& file, const Frame& reference) {
     const auto right = reference.buffer(file.name.buffer);
@@ -66,7 +75,8 @@ std::optional<Error> wrongSize(const HandedFile& file, const Frame& reference) {
     wanted.shape = expected;
     return Error{{file.path.string()},
                  "found an array of " + file.numbers.sizeText(),
-                 fmt::format("{} as {} of this scene has", wanted.sizeText(), file.name.text())};
+                 fmt::format("{} as {} of this scene has{}", wanted.sizeText(), file.path.stem().string(),
+                             picture ? whatMayHelp(found, expected) : "")};
 }
 
 // How exactly a file can hold a buffer.
@@ -105,11 +115,14 @@ public:
             m_in.conventions = std::move(text).value(), m_in.conventionsName = path.string();
             return;
         }
+        const auto name = findHanded(stem, m_reference.scene().lights.size());
         if (!readsNumbers(ending)) {
             if (asked) report({{{path.string()}, "the ending is none of a file of numbers", numberFormats()}});
+            if (!asked && name)
+                m_in.others.push_back(
+                    fmt::format("{} is not read: its ending is none of {}", inQuotes(file), numberFormats()));
             return;
         }
-        const auto name = findHanded(stem, m_reference.scene().lights.size());
         if (!name) {
             m_in.others.push_back(fmt::format("{} is not known; {}", inQuotes(file), insteadOfHanded(stem)));
             return;

@@ -30,10 +30,12 @@ const NumberFormat* numberFormat(std::string_view ending) {
 }  // namespace
 
 std::string NumberFile::sizeText() const {
-    // A picture's width stands first, as people say it.
+    // A picture's width stands first, as people say it; no more than four channels follow.
     std::vector<std::size_t> said = shape;
-    if (said.size() >= 2 && said[1] > 4) std::swap(said[0], said[1]);
-    return fmt::format("{}", fmt::join(said, " × "));
+    const bool isPicture = said.size() == 2 ? said[1] > 4 : said.size() == 3 && said[2] <= 4;
+    if (isPicture) std::swap(said[0], said[1]);
+    const std::string text = fmt::format("{}", fmt::join(said, " × "));
+    return said.size() < 2 ? text : fmt::format("{} (NumPy's shape {})", text, fmt::join(shape, ", "));
 }
 
 bool readsNumbers(std::string_view ending) { return numberFormat(ending) != nullptr; }

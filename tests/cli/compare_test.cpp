@@ -195,6 +195,25 @@ TEST(Compare, aFileOfAnotherSizeIsToldAndTheOthersAreCompared) {
     EXPECT_TRUE(test::has(done.out, "color")) << done.out;
 }
 
+TEST(Compare, whatAFileLacksIsSaidWithItsCure) {
+    const Handed handed;
+    handed.give("color", handed.all("color"));
+    test::Npy z = handed.all("z_view"), normal = handed.all("normal");
+    std::swap(z.shape[0], z.shape[1]);
+    handed.give("depth", z);
+    normal.shape = {3, normal.shape[0], normal.shape[1]};
+    handed.give("normal", normal);
+    test::writeText(handed.file("object_id.jpg"), "");
+    const auto done = handed.compare();
+    EXPECT_EQ(done.status, 3);
+    EXPECT_TRUE(test::has(done.out, "as depth of this scene has; rows come before columns")) << done.out;
+    EXPECT_TRUE(test::has(done.out, "(NumPy's shape 3, 200, 320)")) << done.out;
+    EXPECT_TRUE(test::has(done.out, "channels come last")) << done.out;
+    EXPECT_TRUE(test::has(done.out, "\"object_id.jpg\" is not read: its ending is none of npy")) << done.out;
+    EXPECT_TRUE(test::has(handed.compare({"--tolerance", "colr=2"}).err, "the nearest name is color"));
+    EXPECT_TRUE(test::has(handed.compare({"--stage", "zbuffer"}).err, "the stages are transform, cull"));
+}
+
 TEST(Compare, aFolderThatIsNoRenderersSaysWhatToHandIn) {
     const test::TemporaryFolder folder;
     test::writeText(folder / "final.png", "");
@@ -219,7 +238,11 @@ TEST(Compare, thePageNeedsNothingElse) {
     EXPECT_EQ(html.find("<b>.npy"), html.npos);  // a file's name is text
     EXPECT_TRUE(test::has(html, "&lt;b&gt;.npy"));
     EXPECT_TRUE(test::has(html, "Hint 3"));
-    EXPECT_EQ(handed.compare({"-o", "/no/such/folder/report.html"}).status, 4);
+    // One mends, compares again and looks at the same page.
+    handed.give("color", handed.all("color"));
+    EXPECT_EQ(handed.compare({"-o", page}).status, 0);
+    EXPECT_NE(test::readText(page), html);
+    EXPECT_EQ(handed.compare({"-o", handed.file("color.npy/report.html").string()}).status, 4);
 }
 
 }  // namespace
