@@ -83,8 +83,8 @@ double shareOf(const std::vector<double>& stage, const Times& times) {
     return frame > 0 ? pipeline::summarize(stage).median / frame : 0;
 }
 
-// How much of the time of a frame a memset of the buffers that it keeps would take.
-double bandwidthShare(const Times& times) {
+// A memset of the frame's buffers, as a part of the frame's time. Above 1 where tiles that nothing covers stay unwritten.
+double shareOfMemset(const Times& times) {
     const double seconds = pipeline::summarize(times.frame).median / 1000, most = times.bandwidth * seconds;
     return most > 0 ? pipeline::bufferBytes(*times.last) / most : 0;
 }
@@ -111,8 +111,11 @@ void printTable(const Times& times, const BenchOptions& options) {
         for (const pipeline::Tally& tally : run.tallies) say("{}", tallyText(tally));
     }
     say("{}", row("frame", times.frame, 1, fmt::format("peak memory {:.1f} MB", times.peakBytes / 1e6)));
-    say("\nThe buffers that a frame keeps take {:.1f} MB: {:.1f} % of what memset writes in that time ({:.1f} GB/s).\n",
-        pipeline::bufferBytes(*times.last) / 1e6, 100 * bandwidthShare(times), times.bandwidth / 1e9);
+    const double bytes = pipeline::bufferBytes(*times.last);
+    say("\nThe frame's buffers take {:.1f} MB. memset writes as much in {:.3f} ms ({:.1f} GB/s), {:.0f} % of the "
+        "frame's "
+        "time.\n",
+        bytes / 1e6, 1000 * bytes / times.bandwidth, times.bandwidth / 1e9, 100 * shareOfMemset(times));
 }
 
 pipeline::Json summaryJson(const std::vector<double>& times) {
@@ -147,7 +150,7 @@ void printJson(const Times& times, const BenchOptions& options) {
                               {"peak_memory_bytes", times.peakBytes},
                               {"buffer_bytes", pipeline::bufferBytes(*times.last)},
                               {"memset_bytes_per_second", times.bandwidth},
-                              {"share_of_memset", bandwidthShare(times)}};
+                              {"share_of_memset", shareOfMemset(times)}};
     say("{}\n", json.dump(2, ' ', false, pipeline::Json::error_handler_t::replace));
 }
 

@@ -3,7 +3,7 @@
 
 namespace pipeline {
 
-// What a frame leaves in memory, and how fast memory takes it: no frame is faster than a memset of its buffers.
+// What a frame leaves in memory, and how fast memory takes as much.
 
 // Bytes of all buffers that the frame holds. What its stages write and read on the way is not among them.
 double bufferBytes(const Frame& frame);
