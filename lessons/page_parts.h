@@ -8,7 +8,7 @@
 namespace lessons {
 
 // What pages with scripts are put together from: the files of app/web/page and the core, found beside the installed
-// program's resources, or in the source tree and its folder build/web.
+// program's resources, or in the source tree and its folder build/web. A script comes without its comments.
 pipeline::Result<std::string> readPageFile(std::string_view name);
 
 // What a page's content policy calls a script or a style: "sha256-…".

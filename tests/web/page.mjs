@@ -135,6 +135,16 @@ try {
   expect('no error was written by the lesson', q.log.length === 0, q.log);
   await q.close();
 
+  // What has no pixels is listed, and takes no more room than it has.
+  const v = await browser.open('file://' + pyramid);
+  await v.run('show(0, "vertices.screen")');
+  expect('vertices are a table', (await v.run('document.querySelectorAll(".picture:first-child .rows tr").length')) === 5);
+  expect('whose numbers are the buffer\'s', await v.run(`(numbers => document.querySelector('.rows tr:nth-child(2) td').textContent === shortNumber(numbers[3]))(core.numbers(core.ask('buffer', 'vertices.screen', 0)))`));
+  expect('the page keeps its size', await v.run('document.documentElement.scrollHeight <= innerHeight'), await v.run('document.documentElement.scrollHeight'));
+  await v.run('show(0, "color")');
+  expect('and a picture comes back', await v.run('document.querySelector(".rows tr") === null && document.querySelector(".frame canvas").offsetHeight > 100'));
+  await v.close();
+
   // Every lesson starts, within the budget, and each of its pages opens.
   for (const { name } of JSON.parse(execFileSync(program, ['lesson', 'list', '--json'], { encoding: 'utf8' }))) {
     const file = write('lesson.html', 'lesson', 'export', name);

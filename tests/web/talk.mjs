@@ -82,6 +82,7 @@ try {
     const n = await browser.open(url + '#3', { width, height, mobile: width < 500, dark: width === 390 });
     expect(`#3 opens the third cue at ${width}`, (await n.run('at')) === 2);
     expect(`no scrolling sideways at ${width}`, await n.run('document.documentElement.scrollWidth <= innerWidth'), await n.run('document.documentElement.scrollWidth'));
+    expect(`pictures are seen at ${width}`, await n.run('cues.every((cue, i) => (show(i), all(".view img", cue).every(image => image.clientHeight > 60)))'));
     if (width >= 1280) {
       const cut = await n.run('cues.map((cue, i) => (show(i), cue.scrollHeight > cue.clientHeight + 1 || all(".view img", cue).some(image => image.clientHeight < innerHeight / 8) ? nameOf(cue) : "")).filter(name => name)');
       expect(`every cue is whole at ${width}`, cut.length === 0, cut);

@@ -18,7 +18,7 @@ function openPage(number, then = false) {
   if (number < 0 || number >= data.pages) return;
   if (number !== view.page || then !== view.then) verdict = null;
   page = core.ask('page', number, then ? 1 : 0);
-  Object.assign(view, { page: number, then: page.then, pixel: page.pixel, channel: page.channel, level: page.level, step: null, compare: '', was: '', own: {} });
+  Object.assign(view, { page: number, then: page.then, pixel: page.pixel, channel: page.channel, level: page.level, step: null, condition: page.condition, mix: page.mix, compare: '', was: '', own: {} });
   view.pictures = page.buffers.slice(0, 2).map(({ buffer, channel, range }) => ({ buffer, channel: channel > 2 ? -1 : channel, range }));
   settings = core.ask('settings');
   forgetFrame();
@@ -51,6 +51,7 @@ function saveScene() {
 const kKeys = {
   '.': () => step(1),
   ',': () => step(-1),
+  a: () => { one('#algorithmbox').open = !one('#algorithmbox').open; },
   '?': () => one('#help').showModal(),
   PageDown: () => openPage(view.page + 1),
   PageUp: () => openPage(view.page - 1),

@@ -46,10 +46,36 @@ function drawPictures() {
     const compared = view.compare !== '' && i === 1;
     drawPicture(figure, compared ? view.pictures[0] : i === 1 ? thereNow(view.pictures[1]) : view.pictures[0], compared ? 1 : 0);
   });
+  drawRecipe();
   const [x, y, w, h] = view.part, [width, height] = pictureSize();
   one('#whole').hidden = w === width && h === height && view.fit[2] === width;
   one('#whole').textContent = w === width && h === height ? 'Fit' : 'Whole';
   one('#part').textContent = w === width && h === height ? `${width} × ${height} pixels` : `${w} × ${h} of ${width} × ${height} pixels`;
+}
+
+/** The texts that derived buffers on show are made after. */
+function drawRecipe() {
+  const shows = (...names) => view.pictures.some(shown => names.includes(shown.buffer));
+  const asks = { condition: shows('condition', 'expression'), mix: shows('mix') };
+  one('#recipe').hidden = !asks.condition && !asks.mix;
+  for (const [name, isAsked] of Object.entries(asks)) {
+    const field = one('#' + name);
+    field.hidden = one(`#${name}label`).hidden = !isAsked;
+    if (document.activeElement !== field) field.value = view[name];
+  }
+}
+
+function setRecipe() {
+  const given = { condition: one('#condition').value, mix: one('#mix').value };
+  try {
+    core.ask('recipe', given.condition, given.mix);
+  } catch (error) {
+    return void (say(error.message), one('#refused').textContent = error.message);
+  }
+  one('#refused').textContent = '';
+  Object.assign(view, given);
+  if (view.step) draw();
+  else runFrame(draw);
 }
 
 /** Inside the frame, where a buffer is not there yet: what the stage draws. @param {View} shown @returns {View} */
@@ -77,7 +103,12 @@ function drawPicture(figure, shown, which) {
   one('.meaning', figure).title = picture ? picture.meaning : '';
   canvas.setAttribute('aria-label', picture ? `${shown.buffer}, ${picture.width} by ${picture.height}. ${picture.meaning}` : why.textContent);
   figure.picture = picture, figure.which = which;
-  if (picture) {
+  const domain = buffers.find(buffer => buffer.name === shown.buffer)?.domain, frame = one('.frame', figure);
+  const isListed = picture !== null && (domain === 'vertex' || domain === 'polygon');
+  frame.classList.toggle('listed', isListed), frame.classList.toggle('free', picture !== null && domain === 'texel');
+  fillKept(one('.rows', figure), isListed ? [[`${shown.buffer} ${picture.shape}`, () => element('table', {}, element('tbody'))]] : []);
+  if (isListed) fillRows(figure, shown.buffer, which), scale.hidden = true, figure.ofPixels = false;
+  else if (picture) {
     const ofPixels = picture.width === pictureSize()[0] && picture.height === pictureSize()[1];
     const [, , w, h] = figure.seen = picture.part;
     figure.ofPixels = ofPixels;
@@ -86,6 +117,21 @@ function drawPicture(figure, shown, which) {
     if (picture.scale) drawScale(scale, picture);
   }
   drawMarks(figure);
+}
+
+const kMostRows = 200;
+
+/** What has no pixels is listed: a row for each vertex or polygon. @param {any} figure @param {string} name @param {number} which */
+function fillRows(figure, name, which) {
+  const buffer = core.ask('buffer', name, which), numbers = core.numbers(buffer), channels = buffer.shape[1] || 1, count = buffer.shape[0];
+  /** @type {[string, () => Element][]} */
+  const rows = [];
+  for (let i = 0; i < Math.min(count, kMostRows); ++i) {
+    const texts = [...numbers.slice(i * channels, (i + 1) * channels)].map(value => shortNumber(value));
+    rows.push([texts.join(), () => element('tr', {}, element('th', { scope: 'row', textContent: i }), ...texts.map(text => element('td', { className: 'number', textContent: text })))]);
+  }
+  if (count > kMostRows) rows.push(['more', () => element('tr', {}, element('td', { colSpan: channels + 1, textContent: `and ${count - kMostRows} more` }))]);
+  fillKept(one('tbody', figure), rows);
 }
 
 /** @param {any} scale @param {any} picture */
@@ -223,6 +269,7 @@ function startPictures() {
       drawPictures();
     }));
   });
+  for (const name of ['#condition', '#mix']) one(name).addEventListener('change', () => guarded(setRecipe));
   one('#closer').addEventListener('click', () => guarded(() => zoom(0.6)));
   one('#farther').addEventListener('click', () => guarded(() => zoom(1 / 0.6)));
   one('#whole').addEventListener('click', () => guarded(() => {

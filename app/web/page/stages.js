@@ -33,6 +33,35 @@ function drawSteps() {
   progress.max = step ? Math.max(1, step.of) : 1, progress.value = step ? step.done : 1;
   one('#stepped').textContent = stepWords();
   one('#level').value = view.level;
+  drawAlgorithm();
+}
+
+/** The algorithm of the stage as the lectures print it; the text is the core's. */
+function drawAlgorithm() {
+  const box = one('#algorithmbox');
+  box.hidden = hides('algorithm') || !core.calls.algorithm;
+  if (box.hidden || !box.open) return;
+  const stage = plan.stages.findIndex(stage => stage.stage === (view.step ? view.step.stage : page.stage));
+  const found = core.ask('algorithm', stage);
+  /** @type {[string, () => Element][]} */
+  const parts = [];
+  if (!found) parts.push(kept('There is no algorithm for this stage.'));
+  else {
+    parts.push(kept(found.title), ['lines', () => element('ol', { className: 'code' })]);
+    for (const words of [...(found.left_out || []), found.note]) if (words) parts.push(kept(words));
+  }
+  fillKept(one('#algorithm'), parts);
+  if (!found) return;
+  fillKept(one('.code', box), found.lines.map(line => [JSON.stringify(line), () => codeLine(line)]));
+  one('.code .now', box)?.scrollIntoView({ block: 'nearest' });
+}
+
+function codeLine(line) {
+  const values = [line.with_values !== line.text ? line.with_values : '', line.remark].filter(words => words).join('  ');
+  const row = element('li', { className: line.status.replace(' ', '-') },
+    element('span', { className: 'text', textContent: '  '.repeat(line.indent) + line.text }), element('span', { className: 'values', textContent: values }));
+  if (line.status === 'now') row.setAttribute('aria-current', 'step');
+  return row;
 }
 
 function stepWords() {
@@ -53,6 +82,7 @@ function step(way, place = '') {
 }
 
 function startStages() {
+  one('#algorithmbox').addEventListener('toggle', () => guarded(drawAlgorithm));
   for (let i = 0; i < 6; ++i) {
     const button = element('button', { type: 'button' });
     button.addEventListener('click', () => guarded(() => step(0, plan.stages[i].stage)));

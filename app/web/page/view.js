@@ -81,6 +81,8 @@ const view = {
   /** @type {any} */
   step: null,                        // where the steps are; null at the end of the frame
   compare: '',                       // the setting of B
+  condition: '',                     // of the buffers condition and expression
+  mix: '',                           // of the buffer mix
   space: 'point',                    // or "world"
   turned: { point: [0, 18], world: [30, 20] },  // degrees
   /** @type {number[]} */

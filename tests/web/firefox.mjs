@@ -1,0 +1,130 @@
+// A live page, a page with a worker, and a talk in Firefox: what a reader sees and does, by its own remote protocol
+// (Marionette: "LENGTH:JSON" over a local socket). Arguments: the program, and a cue list.
+import { execFileSync, spawn } from 'node:child_process';
+import fs from 'node:fs';
+import net from 'node:net';
+import os from 'node:os';
+import path from 'node:path';
+
+const [program, cues] = process.argv.slice(2);
+const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'shadescope-firefox-'));
+let failed = 0, held = 0;
+/** @param {string} claim @param {any} true_ @param {any} [found] */
+function expect(claim, true_, found = '') {
+  if (true_) return void ++held;
+  ++failed;
+  console.log(`FAILED: ${claim}${found === '' ? '' : ': ' + JSON.stringify(found)}`);
+}
+const pause = ms => new Promise(done => setTimeout(done, ms));
+
+async function freePort() {
+  const server = net.createServer().listen(0, '127.0.0.1');
+  await new Promise(done => server.once('listening', done));
+  const { port } = /** @type {any} */ (server.address());
+  await new Promise(done => server.close(done));
+  return port;
+}
+
+async function launch() {
+  const profile = path.join(folder, 'profile'), port = await freePort();
+  fs.mkdirSync(profile);
+  fs.writeFileSync(path.join(profile, 'user.js'), `user_pref("marionette.port", ${port});\nuser_pref("browser.shell.checkDefaultBrowser", false);\nuser_pref("datareporting.policy.dataSubmissionEnabled", false);\nuser_pref("network.dns.disabled", true);\n`);
+  const child = spawn(process.env.FIREFOX || 'firefox-esr', ['--headless', '--marionette', '--profile', profile, 'about:blank'],
+    { stdio: 'ignore', env: { ...process.env, HOME: folder, MOZ_REMOTE_SETTINGS_DEVTOOLS: '1' } });
+  /** @type {any} */
+  let socket = null;
+  for (let tries = 0; tries < 600 && !socket; ++tries) {
+    const one = net.connect(port, '127.0.0.1');
+    socket = await new Promise(done => one.once('connect', () => done(one)).once('error', () => done(null)));
+    if (!socket) await pause(200);
+  }
+  const waiting = new Map();
+  let bytes = Buffer.alloc(0), count = 0;
+  socket.on('data', chunk => {
+    bytes = Buffer.concat([bytes, chunk]);
+    for (;;) {
+      const colon = bytes.indexOf(58), length = colon < 0 ? NaN : Number(bytes.subarray(0, colon));
+      if (!(bytes.length >= colon + 1 + length)) return;
+      const message = JSON.parse(bytes.subarray(colon + 1, colon + 1 + length).toString());
+      bytes = bytes.subarray(colon + 1 + length);
+      if (!Array.isArray(message)) continue;  // its greeting
+      const [, id, error, result] = message, [done, fail] = waiting.get(id) || [];
+      if (error) fail?.(new Error(error.message));
+      else done?.(result);
+    }
+  });
+  const send = (name, parameters = {}) => new Promise((done, fail) => {
+    waiting.set(++count, [done, fail]);
+    const text = JSON.stringify([0, count, name, parameters]);
+    socket.write(`${Buffer.byteLength(text)}:${text}`);
+  });
+  await send('WebDriver:NewSession', { capabilities: { alwaysMatch: { pageLoadStrategy: 'normal' } } });
+  const run = async script => (await send('WebDriver:ExecuteScript', { script: 'return ' + script, args: [] })).value;
+  const until = async script => {
+    for (let tries = 0; tries < 3000; ++tries) {
+      if (await run(script)) return true;
+      await pause(20);
+    }
+    return false;
+  };
+  const close = async () => {
+    const ended = new Promise(done => child.once('exit', done));
+    await send('Marionette:Quit', { flags: ['eForceQuit'] }).catch(() => {});
+    setTimeout(() => child.kill(), 5000).unref();
+    await ended;
+  };
+  const shot = async file => fs.writeFileSync(file, Buffer.from((await send('WebDriver:TakeScreenshot', { full: false })).value, 'base64'));
+  const key = async value => send('WebDriver:PerformActions', { actions: [{ type: 'key', id: 'keys', actions: [{ type: 'keyDown', value }, { type: 'keyUp', value }] }] });
+  return { open: url => send('WebDriver:Navigate', { url }), run, until, key, shot, close };
+}
+
+const write = (name, ...args) => {
+  const file = path.join(folder, name);
+  execFileSync(program, [...args, '-o', file], { stdio: ['ignore', 'ignore', 'ignore'] });
+  return 'file://' + file;
+};
+const kReady = 'document.documentElement.dataset.ready === "1" || !document.querySelector("#wrong").hidden';
+const firefox = await launch();
+try {
+  await firefox.open(write('pyramid.html', 'export', 'pyramid', '--live'));
+  expect('a page starts', await firefox.until(kReady) && await firefox.run('document.querySelector("#wrong").hidden'), await firefox.run('document.querySelector("#wrong").textContent'));
+  expect('it has its style', await firefox.run('getComputedStyle(document.querySelector(".app")).display === "grid"'));
+  expect('an equation is laid out', await firefox.run('document.querySelector(".equation math").getBoundingClientRect().width > 5'));
+  const picture = `(c => [...c.getContext('2d').getImageData(0, 0, c.width, c.height).data].join())(document.querySelector('.frame canvas[role=img]'))`;
+  const before = await firefox.run(picture), numbers = await firefox.run('document.querySelector(".equation").textContent');
+  await firefox.run(`(s => { s.value = '3'; s.dispatchEvent(new Event('input', { bubbles: true })); })(document.getElementById('set-material.0.n'))`);
+  expect('a slider moves the equation', await firefox.until(`document.querySelector('.equation').textContent !== ${JSON.stringify(numbers)}`));
+  expect('and the picture', (await firefox.run(picture)) !== before);
+  await firefox.key('5');
+  expect('5 goes to the end of the z-buffer', await firefox.until('document.querySelector("#stages li:nth-child(5) button").hasAttribute("aria-current")'));
+  expect('fetch is refused', await firefox.run('fetch("https://example.org/").then(() => false, () => true)'));
+  if (process.env.SHADESCOPE_SHOTS) await firefox.shot(path.join(process.env.SHADESCOPE_SHOTS, 'firefox.png'));
+
+  // 50 ms and more a frame, on any machine of today.
+  await firefox.open(write('soft.html', 'export', 'soft_shadow', '--size', '960x720', '--live'));
+  expect('a page with soft shadows starts', await firefox.until(kReady) && await firefox.run('document.querySelector("#wrong").hidden'));
+  const first = await firefox.run(picture);
+  await firefox.run(`(s => { s.value = '0.3'; s.dispatchEvent(new Event('input', { bubbles: true })); })(document.getElementById('set-light.0.intensity'))`);
+  expect('its worker draws', await firefox.until('!document.documentElement.classList.contains("working")') && await firefox.until(`${picture} !== ${JSON.stringify(first.length)}`) && (await firefox.run(picture)) !== first, await firefox.run('document.querySelector("#wrong").textContent'));
+
+  let talk = '';
+  try {
+    talk = write('talk.html', 'present', 'export', cues);
+  } catch (error) {
+    if (error.status !== 2) throw error;  // this build draws no views
+  }
+  if (talk) {
+    await firefox.open(talk);
+    expect('a talk starts', await firefox.until(kReady.split(' ||')[0]));
+    await firefox.key('\uE00F');  // Page Down
+    expect('Page Down shows the second cue', await firefox.until('document.querySelectorAll(".cue.shown").length === 1 && document.querySelectorAll(".cue")[1].matches(".shown")'));
+    expect('with its pictures', await firefox.run('[...document.querySelectorAll(".cue.shown img")].every(image => image.naturalWidth > 0 && image.clientHeight > 100)'));
+    await firefox.key('b');
+    expect('B makes the screen black', await firefox.until('!document.querySelector("#cover").hidden'));
+  }
+} finally {
+  await firefox.close();
+  fs.rmSync(folder, { recursive: true, force: true, maxRetries: 5 });
+}
+console.log(`${held} claims hold, ${failed} do not`);
+process.exitCode = failed === 0 ? 0 : 1;
