@@ -97,6 +97,19 @@ Result<std::string> textOf(const ClickQuestion& click, Context context) {
     return fmt::format("{} {}", name(click.kind), listed(words));
 }
 
+Result<std::string> textOf(const OrderQuestion& order, const Context& context) {
+    const auto right = rightOrder(order, context);
+    if (!right) return right.errors();
+    std::vector<std::string> letters, words;
+    pipeline::Errors errors;
+    for (const std::size_t i : *right) {
+        letters.emplace_back(1, char('A' + i));
+        words.push_back(filled(order.items[i].text, context, errors));
+    }
+    if (!errors.empty()) return errors;
+    return fmt::format("{}: {}", fmt::join(letters, ", "), fmt::join(words, "; "));
+}
+
 Result<std::string> textOf(const UntilQuestion& until, const Context& context) {
     std::vector<std::string> words;
     for (const UntilQuestion::Setting& setting : until.answer) {

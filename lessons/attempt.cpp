@@ -29,6 +29,11 @@ std::string textOf(const Question& question, const Given& given) {
         std::ranges::sort(names);
         return fmt::format("{}", fmt::join(names, ", "));
     }
+    if (const auto* ordered = std::get_if<Ordered>(&given)) {
+        std::vector<std::string> names;
+        for (const std::size_t item : ordered->items) names.push_back(optionName(item));
+        return fmt::format("{}", fmt::join(names, ", "));
+    }
     const auto* pick = std::get_if<Pick>(&given);
     const auto* click = std::get_if<ClickQuestion>(&question.kind);
     if (!pick || !click) return "reached";

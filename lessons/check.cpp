@@ -201,6 +201,25 @@ private:
             add(question().where, fmt::format("the condition does not hold with {}", fmt::join(changes, ", ")));
     }
 
+    void check(const OrderQuestion& kind) {
+        const auto right = rightOrder(kind, m_context);
+        if (!right) return add(right.errors());
+        if (std::ranges::is_sorted(*right))
+            add(question().where, "the items stand in the right order from the beginning",
+                "another order of the lines");
+        const std::vector<std::size_t> opposite(right->rbegin(), right->rend());
+        std::vector<std::vector<std::size_t>> wrong;
+        for (const OrderQuestion::Wrong& one : kind.mistakes) {
+            wrong.push_back(one.order.empty() ? opposite : one.order);
+            if (wrong.back() == *right)
+                add(one.mistake.where, fmt::format("the mistake {} is the right order", one.mistake.id),
+                    "another order");
+            if (std::ranges::count(wrong, wrong.back()) > 1)
+                add(one.mistake.where, fmt::format("the mistake {} has the order of another one", one.mistake.id),
+                    "orders that can be told apart");
+        }
+    }
+
     void checkHelp() {
         if (question().hints.empty()) add(question().where, "this question has no hint", "\"hint: …\"");
         if (question().works.empty()) add(question().where, "this question has no working", "\"works: …\" for Show me");

@@ -35,6 +35,7 @@ section { margin-top: 2rem; padding-top: 1.25rem; border-top: 1px solid #D0D5DC;
 .equation p { margin: .15rem 0; } .equation .more { padding-left: 1.5rem; } .remark { color: #4A525D; font-size: .875rem; }
 .question { margin: .75rem 0 0; padding: .5rem .75rem .75rem; border: 1.5px solid #171A1F; break-inside: avoid; }
 .blank { display: inline-block; min-width: 12rem; border-bottom: 1px solid #171A1F; }
+.place { display: inline-block; width: 2rem; margin-right: .75rem; border-bottom: 1px solid #171A1F; }
 .answer { font-weight: 600; }
 .options { list-style: none; padding: 0; } .options p, .works p, td p { display: inline; margin: 0; }
 .box { display: inline-block; width: .9rem; height: .9rem; border: 1.5px solid #171A1F; vertical-align: -.1rem; }
@@ -158,10 +159,19 @@ private:
     std::string options(const Question& question, const Context& context, const char* mark) {
         std::string list;
         char letter = 'A';
-        for (const Option& option : optionsOf(question))
-            list += fmt::format("<li><span class=box>{}</span> <b>{}</b> {}</li>\n", mark, letter++,
-                                html(option.text, context));
+        const bool isOrder = std::holds_alternative<OrderQuestion>(question.kind);
+        const std::string box = isOrder ? "" : fmt::format("<span class=box>{}</span> ", mark);
+        for (const Prose* row : rowsOf(question))
+            list += fmt::format("<li>{}<b>{}</b> {}</li>\n", box, letter++, html(*row, context));
         return list.empty() ? list : "<ul class=options>\n" + list + "</ul>\n";
+    }
+
+    // A line of small blanks for letters, both ends named.
+    static std::string places(const OrderQuestion& order) {
+        std::string line = escapedHtml(order.first.empty() ? "first" : order.first);
+        for (std::size_t i = 1; i <= order.items.size(); ++i)
+            line += fmt::format(" {} <span class=place>&nbsp;</span>", i);
+        return "<p class=places>" + line + ' ' + escapedHtml(order.last.empty() ? "last" : order.last) + "</p>";
     }
 
     void ask(const Question& question, std::size_t number, const Context& context) {
@@ -170,6 +180,8 @@ private:
         const auto* typed = std::get_if<NumberQuestion>(&question.kind);
         if (click && click->kind == ThingKind::Pixel)
             m_pages += "<p>Mark the place with a cross in the picture.</p>";
+        else if (const auto* order = std::get_if<OrderQuestion>(&question.kind))
+            m_pages += places(*order);
         else if (optionsOf(question).empty())
             m_pages += "<p>" + blank("Answer") + (typed ? ' ' + escapedHtml(typed->unit) : std::string()) + "</p>";
         m_pages += element("p class=remark", pointsText(question.points)) + "</div>\n";
@@ -221,6 +233,14 @@ private:
             if (holds && holds->numbers[0] != 1 && (!option.mistake.empty() || !option.said.empty()))
                 row(given, option.mistake, option.said);
         }
+        if (const auto* order = std::get_if<OrderQuestion>(&question.kind))
+            for (const OrderQuestion::Wrong& wrong : order->mistakes) {
+                std::vector<std::string> letters;
+                for (const std::size_t i : wrong.order) letters.emplace_back(1, char('A' + i));
+                const bool isOpposite = letters.empty();
+                row(isOpposite ? "the opposite" : fmt::format("{}", fmt::join(letters, ", ")), wrong.mistake.id,
+                    wrong.mistake.said);
+            }
         if (const auto* several = std::get_if<SeveralQuestion>(&question.kind); several && several->opposite)
             row("the others", several->opposite->id, several->opposite->said);
         return rows;

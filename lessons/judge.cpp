@@ -48,7 +48,8 @@ public:
                        [&](const ChoiceQuestion& choice) { return chosen(choice, std::get_if<Chosen>(&given)); },
                        [&](const SeveralQuestion& several) { return chosen(several, std::get_if<Chosen>(&given)); },
                        [&](const ClickQuestion& click) { return picked(click, std::get_if<Pick>(&given)); },
-                       [&](const UntilQuestion& until) { return reached(until); }},
+                       [&](const UntilQuestion& until) { return reached(until); },
+                       [&](const OrderQuestion& order) { return ordered(order, std::get_if<Ordered>(&given)); }},
             m_question.kind);
         if (!m_errors.empty()) return m_errors;
         return verdict;
@@ -116,7 +117,43 @@ private:
             return again("Choose one option.");
         const Option& option = question.options[given->options[0]];
         if (holds(option.holds)) return right(said(option.said));
+        if (question.ofStages) return wrong(stageText(question, given->options[0], said(option.said)), option.mistake);
         return wrong(said(option.said), option.mistake);
+    }
+    // What is wrong with a stage that is not the first to differ.
+    std::string stageText(const ChoiceQuestion& question, std::size_t chosen, std::string own) {
+        std::size_t first = 0;
+        while (first < question.options.size() && !holds(question.options[first].holds)) ++first;
+        const std::string name = said(question.options[chosen].text);
+        std::string text = chosen < first ? fmt::format("Not yet: nothing that {} leaves differs.", name)
+                                          : fmt::format("Not yet: what {} gets differs already.", name);
+        append(text, own);
+        return text;
+    }
+
+    Verdict ordered(const OrderQuestion& question, const Ordered* given) {
+        if (!given || !isOrderOf(given->items, question.items.size())) return again("Put all of them in order.");
+        const auto answer = rightOrder(question, m_context);
+        if (!answer) {
+            m_errors.insert(m_errors.end(), answer.errors().begin(), answer.errors().end());
+            return {};
+        }
+        if (given->items == *answer) return right();
+        const std::vector<std::size_t> opposite(answer->rbegin(), answer->rend());
+        for (const OrderQuestion::Wrong& known : question.mistakes)
+            if (given->items == (known.order.empty() ? opposite : known.order))
+                return wrong(said(known.mistake.said), known.mistake.id);
+        std::size_t at = 0;  // of the first two neighbours that stand the wrong way round
+        const auto place = [&](std::size_t i) { return std::ranges::find(*answer, given->items[i]) - answer->begin(); };
+        while (place(at) < place(at + 1)) ++at;
+        const OrderItem &before = question.items[given->items[at]], &after = question.items[given->items[at + 1]];
+        return wrong(fmt::format("Not yet: {} stands before {}.", withKey(before), withKey(after)));
+    }
+    // The item, and the number that it is ordered by where the scene gives that.
+    std::string withKey(const OrderItem& item) {
+        const std::string text = said(item.text);
+        if (item.stage || item.key.root.kind == Kind::Number) return text;
+        return fmt::format("{} ({})", text, toText({{number(item.key)}, {}}));
     }
 
     Verdict chosen(const SeveralQuestion& question, const Chosen* given) {
@@ -208,6 +245,23 @@ Result<std::vector<std::size_t>> holdingOptions(std::span<const Option> options,
         if (*holds == 1) holding.push_back(i);
     }
     return holding;
+}
+
+Result<std::vector<std::size_t>> rightOrder(const OrderQuestion& order, const Context& context) {
+    std::vector<std::pair<double, std::size_t>> keys;
+    for (std::size_t i = 0; i < order.items.size(); ++i) {
+        const auto key = numberOf(order.items[i].key, context);
+        if (!key) return key.errors();
+        keys.emplace_back(*key, i);
+    }
+    std::ranges::sort(keys);
+    std::vector<std::size_t> sorted;
+    for (const auto& [key, item] : keys) {
+        if (!sorted.empty() && keys[sorted.size() - 1].first == key)
+            return pipeline::Error{order.items[item].where, "two items have the same place", "keys that are apart"};
+        sorted.push_back(item);
+    }
+    return sorted;
 }
 
 Result<std::optional<Gauge>> gaugeOf(const UntilQuestion& until, const Context& context) {

@@ -16,7 +16,10 @@ struct Chosen {
     std::vector<std::size_t> options;  // indices, each once
 };
 struct Reached {};
-using Given = std::variant<Typed, Chosen, Pick, Reached>;
+struct Ordered {
+    std::vector<std::size_t> items;  // indices in the reader's order, each once
+};
+using Given = std::variant<Typed, Chosen, Pick, Reached, Ordered>;
 
 enum class Mark : std::uint8_t {
     Right,
@@ -36,7 +39,8 @@ struct Verdict {
 // the reader's. Errors: what this frame cannot evaluate or fill in, or "stopped".
 pipeline::Result<Verdict> judge(const Question& question, const Given& given, const Context& context);
 
-// What stands in the answer's place: "310", "35.376 ± 0.06 °", "B: A wider highlight", "polygons 0 and 4", "n = 4". Markdown.
+// What stands in the answer's place: "310", "35.376 ± 0.06 °", "B: A wider highlight", "polygons 0 and 4", "n = 4",
+// "B, A: the near pane; the far pane". Markdown.
 pipeline::Result<std::string> answerText(const Question& question, const Context& context);
 
 // What has been picked when this thing has, which is no pixel.
@@ -44,6 +48,9 @@ Pick pickOf(const Thing& thing);
 
 // Indices of the options that hold.
 pipeline::Result<std::vector<std::size_t>> holdingOptions(std::span<const Option> options, const Context& context);
+
+// The right order of the items. An error where two have the same key.
+pipeline::Result<std::vector<std::size_t>> rightOrder(const OrderQuestion& order, const Context& context);
 
 // How far a question of kind until is from its condition, where that compares two numbers.
 struct Gauge {

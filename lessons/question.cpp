@@ -1,5 +1,6 @@
 #include "lessons/question.h"
 
+#include <algorithm>
 #include <array>
 
 namespace lessons {
@@ -20,7 +21,7 @@ std::size_t countOf(ThingKind kind, const pipeline::Scene& scene) {
 }
 
 std::string_view kindName(const Question& question) {
-    static constexpr std::array<std::string_view, 5> kNames{"number", "choice", "several", "click", "until"};
+    static constexpr std::array<std::string_view, 6> kNames{"number", "choice", "several", "click", "until", "order"};
     return kNames[question.kind.index()];
 }
 
@@ -30,10 +31,37 @@ std::span<const Option> optionsOf(const Question& question) {
     return {};
 }
 
+std::vector<const Prose*> rowsOf(const Question& question) {
+    std::vector<const Prose*> rows;
+    for (const Option& option : optionsOf(question)) rows.push_back(&option.text);
+    if (const auto* order = std::get_if<OrderQuestion>(&question.kind))
+        for (const OrderItem& item : order->items) rows.push_back(&item.text);
+    return rows;
+}
+
 std::span<const Mistake> mistakesOf(const Question& question) {
     if (const auto* number = std::get_if<NumberQuestion>(&question.kind)) return number->mistakes;
     if (const auto* click = std::get_if<ClickQuestion>(&question.kind)) return click->mistakes;
     return {};
+}
+
+std::set<std::string> mistakeIds(const Question& question) {
+    std::set<std::string> ids;
+    for (const Mistake& mistake : mistakesOf(question)) ids.insert(mistake.id);
+    for (const Option& option : optionsOf(question)) ids.insert(option.mistake);
+    if (const auto* several = std::get_if<SeveralQuestion>(&question.kind); several && several->opposite)
+        ids.insert(several->opposite->id);
+    if (const auto* order = std::get_if<OrderQuestion>(&question.kind))
+        for (const OrderQuestion::Wrong& wrong : order->mistakes) ids.insert(wrong.mistake.id);
+    ids.erase("");
+    return ids;
+}
+
+bool isOrderOf(std::vector<std::size_t> order, std::size_t count) {
+    std::ranges::sort(order);
+    for (std::size_t i = 0; i < order.size(); ++i)
+        if (order[i] != i) return false;
+    return order.size() == count;
 }
 
 std::vector<const Prose*> textsOf(const Question& question) {
@@ -46,6 +74,10 @@ std::vector<const Prose*> textsOf(const Question& question) {
     }
     if (const auto* several = std::get_if<SeveralQuestion>(&question.kind); several && several->opposite)
         texts.push_back(&several->opposite->said);
+    if (const auto* order = std::get_if<OrderQuestion>(&question.kind)) {
+        for (const OrderItem& item : order->items) texts.push_back(&item.text);
+        for (const OrderQuestion::Wrong& wrong : order->mistakes) texts.push_back(&wrong.mistake.said);
+    }
     return texts;
 }
 
@@ -61,6 +93,8 @@ std::vector<const Expression*> expressionsOf(const Question& question) {
         for (const UntilQuestion::Setting& setting : until->answer)
             if (setting.number) all.push_back(&*setting.number);
     }
+    if (const auto* order = std::get_if<OrderQuestion>(&question.kind))
+        for (const OrderItem& item : order->items) all.push_back(&item.key);
     for (const Mistake& mistake : mistakesOf(question)) all.push_back(&mistake.value);
     for (const Option& option : optionsOf(question)) all.push_back(&option.holds);
     return all;

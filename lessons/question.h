@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <string>
 #include <variant>
 #include <vector>
@@ -51,6 +52,7 @@ struct Option {
 // One option holds.
 struct ChoiceQuestion {
     std::vector<Option> options;  // 2 to 9
+    bool ofStages = false;        // the six stages in their order: the first that differs is right
 };
 
 // Any number of options hold, at least one and not all.
@@ -81,6 +83,24 @@ struct UntilQuestion {
     std::vector<Setting> answer;
 };
 
+struct OrderItem {
+    Prose text;
+    Expression key;                          // a number; smaller ones come first
+    std::optional<pipeline::StageId> stage;  // that the item stands for; its key is the stage's place
+    pipeline::SourceLocation where;
+};
+
+// The reader puts items into the order of their keys.
+struct OrderQuestion {
+    std::vector<OrderItem> items;  // 2 to 9, as they stand in the beginning
+    std::string first, last;       // what the two ends are called, "nearest", "farthest"; may be empty
+    struct Wrong {
+        Mistake mistake;                 // its value is not used
+        std::vector<std::size_t> order;  // of the items; empty: the opposite of the right one
+    };
+    std::vector<Wrong> mistakes;
+};
+
 struct Question {
     Prose text;
     Prose paper;               // the question as paper asks it; empty: as text
@@ -88,16 +108,23 @@ struct Question {
     Prose works;               // the way of working, a step a line; may be empty
     Prose right, wrong;        // may be empty
     double points = 1;         // of a right first answer without a hint
-    std::variant<NumberQuestion, ChoiceQuestion, SeveralQuestion, ClickQuestion, UntilQuestion> kind;
+    std::variant<NumberQuestion, ChoiceQuestion, SeveralQuestion, ClickQuestion, UntilQuestion, OrderQuestion> kind;
     pipeline::SourceLocation where;
 };
 
-// "number", "choice", "several", "click", "until".
+// "number", "choice", "several", "click", "until", "order".
 std::string_view kindName(const Question& question);
 // The options of a choice or several, else none.
 std::span<const Option> optionsOf(const Question& question);
+// The texts of its options, or of the items to be put in order; else none.
+std::vector<const Prose*> rowsOf(const Question& question);
 // The named mistakes of a number or click, else none.
 std::span<const Mistake> mistakesOf(const Question& question);
+
+// The ids of the misconceptions that its wrong answers name.
+std::set<std::string> mistakeIds(const Question& question);
+// Whether each of 0 to count − 1 is in it once.
+bool isOrderOf(std::vector<std::size_t> order, std::size_t count);
 
 // All texts of a question, those of its options and mistakes too.
 std::vector<const Prose*> textsOf(const Question& question);

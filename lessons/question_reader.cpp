@@ -16,9 +16,10 @@ namespace {
 
 using pipeline::inQuotes;
 
-constexpr std::array<std::string_view, 4> kRepeatedQuestionKeys{"choice", "several", "mistake", "hint"};
+constexpr std::array<std::string_view, 5> kRepeatedQuestionKeys{"choice", "several", "order", "mistake", "hint"};
 constexpr std::array<std::string_view, 3> kQuestionKeysWithId{"choice", "several", "mistake"};
-constexpr std::array<std::string_view, 7> kOneLineKeys{"answer", "tolerance", "unit", "near", "click", "until", "free"};
+constexpr std::array<std::string_view, 10> kOneLineKeys{"answer", "tolerance", "unit",  "near", "click",
+                                                        "until",  "free",      "order", "ends", "differs"};
 constexpr std::size_t kMostOptions = 9;  // one digit each
 constexpr std::size_t kMostHints = 9;
 constexpr double kMostPoints = 10;
@@ -112,6 +113,10 @@ private:
             return readClick(*entry, question);
         } else if (const Entry* until = find("until")) {
             return readUntil(*until, question);
+        } else if (find("order")) {
+            readOrder(question);
+        } else if (const Entry* differs = find("differs")) {
+            readStages(*differs, question);
         } else if (const Entry* answer = find("answer")) {
             readNumber(*answer, question);
         } else {
@@ -275,6 +280,88 @@ private:
         until.answer.push_back(std::move(value));
     }
 
+    // TEXT | by EXPRESSION, or TEXT | stage NAME
+    void readOrder(Question& question) {
+        OrderQuestion order;
+        for (const Entry& entry : m_entries)
+            if (entry.key == "order") order.items.push_back(orderItem(entry));
+        if (order.items.size() < 2 || order.items.size() > kMostOptions)
+            m_complaints.add(find("order")->where,
+                             "found " + pipeline::plural(std::int64_t(order.items.size()), "item"),
+                             "2 to 9 lines with \"order\"");
+        if (const Entry* entry = find("ends")) {
+            if (const auto ends = splitAt(entry->line(), " | "))
+                order.first = ends->first.text, order.last = ends->second.text;
+            else
+                m_complaints.add(entry->line().where, "found " + inQuotes(entry->line().text), "nearest | farthest");
+        }
+        for (const Entry& entry : m_entries)
+            if (entry.key == "mistake")
+                order.mistakes.push_back({mistake(entry, {}), lettersIn(entry, order.items.size())});
+        question.kind = std::move(order);
+    }
+    OrderItem orderItem(const Entry& entry) {
+        OrderItem item{{}, {}, {}, entry.where};
+        const std::vector<Line> parts = separated(entry.line(), " | ");
+        item.text = prose(std::span(parts).first(1));
+        const Line key = parts.size() == 2 ? parts[1] : Line{"", entry.where};
+        if (key.text.starts_with("by ")) {
+            item.key = expression({key.text.substr(3), advanced(key.where, "by ")}, Type::Number);
+        } else if (key.text.starts_with("stage ")) {
+            item.stage = pipeline::findStage(key.text.substr(6));
+            if (!item.stage) refuseStage({key.text.substr(6), key.where});
+            item.key.root.number = double(index(item.stage.value_or(pipeline::StageId{})));
+        } else {
+            m_complaints.add(key.where, "found an item without its place",
+                             "TEXT | by EXPRESSION, or TEXT | stage NAME");
+        }
+        return item;
+    }
+    // "C, A, B"; nothing for "opposite".
+    std::vector<std::size_t> lettersIn(const Entry& entry, std::size_t count) {
+        std::vector<std::size_t> order;
+        if (entry.line().text == "opposite") return order;
+        for (const Line& part : separated(entry.line()))
+            if (part.text.size() == 1) order.push_back(std::size_t(part.text[0] - 'A'));
+        if (!isOrderOf(order, count))
+            m_complaints.add(entry.line().where, "found " + inQuotes(entry.line().text),
+                             "\"opposite\", or each item's letter once: C, A, B");
+        return order;
+    }
+    void refuseStage(const Line& word) {
+        std::vector<std::string> names;
+        for (const pipeline::StageId stage : pipeline::kStages) names.emplace_back(stageInfo(stage).name);
+        m_complaints.addUnknown(word.where, "stage", word.text, names);
+    }
+
+    // The six stages as options: the first one that differs with these changes is right.
+    void readStages(const Entry& differs, Question& question) {
+        constexpr std::string_view kCall = "first_difference(";
+        pipeline::SourceLocation where = differs.line().where;
+        where.column -= int(kCall.size());  // of what stands before the changes
+        ChoiceQuestion choice{{}, true};
+        for (const pipeline::StageId stage : pipeline::kStages) {
+            Option option{{}, {}, {}, {}, {}, differs.where};
+            const Line label{stageInfo(stage).label, differs.line().where};
+            option.text = prose(std::span(&label, 1));
+            const std::string holds = fmt::format("{}{}) = {}", kCall, differs.line().text, stageInfo(stage).name);
+            auto read = parseExpression(holds, where, scope());
+            if (!read) return m_complaints.add(where, read.errors());
+            option.holds = std::move(read).value();
+            choice.options.push_back(std::move(option));
+        }
+        for (const Entry& entry : m_entries) {
+            if (entry.key != "mistake") continue;
+            const Mistake known = mistake(entry, {});
+            const auto stage = pipeline::findStage(entry.line().text);
+            if (!stage)
+                refuseStage(entry.line());
+            else
+                choice.options[index(*stage)].mistake = known.id, choice.options[index(*stage)].said = known.said;
+        }
+        question.kind = std::move(choice);
+    }
+
     // Keys that belong to another kind of question.
     void refuseOthers(const Question& question) {
         const std::string_view kind = kindName(question);
@@ -288,8 +375,9 @@ private:
         refuse("unit", {"number"});
         refuse("near", {"click"});
         refuse("free", {"until"});
-        refuse("mistake", {"number", "click", "several"});
-        for (const std::string_view other : {"choice", "several", "click", "until"}) refuse(other, {other});
+        refuse("ends", {"order"});
+        if (!find("differs")) refuse("mistake", {"number", "click", "several", "order"});
+        for (const std::string_view other : {"choice", "several", "click", "until", "order"}) refuse(other, {other});
     }
 
     std::span<const Entry> m_entries;

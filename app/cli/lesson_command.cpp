@@ -67,8 +67,7 @@ Json questionJson(const lessons::Question& question, const lessons::Context& con
               {"answer", answer},           {"points", question.points},
               {"hints", Json::array()},     {"works", filled(question.works, context, errors)}};
     for (const lessons::Prose& hint : question.hints) json["hints"].push_back(filled(hint, context, errors));
-    for (const lessons::Option& option : optionsOf(question))
-        json["options"].push_back(filled(option.text, context, errors));
+    for (const lessons::Prose* row : rowsOf(question)) json["options"].push_back(filled(*row, context, errors));
     return json;
 }
 

@@ -29,8 +29,8 @@ PageTexts textsOf(const Page& page, const std::stop_token& stop) {
     texts.text = filled(page.first.text, context, texts.errors);
     if (page.question) {
         texts.question = filled(page.question->text, context, texts.errors);
-        for (const lessons::Option& option : optionsOf(*page.question))
-            texts.options.push_back(filled(option.text, context, texts.errors));
+        for (const lessons::Prose* row : rowsOf(*page.question))
+            texts.options.push_back(filled(*row, context, texts.errors));
         for (const lessons::Expression* expression : expressionsOf(*page.question))
             static_cast<void>(evaluate(*expression, context));
     }
@@ -64,6 +64,12 @@ void LessonRun::close() {
     m_document.want(this, {});
     m_document.setHidden({});
     emit pageChanged();
+}
+
+bool LessonRun::turn(int by) {
+    if (by > 0 && !isSettled()) return false;
+    goTo(m_page + by);
+    return true;
 }
 
 void LessonRun::goTo(int page) {

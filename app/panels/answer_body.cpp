@@ -74,6 +74,7 @@ AnswerBody* makeAnswerBody(LessonRun& run, Document& document, QWidget* parent) 
     if (const auto* click = std::get_if<lessons::ClickQuestion>(&kind)) return makePickBody(*click, document, parent);
     if (const auto* until = std::get_if<lessons::UntilQuestion>(&kind))
         return makeUntilBody(*until, run, document, parent);
+    if (std::holds_alternative<lessons::OrderQuestion>(kind)) return makeOrderBody(run, parent);
     return makeOptionsBody(run, std::holds_alternative<lessons::SeveralQuestion>(kind), document, parent);
 }
 

@@ -39,6 +39,7 @@ AnswerBody* makeAnswerBody(LessonRun& run, Document& document, QWidget* parent);
 AnswerBody* makeNumberBody(const lessons::NumberQuestion& question, QWidget* parent);
 AnswerBody* makeOptionsBody(const LessonRun& run, bool several, Document& document, QWidget* parent);
 AnswerBody* makePickBody(const lessons::ClickQuestion& question, Document& document, QWidget* parent);
+AnswerBody* makeOrderBody(const LessonRun& run, QWidget* parent);
 AnswerBody* makeUntilBody(const lessons::UntilQuestion& question, LessonRun& run, Document& document, QWidget* parent);
 
 }  // namespace app

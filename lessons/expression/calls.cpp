@@ -9,6 +9,7 @@
 #include "lessons/expression/changed_frames.h"
 #include "lessons/expression/parser.h"
 #include "pipeline/core/text.h"
+#include "pipeline/plan/needs.h"
 
 namespace lessons {
 
@@ -65,6 +66,13 @@ void Parser::arguments(Node& node) {
             buffer(node, ";,)");
             const auto scene = changes(node, ")");
             if (!m_error) node.changed.set(index(node.buffer->id));
+            return;
+        }
+        case Takes::AllChanges: {
+            const auto scene = changes(node, ")");
+            if (m_error) return;
+            node.changed = pipeline::usefulBuffers(*scene);
+            m_buffers |= pipeline::usefulBuffers(*m_scene);
             return;
         }
     }

@@ -14,6 +14,7 @@
 #include "pipeline/core/angles.h"
 #include "pipeline/core/elementary.h"
 #include "pipeline/core/text.h"
+#include "pipeline/inspect/compare.h"
 #include "pipeline/inspect/pixel_report.h"
 #include "pipeline/run/frame_data.h"
 #include "pipeline/stages/cull.h"
@@ -218,6 +219,27 @@ Result<Value> differing(const Node& call, Operands, const Context& context) {
     return number(places);
 }
 
+// A buffer that only one of the two scenes has a use for differs.
+Result<Value> firstDifference(const Node& call, Operands, const Context& context) {
+    const auto changed = changedFrame(call, context);
+    if (!changed) return changed.errors();
+    const pipeline::Frame &a = context.frame, &b = **changed;
+    for (const pipeline::BufferInfo& info : pipeline::bufferTable()) {  // in the order of the stages
+        const std::size_t lights = std::max(a.scene().lights.size(), b.scene().lights.size());
+        for (int light = info.perLight ? 0 : -1; light < (info.perLight ? int(lights) : 0); ++light) {
+            const pipeline::BufferName buffer{info.id, light};
+            const bool inA = a.buffer(buffer).has_value(), inB = b.buffer(buffer).has_value();
+            if (!inA && !inB) continue;
+            if (context.stop.stop_requested()) return error(call, "stopped");
+            if (inA && inB)
+                if (const auto found = stageDifference(a, b, buffer); found.why.empty() && found.differing == 0)
+                    continue;
+            return words(pipeline::stageInfo(info.stage).name);
+        }
+    }
+    return words("none");
+}
+
 template <double (*function)(double)>
 void of(Operands a, Operands, std::span<double> result) {
     result[0] = function(a[0]);
@@ -254,6 +276,8 @@ constexpr auto kFunctions =
             {"with", T::Changes, "The value in the same scene with settings changed.", nullptr, with},
             {"differing", T::BufferChanges, "The number of elements in which a buffer differs with settings changed.",
              nullptr, differing},
+            {"first_difference", T::AllChanges, "The first stage whose output differs with settings changed, or none.",
+             nullptr, firstDifference, Type::Words},
             {"if", T::Choice, "The second value where the condition holds, else the third."},
             {"floor", T::Number, "The largest integer that is not above it.", of<std::floor>},
             {"ceil", T::Number, "The smallest integer that is not below it.", of<std::ceil>},
@@ -327,6 +351,7 @@ std::string_view callText(Takes takes) {
         case Takes::Stage: return "(STAGE)";
         case Takes::Changes: return "(KEY=VALUE, …; value)";
         case Takes::BufferChanges: return "(BUFFER; KEY=VALUE, …)";
+        case Takes::AllChanges: return "(KEY=VALUE, …)";
     }
     return "";
 }

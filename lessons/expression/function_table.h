@@ -25,6 +25,7 @@ enum class Takes : std::uint8_t {
     Stage,             // f(shadow buffer)
     Changes,           // f(KEY=VALUE, …; expression)
     BufferChanges,     // f(BUFFER; KEY=VALUE, …)
+    AllChanges,        // f(KEY=VALUE, …)
 };
 
 struct Function {

@@ -154,6 +154,11 @@ std::optional<std::vector<std::string>> Parser::wordsFor(const Node& node) const
     if (node.type != Type::Words) return {};
     if (node.setting) return namesIn(node.setting->setting->choices, [](std::string_view choice) { return choice; });
     if (node.function && node.function->name == "verdict") return verdictNames();
+    if (node.function && node.function->name == "first_difference") {
+        auto stages = namesIn(pipeline::kStages, [](pipeline::StageId s) { return pipeline::stageInfo(s).name; });
+        stages.emplace_back("none");
+        return stages;
+    }
     return std::vector<std::string>();
 }
 

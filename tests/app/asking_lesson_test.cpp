@@ -3,6 +3,7 @@
 #include <QComboBox>
 #include <QFile>
 #include <QLabel>
+#include <QListWidget>
 #include <QPushButton>
 #include <QSignalSpy>
 
@@ -61,6 +62,16 @@ question: Make n at most 3.
 until: setting(material.0.n) <= 3
 free: material.0.n
 answer: material.0.n = 3
+
+# An order
+Text.
+question: Count upwards.
+order: two | by 2
+order: three | by 3
+order: one | by 1
+ends: least | most
+mistake file-order: A, B, C
+  As they stood.
 )";
 
 class AskingLesson : public LessonPanelTest {
@@ -170,6 +181,18 @@ TEST_F(AskingLesson, TheKeyboardAloneGoesThroughTheLesson) {
     press(Qt::Key_Space);
     EXPECT_TRUE(panel->run().isSettled());
     press(Qt::Key_Return);
+    ASSERT_EQ(panel->page(), 5);
+    ASSERT_TRUE(isFilled());
+    auto& order = part<QListWidget>("order");
+    order.setFocus();
+    press(Qt::Key_3);
+    press(Qt::Key_Up, Qt::AltModifier);
+    press(Qt::Key_Up, Qt::AltModifier);
+    EXPECT_EQ(order.item(0)->data(Qt::AccessibleTextRole), "one, 1 of 3");
+    EXPECT_EQ(order.currentRow(), 0) << "the row keeps the selection";
+    press(Qt::Key_Return);
+    EXPECT_EQ(panel->run().attempt()->state(), lessons::Attempt::State::Right);
+    press(Qt::Key_Return);
     ASSERT_TRUE(panel->run().isAtEnd());
     EXPECT_TRUE(part<QPushButton>("beginNext").hasFocus());
     press(Qt::Key_Return);
@@ -190,6 +213,17 @@ TEST_F(AskingLesson, AClickInAViewTogglesItsOption) {
     EXPECT_TRUE(panel->run().isSettled());
 }
 
+TEST_F(AskingLesson, RowsAreMovedByTheMouse) {
+    panel->goTo(5);
+    ASSERT_TRUE(isFilled());
+    auto& order = part<QListWidget>("order");
+    EXPECT_TRUE(order.model()->moveRow({}, 2, {}, 0)) << "as a drop does";
+    EXPECT_EQ(order.item(0)->text(), "1   one");
+    EXPECT_EQ(order.item(2)->text(), "3   three");
+    click("check");
+    EXPECT_TRUE(panel->run().isSettled());
+}
+
 TEST_F(AskingLesson, UntilJudgesTheReadersOwnFrame) {
     panel->goTo(4);
     ASSERT_TRUE(isFilled());
@@ -201,6 +235,16 @@ TEST_F(AskingLesson, UntilJudgesTheReadersOwnFrame) {
     EXPECT_TRUE(part<QLabel>("gauge").text().startsWith("Now 2,")) << part<QLabel>("gauge").text().toStdString();
     click("check");
     EXPECT_TRUE(panel->run().isSettled());
+}
+
+TEST_F(AskingLesson, AClickerTurnsPagesThatHaveNoOpenQuestion) {
+    EXPECT_FALSE(panel->run().turn(1)) << "the question is open";
+    EXPECT_EQ(panel->page(), 0);
+    answer("5");
+    EXPECT_TRUE(panel->run().turn(1));
+    EXPECT_EQ(panel->page(), 1);
+    EXPECT_TRUE(panel->run().turn(-1));
+    EXPECT_EQ(panel->page(), 0);
 }
 
 TEST_F(AskingLesson, ResultsAreKeptInOneFileAndForgotten) {
@@ -219,7 +263,7 @@ TEST_F(AskingLesson, ResultsAreKeptInOneFileAndForgotten) {
     ASSERT_TRUE(isFilled());
     EXPECT_TRUE(panel->run().isSettled()) << "it was answered before";
     EXPECT_TRUE(text().contains("Two and three"));
-    panel->goTo(5);
+    panel->goTo(panel->run().pageCount());
     EXPECT_TRUE(part<QTextBrowser>("endPages").toPlainText().contains("△ 1 A number, 1.5 of 2"));
     EXPECT_TRUE(part<QTextBrowser>("endMistakes").toPlainText().contains("polygons counted for triangles (page 1)"));
     EXPECT_TRUE(part<QTextBrowser>("endCan").toPlainText().contains("add two and three"));

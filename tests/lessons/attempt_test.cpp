@@ -71,6 +71,50 @@ TEST_F(AttemptTest, WhatIsNoNumberCostsNothingAndIsAnswered) {
     EXPECT_EQ(m_attempt->worth(), 2);
 }
 
+// Items C, A, B have the places 1, 2, 3.
+constexpr char kOrder[] =
+    "question: In which order?\n"
+    "order: two | by 1 + 1\norder: three | by 3\norder: one | by 1\n"
+    "mistake nearest-first: opposite\n  Round the other way.\n"
+    "mistake file-order: A, B, C\n  As they stood.\n"
+    "hint: Count.\nworks: 1, 2, 3\n";
+
+TEST_F(AttemptTest, AnOrderIsRightAsAWholeAndItsMistakesHaveNames) {
+    ask(kOrder);
+    EXPECT_EQ(check(Ordered{{0, 1}}).mark, Mark::Again) << "one is missing";
+    EXPECT_EQ(check(Ordered{{0, 1, 1}}).mark, Mark::Again) << "one stands twice";
+    EXPECT_TRUE(m_attempt->progress().tries.empty());
+    EXPECT_EQ(check(Ordered{{0, 1, 2}}).mistake, "file-order");
+    EXPECT_EQ(check(Ordered{{1, 0, 2}}).mistake, "nearest-first");
+    EXPECT_EQ(m_attempt->progress().tries.back().given, "B, A, C") << "in the reader's order";
+    EXPECT_EQ(check(Ordered{{2, 0, 1}}).mark, Mark::Right);
+    EXPECT_EQ(*answerText(*m_page.question, {.frame = *m_frame}), "C, A, B: one; two; three");
+}
+
+// The first two neighbours, with the numbers of those whose place is computed.
+TEST_F(AttemptTest, AnUnknownOrderIsToldItsFirstWrongPair) {
+    ask(kOrder);
+    EXPECT_EQ(check(Ordered{{2, 1, 0}}).said, "Not yet: three stands before two (2).");
+}
+
+// The cross product in the other order changes what the third stage leaves; shading gets it.
+TEST_F(AttemptTest, TheFirstStageThatDiffersIsFoundByTheProgram) {
+    const auto lesson = parseLesson(
+        "title: T\nlecture: L\nsummary: S\nscene: pyramid\n# One\nset: defect = normal-flip\n\nText.\nquestion: Q?\n"
+        "differs: defect = none\nmistake symptom-for-cause: shading\n  It shows there.\n",
+        "lesson.md", [](std::string_view) -> pipeline::Result<pipeline::Scene> { return pyramidScene(); });
+    ASSERT_TRUE(lesson) << format(lesson.errors());
+    m_page = lesson->pages.front();
+    m_frame = frameOf(m_page.first.state.scene, requestFor(m_page));
+    m_attempt.emplace(*m_page.question);
+    EXPECT_EQ(check(Chosen{{1}}).said, "Not yet: nothing that Cull leaves differs.");
+    const Verdict shading = check(Chosen{{5}});
+    EXPECT_EQ(shading.mistake, "symptom-for-cause");
+    EXPECT_EQ(shading.said, "Not yet: what Shading gets differs already.\n\nIt shows there.");
+    EXPECT_EQ(check(Chosen{{2}}).mark, Mark::Right);
+    EXPECT_EQ(*answerText(*m_page.question, {.frame = *m_frame}), "C: Normals");
+}
+
 // The named ones, and those that the program knows by itself.
 TEST_F(AttemptTest, AWrongNumberIsAnsweredByItsMistake) {
     ask(kAngle);

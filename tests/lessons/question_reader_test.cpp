@@ -1,6 +1,9 @@
+#include <set>
+
 #include "lessons/attempt.h"
 #include "lessons/hidden.h"
 #include "lessons/lesson.h"
+#include "lessons/library.h"
 #include "lessons/misconceptions.h"
 #include "tests/lessons/pyramid_scene.h"
 
@@ -115,6 +118,34 @@ TEST(QuestionReader, ReadsChoicesSeveralClicksAndUntil) {
     EXPECT_EQ(std::get<UntilQuestion>(until.question->kind).free, std::vector<std::string>{"material.0.n"});
 }
 
+TEST(QuestionReader, ReadsItemsToBePutInOrder) {
+    const Page page = questionPage(
+        "# One\nText.\nquestion: Which first?\norder: Right | by buffer(vertices.view, 2, z)\n"
+        "order: Apex | by buffer(vertices.view, 4, z)\norder: Shading | stage shading\nends: near | far\n"
+        "mistake nearest-first: opposite\n  No.\nmistake file-order: A, C, B\n  No.\n");
+    const auto& order = std::get<OrderQuestion>(page.question->kind);
+    ASSERT_EQ(order.items.size(), 3u);
+    EXPECT_EQ(withGaps(order.items[1].text), "Apex");
+    EXPECT_EQ(order.items[2].stage, pipeline::StageId::Shading);
+    EXPECT_EQ(order.first + ',' + order.last, "near,far");
+    ASSERT_EQ(order.mistakes.size(), 2u);
+    EXPECT_TRUE(order.mistakes[0].order.empty());
+    EXPECT_EQ(order.mistakes[1].order, (std::vector<std::size_t>{0, 2, 1}));
+    EXPECT_TRUE(hiddenOn(page, false).hides({pipeline::BufferId::VerticesView})) << "the answer is read from it";
+}
+
+TEST(QuestionReader, MakesOptionsOfTheStages) {
+    const Page page = questionPage(
+        "# One\nset: defect = normal-flip\n\nText.\nquestion: Which?\ndiffers: defect = none\n"
+        "mistake symptom-for-cause: shading\n  It shows there.\n");
+    const auto& choice = std::get<ChoiceQuestion>(page.question->kind);
+    EXPECT_TRUE(choice.ofStages);
+    ASSERT_EQ(choice.options.size(), pipeline::kStageCount);
+    EXPECT_EQ(withGaps(choice.options[2].text), "Normals");
+    EXPECT_EQ(choice.options[5].mistake, "symptom-for-cause");
+    EXPECT_EQ(choice.options[4].mistake, "");
+}
+
 struct WrongQuestion {
     const char* page;
     const char* errors;
@@ -134,6 +165,18 @@ TEST(QuestionReader, AnswersWhatIsWrongWithLineAndColumn) {
          "lesson.md:9:1: found an option without its condition, expected TEXT | if CONDITION | what is said\n"},
         {"# One\nText.\nquestion: Q?\nanswer: 1\nfree: material.0.n\n",
          "lesson.md:9:1: found \"free\" in a question of kind number, expected it in one of kind until\n"},
+        {"# One\nText.\nquestion: Q?\norder: A | by 1\n",
+         "lesson.md:8:1: found 1 item, expected 2 to 9 lines with \"order\"\n"},
+        {"# One\nText.\nquestion: Q?\norder: A | by 1\norder: B | 2\n",
+         "lesson.md:9:12: found an item without its place, expected TEXT | by EXPRESSION, or TEXT | stage NAME\n"},
+        {"# One\nText.\nquestion: Q?\norder: A | by 1\norder: B | stage shadin\n",
+         "lesson.md:9:12: no stage \"shadin\"; the nearest is \"shading\"\n"},
+        {"# One\nText.\nquestion: Q?\norder: A | by 1\norder: B | by 2\nmistake draw-order: A, A\n  No.\n",
+         "lesson.md:10:21: found \"A, A\", expected \"opposite\", or each item's letter once: C, A, B\n"},
+        {"# One\nText.\nquestion: Q?\nends: a | b\nanswer: 1\n",
+         "lesson.md:8:1: found \"ends\" in a question of kind number, expected it in one of kind order\n"},
+        {"# One\nText.\nquestion: Q?\ndiffers: cul=none\n",
+         "lesson.md:8:10: no setting \"cul\"; the nearest is \"cull\"\n"},
         {"# One\nText.\nquestion: Q?\nclick: face\nanswer: pick.x > 1\n",
          "lesson.md:8:8: found \"face\", expected pixel, polygon, vertex, object or light\n"},
         {"# One\nText.\n## then\nMore.\n", "lesson.md:7:1: found \"## then\" without a question before it\n"},
@@ -236,6 +279,15 @@ TEST(Hidden, IsWhatTheAnswerIsReadFromAndWhatThePageNames) {
         "# One\nbuffers: n_dot_l.0\npanels: inspector\n\nText.\nquestion: Q?\nanswer: acos(buffer(n_dot_l.0, 268, "
         "281))\n");
     EXPECT_EQ(hiddenOn(shown, false).count(), 0u);
+}
+
+// Those that the program names by itself, from a number alone, need no question: known_mistakes.cpp.
+TEST(Misconceptions, EachIsUsedByAQuestion) {
+    std::set<std::string> used{"sign", "twice", "half", "radians", "degrees", "cos-for-angle", "power-of-ten"};
+    for (const Lesson& lesson : allLessons().lessons)
+        for (const Page& page : lesson.pages)
+            if (page.question) used.merge(mistakeIds(*page.question));
+    for (const Misconception& row : misconceptions().rows) EXPECT_TRUE(used.contains(row.id)) << row.id;
 }
 
 TEST(Misconceptions, AreOneTableWithoutFaults) {

@@ -35,8 +35,9 @@ struct OpenLesson {
     lessons::Lesson lesson;
     std::vector<lessons::Progress> progress;  // of every page
     std::size_t page = 0;
-    bool then = false;               // the second half is shown
-    pipeline::FramePtr first, half;  // frames as the author meant them: of the first half, and of the one shown
+    bool then = false;                 // the second half is shown
+    pipeline::FramePtr first, half;    // frames as the author meant them: of the first half, and of the one shown
+    lessons::ChangedFrames changed{};  // of what answers ask for with settings changed
 };
 
 // Everything that calls share: there is one page.

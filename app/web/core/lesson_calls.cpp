@@ -25,7 +25,7 @@ bool isSettled() { return page().question && attempt().isSettled(); }
 // What an answer is judged by: the page's own frame, or the reader's where the reader changes it.
 lessons::Context contextOf(const lessons::Question& question) {
     const bool byReader = std::holds_alternative<lessons::UntilQuestion>(question.kind);
-    return {.frame = byReader ? *core().own.frame : *opened().first};
+    return {.frame = byReader ? *core().own.frame : *opened().first, .changed = &opened().changed};
 }
 
 std::string html(const pipeline::Result<std::string>& said, Errors& errors) {
@@ -73,8 +73,10 @@ Json questionJson(Errors& errors) {
     for (std::size_t i = 0; i < attempt.hintsSeen(); ++i)
         json["hints"].push_back(html(attempt.hint(i, context), errors));
     std::size_t number = 0;
-    for (const lessons::Option& option : optionsOf(question))
-        json["options"].push_back({{"text", html(option.text, context, errors)}, {"off", attempt.isOff(number++)}});
+    for (const lessons::Prose* row : rowsOf(question))
+        json["options"].push_back({{"text", html(*row, context, errors)}, {"off", attempt.isOff(number++)}});
+    if (const auto* order = std::get_if<lessons::OrderQuestion>(&question.kind))
+        json["ends"] = {order->first, order->last};
     if (const auto* typed = std::get_if<lessons::NumberQuestion>(&question.kind)) json["unit"] = typed->unit;
     if (const auto* click = std::get_if<lessons::ClickQuestion>(&question.kind)) json["click"] = name(click->kind);
     if (const auto* until = std::get_if<lessons::UntilQuestion>(&question.kind)) {
@@ -90,7 +92,7 @@ Json questionJson(Errors& errors) {
             }
     }
     if (!attempt.isSettled()) return json;
-    const auto solution = attempt.solution({.frame = *opened().first});
+    const auto solution = attempt.solution({.frame = *opened().first, .changed = &opened().changed});
     if (!solution) {
         errors.insert(errors.end(), solution.errors().begin(), solution.errors().end());
         return json;
@@ -160,12 +162,14 @@ std::optional<double> numberAt(const Json& json, const char* key) {
 
 lessons::Given givenIn(const Json& json) {
     if (json.contains("typed") && json["typed"].is_string()) return lessons::Typed{json["typed"].get<std::string>()};
-    if (json.contains("chosen") && json["chosen"].is_array()) {
-        lessons::Chosen chosen;
-        for (const Json& option : json["chosen"])
-            if (option.is_number_unsigned()) chosen.options.push_back(option.get<std::size_t>());
-        return chosen;
-    }
+    const auto indicesIn = [](const Json& list) {
+        std::vector<std::size_t> indices;
+        for (const Json& one : list)
+            if (one.is_number_unsigned()) indices.push_back(one.get<std::size_t>());
+        return indices;
+    };
+    if (json.contains("chosen") && json["chosen"].is_array()) return lessons::Chosen{indicesIn(json["chosen"])};
+    if (json.contains("order") && json["order"].is_array()) return lessons::Ordered{indicesIn(json["order"])};
     if (json.contains("pick")) {
         const Json& from = json["pick"];
         return lessons::Pick{numberAt(from, "x"),      numberAt(from, "y"),      numberAt(from, "polygon"),
@@ -224,7 +228,7 @@ WEB_CALL(page) int webPage(int number, int then) {
 // The page again, with the numbers of the reader's frame.
 WEB_CALL(read) int webRead() { return givePage(); }
 
-// {"typed": "0.5"}, {"chosen": [1]}, {"pick": {"x": 3, "y": 4, "polygon": 2}}, or {} for the reader's own frame.
+// {"typed": "0.5"}, {"chosen": [1]}, {"order": [1, 0]}, {"pick": {"x": 3, "y": 4, "polygon": 2}}, or {} for the reader's own frame.
 WEB_CALL(check) int webCheck(const char* text, int size) {
     if (!page().question || isSettled()) return refuse("nothing is asked");
     const Json json = parsed(text, size);

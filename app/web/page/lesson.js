@@ -64,7 +64,11 @@ function drawAnswer(question) {
     form.replaceChildren(...answerFields(question));
   }
   form.hidden = question.settled;
-  question.options.forEach((option, i) => {
+  if (question.kind === 'order') all('.ordered', form).forEach(row => {
+    const words = one('.words', row), { text } = question.options[row.item];
+    if (words.known !== text) words.known = text, fillHtml(words, text);
+  });
+  else question.options.forEach((option, i) => {
     const [input, words] = form.children[i].children;
     input.disabled = option.off, form.children[i].classList.toggle('off', option.off);
     if (words.known !== option.text) words.known = option.text, fillHtml(one('.words', words), option.text);
@@ -75,6 +79,7 @@ function drawAnswer(question) {
 
 function answerFields(question) {
   const check = element('button', { type: 'submit', className: 'primary', textContent: 'Check' });
+  if (question.kind === 'order') return [orderList(question), check];
   if (question.options.length)
     return [...question.options.map((option, i) => {
       const type = question.kind === 'choice' ? 'radio' : 'checkbox';
@@ -87,6 +92,47 @@ function answerFields(question) {
   }
   if (question.kind === 'click') return [element('p', { className: 'note', id: 'pickedthing' }), check];
   return [element('p', { className: 'number', id: 'gauge' }), check];
+}
+
+/** Rows that are moved by their buttons, with Alt and the arrows, or dragged. */
+function orderList(question) {
+  const list = element('ol', { className: 'orderlist', ariaLabel: `From ${question.ends[0] || 'first'} to ${question.ends[1] || 'last'}` });
+  const move = (row, by) => {
+    const rows = [...list.children], to = rows.indexOf(row) + by;
+    if (to < 0 || to >= rows.length) return;
+    const held = document.activeElement;
+    by < 0 ? rows[to].before(row) : rows[to].after(row);
+    held?.focus();  // moving a node takes the focus from it
+    say(`${one('.words', row).textContent}, ${to + 1} of ${rows.length}`);
+  };
+  let dragged = null;
+  question.options.forEach((_, i) => {
+    const button = (sign, by, word) => {
+      const made = element('button', { type: 'button', className: 'icon', textContent: sign, ariaLabel: word });
+      made.addEventListener('click', () => move(row, by));
+      return made;
+    };
+    const words = element('span', { className: 'words' });
+    const row = element('li', { className: 'ordered', tabIndex: 0, draggable: true }, words, button('↑', -1, 'Up'), button('↓', 1, 'Down'));
+    row.item = i;
+    row.addEventListener('keydown', event => {
+      const by = { ArrowUp: -1, ArrowDown: 1 }[event.key];
+      if (!event.altKey || !by) return;
+      event.preventDefault();
+      move(row, by);
+    });
+    row.addEventListener('dragstart', () => { dragged = row; });
+    row.addEventListener('dragend', () => { dragged = null; });
+    row.addEventListener('dragover', event => {
+      if (!dragged || dragged === row) return;
+      event.preventDefault();
+      const { top, height } = row.getBoundingClientRect();
+      event.clientY < top + height / 2 ? row.before(dragged) : row.after(dragged);
+    });
+    list.append(row);
+  });
+  return element('div', { className: 'order' }, element('p', { className: 'note', textContent: question.ends[0] || 'first' }),
+    list, element('p', { className: 'note', textContent: question.ends[1] || 'last' }));
 }
 
 /** What is under the picked pixel, as the core's Pick has it. */
@@ -126,6 +172,7 @@ function given() {
   const { kind } = page.question;
   if (kind === 'number') return { typed: one('#typed').value };
   if (kind === 'choice' || kind === 'several') return { chosen: all('#answer input:checked').map(input => Number(input.value)) };
+  if (kind === 'order') return { order: all('#answer .ordered').map(row => row.item) };
   return kind === 'click' ? { pick: pickOf() } : {};
 }
 
