@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
 
 #include "app/cli/commands.h"
@@ -9,22 +10,52 @@
 #include "app/cli/live_argument.h"
 #include "app/cli/message.h"
 #include "app/cli/progress_printer.h"
+#include "app/cli/scene_argument.h"
 #include "lessons/state/state_scene.h"
 #include "lessons/talk_page.h"
+#include "pipeline/core/printable.h"
+#include "pipeline/core/text.h"
 
 namespace app {
 
 namespace {
 
-// What of the cues does not fit their scenes; nobody looks at them before they are given.
-pipeline::Errors cueErrors(const lessons::CueList& list, const std::filesystem::path& folder) {
+// What of the cues does not fit their scenes, each with its cue's name; nobody looks at them before they are given.
+pipeline::Errors cueErrors(const lessons::CueList& list, const std::filesystem::path& file,
+                           const pipeline::Stop& stop) {
+    const std::filesystem::path folder = file.parent_path();
     pipeline::Errors errors;
     for (const lessons::Cue& cue : list.cues) {
-        const auto scene = lessons::sceneOf(cue.state, folder);
-        for (const pipeline::Error& error : scene ? checkCue(cue.state, *scene, folder) : scene.errors())
-            errors.push_back(error);
+        if (stop.stop_requested()) return errors;
+        const auto scene = lessons::sceneOf(cue.state, folder, {{}, stop});
+        pipeline::Errors found = scene ? checkCue(cue.state, *scene, folder) : scene.errors();
+        if (cue.ask && &cue == &list.cues.back())
+            found.push_back({{}, "asks and is the last cue", "a cue after it, which is the answer"});
+        for (pipeline::Error& error : found) {
+            if (error.where.file.empty()) error.where.file = file.string();
+            error.found = "cue " + pipeline::inQuotes(cue.name) + ": " + error.found;
+            errors.push_back(std::move(error));
+        }
     }
     return errors;
+}
+
+int checkTalk(const std::string& cues) {
+    const Interrupt interrupt;
+    const auto list = lessons::readCueFile(cues, interrupt.token());
+    const pipeline::Errors errors = list ? cueErrors(*list, cues, interrupt.token()) : list.errors();
+    if (interrupt.asked()) {
+        tell("Cancelled.\n");
+        return kInterrupted;
+    }
+    if (!errors.empty()) {
+        printErrors(errors);
+        return kBadInput;
+    }
+    const auto questions = std::ranges::count_if(list->cues, [](const auto& cue) { return cue.ask.has_value(); });
+    say("{}: {} and {} are right.\n", pipeline::escapedControls(list->title.empty() ? cues : list->title),
+        pipeline::plural(std::int64_t(list->cues.size()), "cue"), pipeline::plural(questions, "question"));
+    return kDone;
 }
 
 int exportTalk(const std::string& cues, const std::string& file, const CliHost& host) {
@@ -43,7 +74,7 @@ int exportTalk(const std::string& cues, const std::string& file, const CliHost& 
         printErrors(list.errors());
         return kBadInput;
     }
-    if (const pipeline::Errors errors = cueErrors(*list, folder); !errors.empty()) {
+    if (const pipeline::Errors errors = cueErrors(*list, cues, interrupt.token()); !errors.empty()) {
         printErrors(errors);
         return kBadInput;
     }
@@ -67,12 +98,21 @@ int exportTalk(const std::string& cues, const std::string& file, const CliHost& 
 void declarePresent(CLI::App& program, const CliHost& host, int& status) {
     CLI::App* command =
         program.add_subcommand("present", "Open a cue list in the window, as a talk, or write it as a page");
-    command->add_option("FILE", "A cue list; FILE:CUE begins with another cue than the first, by its name or number")
-        ->type_name("[:CUE]");
     struct Options {
         std::string cues, file;
+        bool check = false;
     };
     const auto options = std::make_shared<Options>();
+    auto* list = command->add_option("FILE", options->cues,
+                                     "A cue list; FILE:CUE begins with another cue than the first, by its name or number");
+    list->type_name("[:CUE]");
+    command
+        ->add_flag("--check", options->check,
+                   "Check every cue against its scene, and that each question has an answer; opens no window")
+        ->needs(list);
+    command->callback([options, &status] {
+        if (options->check) status = checkTalk(options->cues);
+    });
     CLI::App* write = command->add_subcommand(
         "export",
         "Write the talk as one HTML file that any browser shows: pictures, captions, notes, keys of clickers");

@@ -54,6 +54,21 @@ void CueModel::setCurrent(int i) {
 
 void CueModel::tell(int i) { emit dataChanged(index(i), index(i)); }
 
+std::vector<int> CueModel::votes(int i) const {
+    const lessons::Cue& asks = cue(i);
+    std::vector<int> votes;
+    if (const auto known = m_votes.find(asks.name); known != m_votes.end()) votes = known->second;
+    votes.resize(asks.ask ? asks.ask->choices.size() : 0);
+    return votes;
+}
+
+void CueModel::setVotes(int i, int choice, int number) {
+    std::vector<int> votes = this->votes(i);
+    votes.at(std::size_t(choice)) = number;
+    m_votes[cue(i).name] = std::move(votes);
+    emit votesChanged();
+}
+
 bool CueModel::open(const QString& file) {
     if (isUnsaved() && !write()) return false;
     const auto errors = read(file);

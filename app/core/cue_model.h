@@ -2,6 +2,7 @@
 #include <QAbstractListModel>
 #include <QString>
 #include <QTimer>
+#include <map>
 
 #include "lessons/state/cue_list.h"
 
@@ -41,6 +42,10 @@ public:
     void clear();  // an empty list in the first file; the same
     void setMinutes(int minutes);
 
+    // By hands, on each choice of a cue that asks; kept as long as the program runs.
+    std::vector<int> votes(int i) const;
+    void setVotes(int i, int choice, int votes);
+
     int add(lessons::Cue cue);  // after the current one, with a free name; returns its row and makes it current
     void setState(int i, const lessons::WindowState& state);
     bool rename(int i, const QString& name);  // not to an empty name or the name of another cue
@@ -60,6 +65,7 @@ public:
 
 signals:
     void changed();  // the list, its file, or the current cue
+    void votesChanged();
     void notRead(const pipeline::Errors& errors);
     void putAside(const QString& file);  // the program's own list, when a new one was begun
     void notWritten(const QString& file, const pipeline::Errors& errors);
@@ -76,6 +82,7 @@ private:
     lessons::CueList m_list;
     int m_current = -1;
     QTimer m_soon;
+    std::map<std::string, std::vector<int>> m_votes;  // by the cue's name
     std::optional<std::pair<int, lessons::Cue>> m_removed;
     std::string m_text;  // of the file, with edits by hand; m_written is the list in it
     lessons::CueList m_written;

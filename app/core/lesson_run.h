@@ -30,6 +30,8 @@ public:
     void close();
     // From 0; as many as the lesson has pages: its end.
     void goTo(int page);
+    // To the next page or the one before, as a clicker does. False where an open question stays.
+    bool turn(int by);
     void setWindow();  // to the half that is open
 
     const lessons::Lesson* lesson() const { return m_lesson; }  // null where none is open

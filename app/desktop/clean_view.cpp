@@ -17,6 +17,7 @@
 #include "app/core/scene_opener.h"
 #include "app/core/shown_name.h"
 #include "app/core/text.h"
+#include "app/desktop/ask_panel.h"
 #include "app/desktop/caption_line.h"
 #include "app/desktop/opening_bar.h"
 #include "app/desktop/pen_layer.h"
@@ -33,8 +34,10 @@ namespace {
 constexpr int kKeyMs = 1200, kCursorMs = 2000;
 constexpr int kFailedMs = 4000, kHintMs = 6000, kKeysMs = 20000;
 constexpr int kMomentMs = 1000;
-constexpr int kMostLines = 11;            // of an algorithm
-constexpr double kAlgorithmWidth = 0.63;  // of the view's
+constexpr int kMostLines = 11;                            // of an algorithm
+constexpr double kAlgorithmWidth = 0.63;                  // of the view's
+constexpr double kAskWidth = 0.52, kAnswerWidth = 0.275;  // likewise, of the choices
+constexpr double kTitle = 31;                             // 57 px in 1080 lines
 
 }  // namespace
 
@@ -58,6 +61,13 @@ CleanView::CleanView(Document& document, CueModel& cues, const SceneOpener& open
     auto* beside = new QHBoxLayout;
     beside->addWidget(m_views, 1);
     beside->addWidget(m_algorithm, 0, Qt::AlignTop);
+    m_ask = new AskPanel(cues, this);
+    beside->addWidget(m_ask);
+    m_title = new QLabel(this);
+    m_title->setObjectName("cueTitle");
+    m_title->setTextFormat(Qt::PlainText);
+    m_title->setWordWrap(true);
+    column->addWidget(m_title);
     column->addLayout(beside, 1);
     column->addWidget(makeEquation());
     m_caption = new CaptionLine(this);
@@ -110,10 +120,13 @@ CleanView::CleanView(Document& document, CueModel& cues, const SceneOpener& open
         m_pen->clearLines();
         showCaption();
     });
+    connect(m_ask, &AskPanel::changed, this, [this] {
+        showQuestion();
+        showCaption();
+    });
     followTheme(this, [this] { applyTheme(); });
     qApp->installEventFilter(this);
-    showAlgorithm();
-    showEquation();
+    showQuestion();
     showCaption();
     m_cursorTime.start();
 }
@@ -160,6 +173,7 @@ void CleanView::applyTheme() {
     const Theme& theme = Theme::current();
     layout()->setContentsMargins(theme.px(19), theme.px(15), theme.px(19), theme.px(10));
     static_cast<QVBoxLayout*>(layout())->setSpacing(theme.px(12));
+    m_title->setFont(theme.text(kTitle, 600));
     m_value->setFont(theme.mono(13));
     m_hint->setFont(theme.text(12));
     m_hint->setMargin(theme.px(4));
@@ -190,6 +204,7 @@ void CleanView::showKeys() {
            "B, W   black, white\n"
            "P, O   pen, spotlight\n"
            "A   algorithm\n"
+           "A to D, digits   votes, while a question is on show\n"
            "1, 2   one view, all views\n"
            "F4   swap the screens\n"
            "Esc   leaves"));
@@ -220,7 +235,9 @@ pipeline::Errors CleanView::lookAt(const lessons::WindowState& state) { return m
 void CleanView::showEquation() {
     const auto& inspected = m_document.inspection().newest();
     const bool shows = inspected && inspected->report.covered && inspected->frame->buffer({pipeline::BufferId::Color});
-    m_equationRow->setVisible(shows && m_algorithm->isHidden());
+    // A question has no numbers beside it.
+    const bool asks = m_ask->asks() && !m_ask->isAnswer();
+    m_equationRow->setVisible(shows && m_algorithm->isHidden() && !asks);
     if (!shows) return;
     const pipeline::PixelReport& report = inspected->report;
     std::vector<pipeline::EquationLine> lines;
@@ -244,9 +261,18 @@ void CleanView::showEquation() {
 void CleanView::showAlgorithm() {
     auto state =
         m_document.stepper().showsAlgorithm() ? algorithmState(m_document.stepper(), m_document.stage()) : std::nullopt;
-    m_algorithm->setVisible(state.has_value());
+    m_algorithm->setVisible(state.has_value() && !m_ask->asks());
     m_algorithm->setState(std::move(state));
     m_algorithm->setFixedWidth(int(kAlgorithmWidth * width()));
+}
+
+// The choices stand at the right: in place of the algorithm for a question, narrow beside the answer.
+void CleanView::showQuestion() {
+    m_title->setVisible(m_ask->asks());
+    m_title->setText(m_ask->title());
+    m_ask->setFixedWidth(int((m_ask->isAnswer() ? kAnswerWidth : kAskWidth) * width()));
+    showAlgorithm();
+    showEquation();
 }
 
 QString CleanView::caption() const { return m_caption->sentence(); }
@@ -256,6 +282,7 @@ void CleanView::showCaption() {
     const auto& stage = stageInfo(m_document.stage());
     const lessons::Cue* cue = m_cues.currentCue();
     QString sentence = cue ? toQString(cue->caption.empty() ? cue->name : cue->caption) : toQString(stage.summary);
+    if (m_ask->asks()) sentence = m_ask->remark();
     const Stepper& stepper = m_document.stepper();
     const bool moved = cue && stepper.place() != cue->state.place;
     if (stepper.isInside() && (!cue || moved)) sentence = stepper.words();
@@ -267,6 +294,7 @@ void CleanView::showCaption() {
 
 bool CleanView::takeKey(int key) {
     using Cover = PenLayer::Cover;
+    if (m_ask->takeKey(key)) return true;
     switch (key) {
         case Qt::Key_B:
         case Qt::Key_Period: m_pen->setCover(m_pen->cover() == Cover::Black ? Cover::None : Cover::Black); break;
@@ -282,7 +310,7 @@ bool CleanView::takeKey(int key) {
         case Qt::Key_F4: emit swapAsked(); break;
         case Qt::Key_H: showKeys(); break;
         case Qt::Key_Escape:
-            if (stopWork()) break;
+            if (stopWork() || m_ask->leaveField()) break;
             if (m_pen->cover() != Cover::None || m_pen->hasPen() || m_pen->hasSpotlight() || m_pen->hasLines()) {
                 m_pen->setCover(Cover::None);
                 m_pen->setPen(false);
@@ -340,7 +368,7 @@ bool CleanView::eventFilter(QObject* watched, QEvent* event) {
     const bool plain = (key.modifiers() & ~Qt::KeypadModifier) == Qt::NoModifier;
     constexpr std::array kOwn{Qt::Key_B, Qt::Key_Period, Qt::Key_W,  Qt::Key_P,      Qt::Key_O, Qt::Key_A,
                               Qt::Key_1, Qt::Key_2,      Qt::Key_F4, Qt::Key_Escape, Qt::Key_H};
-    const bool own = plain && std::ranges::find(kOwn, key.key()) != kOwn.end();
+    const bool own = plain && (m_ask->wantsKey(key.key()) || std::ranges::find(kOwn, key.key()) != kOwn.end());
     if (event->type() == QEvent::ShortcutOverride) {
         showKey(key);
         if (own) event->accept();
@@ -351,7 +379,7 @@ bool CleanView::eventFilter(QObject* watched, QEvent* event) {
 
 void CleanView::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
-    showAlgorithm();
+    showQuestion();
     placeWork();
     m_pen->setGeometry(rect());
     m_pen->raise();

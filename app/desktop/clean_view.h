@@ -11,6 +11,7 @@ class QLabel;
 namespace app {
 
 class AlgorithmView;
+class AskPanel;
 class CaptionLine;
 class MathView;
 class OpeningBar;
@@ -30,6 +31,7 @@ public:
     pipeline::Errors lookAt(const lessons::WindowState& state);  // the views of a state, as they stand in the window
     ViewArea& views() { return *m_views; }
     PenLayer& pen() { return *m_pen; }
+    AskPanel& ask() { return *m_ask; }
     QString caption() const;
     QString shownKey() const;  // the last key pressed, for 1.2 s; what could not be read, for 4 s
     // The key does something here, or was an ordinary one.
@@ -53,6 +55,7 @@ private:
     void showEquation();
     void showAlgorithm();
     void showCaption();
+    void showQuestion();
     void showKey(const QKeyEvent& key);
     void wakeCursor();
     void applyTheme();
@@ -64,6 +67,8 @@ private:
     CueModel& m_cues;
     ViewArea* m_views;
     AlgorithmView* m_algorithm;  // beside the views
+    QLabel* m_title;             // a question, or its answer
+    AskPanel* m_ask;             // its choices, beside the views
     QWidget* m_equationRow;
     MathView* m_math;
     QLabel *m_swatch, *m_value;

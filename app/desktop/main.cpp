@@ -99,8 +99,9 @@ int runProgram(int argc, char** argv) {
     if (!session) std::rotate(argv + 1, argv + 2, argv + argc--);  // Qt reads the rest
     const std::string first = argc > 1 ? argv[1] : "";
     const bool isHelp = std::any_of(argv, argv + argc, [](std::string_view a) { return a == "-h" || a == "--help"; });
-    const bool isTalk = first == "present" && !(argc > 3 && std::string_view(argv[2]) == "export");  // else a command
-    if (isTalk && !isHelp) return present(argc, argv, session);
+    const bool isCheck = std::any_of(argv, argv + argc, [](std::string_view a) { return a == "--check"; });
+    const bool isExport = argc > 3 && std::string_view(argv[2]) == "export";
+    if (first == "present" && !isHelp && !isCheck && !isExport) return present(argc, argv, session);  // else a command
     if (app::isForCli(first)) return app::runCli(argc, argv, makeHost());
     if (first.starts_with("--")) return refuse("there is no option " + pipeline::inQuotes(first));
     const bool file = !first.empty() && first[0] != '-';  // "-platform" and the like are for Qt

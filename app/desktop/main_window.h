@@ -145,6 +145,7 @@ private:
     void raiseCues();
     void goToCue(int cue, const Then& then = {});
     void stepCue(int by);
+    bool turnsLesson() const;  // what a clicker sends
     void beginPresenting();
     // main_window_layout.cpp: what stands where in which width
     enum class Width { Narrow, Medium, Wide };  // below 1100, below 1440, from there on
@@ -174,7 +175,7 @@ private:
     StartPage* m_start;
     ViewArea* m_views;
     StatusLine* m_status;
-    LessonPanel* m_lessons;
+    LessonPanel* m_lessons = nullptr;
     // What the window was before the lesson that is open; nothing outside of a lesson.
     struct BeforeLesson {
         std::optional<SceneAside> scene = {};  // nothing: the start page

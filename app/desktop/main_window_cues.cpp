@@ -15,6 +15,7 @@
 #include "app/desktop/view_area.h"
 #include "app/panels/cue_panel.h"
 #include "app/panels/error_list.h"
+#include "app/panels/lesson_panel.h"
 #include "app/panels/save_dialog.h"
 
 namespace app {
@@ -96,9 +97,10 @@ void MainWindow::enableCueActions() {
     const CueModel& model = m_cues->model();
     const QString none = tr("There are no cues; Ctrl+B keeps what you see as one.");
     m_actions->setEnabled(A::KeepCue, showsScene(), tr("Open a scene first."));
-    m_actions->setEnabled(A::NextCue, model.current() + 1 < model.size(),
+    m_actions->setEnabled(A::NextCue, turnsLesson() || model.current() + 1 < model.size(),
                           model.size() == 0 ? none : tr("This is the last cue."));
-    m_actions->setEnabled(A::PreviousCue, model.current() > 0, model.size() == 0 ? none : tr("This is the first cue."));
+    m_actions->setEnabled(A::PreviousCue, turnsLesson() || model.current() > 0,
+                          model.size() == 0 ? none : tr("This is the first cue."));
     m_actions->setEnabled(A::Present, showsScene() || model.size() > 0, tr("Open a scene or a cue list first."));
     m_actions->setEnabled(A::NotesScreen, QGuiApplication::screens().size() > 1,
                           tr("There is one screen; the notes stand in the panel Cues."));
@@ -160,8 +162,13 @@ bool MainWindow::mayLeaveCues() {
     return true;
 }
 
-// From the cue on show, or from the one whose scene is still being read.
-void MainWindow::stepCue(int by) { goToCue(m_cueAsked.value_or(m_cues->model().current()) + by); }
+// From the cue on show, or from the one whose scene is still being read. Outside a talk a clicker turns a lesson's pages.
+void MainWindow::stepCue(int by) {
+    if (!turnsLesson()) return goToCue(m_cueAsked.value_or(m_cues->model().current()) + by);
+    if (!m_lessons->run().turn(by)) emit m_document.said(tr("The page turns after your answer; Alt+S shows it."));
+}
+
+bool MainWindow::turnsLesson() const { return m_lessons && m_lessons->lesson() && !m_presentation->isOn(); }
 
 bool MainWindow::openCues(const QString& file, const QString& name, const Then& then) {
     CueModel& model = m_cues->model();

@@ -60,6 +60,7 @@ NotesWindow::NotesWindow(CueModel& cues, QWidget& audience) : m_cues(cues), m_au
     connect(&m_grab, &QTimer::timeout, this, &NotesWindow::showAudience);
     m_grab.start();
     connect(&cues, &CueModel::changed, this, &NotesWindow::showCue);
+    connect(&cues, &CueModel::votesChanged, this, &NotesWindow::showNote);
     followTheme(this, [this] { applyTheme(); });
     showCue();
     showTime();
@@ -151,13 +152,32 @@ QString NotesWindow::place() const {
 QString NotesWindow::timer() const { return m_timer->text(); }
 QString NotesWindow::notes() const { return m_notes->text(); }
 
+// The choices with their votes, for a cue that asks, and the keys.
+QString NotesWindow::votesText() const {
+    const lessons::CueQuestion& question = *m_cues.currentCue()->ask;
+    const std::vector<int> votes = m_cues.votes(m_cues.current());
+    QStringList rows;
+    for (std::size_t i = 0; i < votes.size(); ++i)
+        rows << QStringLiteral("%1  %2   %3%4")
+                    .arg(QChar('A' + int(i)))
+                    .arg(votes[i])
+                    .arg(toQString(question.choices[i]), i == question.right ? tr("   (right)") : QString());
+    return tr("%1\nVotes: press a letter, type the number; Tab goes to the next letter.").arg(rows.join('\n'));
+}
+
+void NotesWindow::showNote() {
+    const lessons::Cue* cue = m_cues.currentCue();
+    const QString votes = cue && cue->ask ? QStringLiteral("\n\n") + votesText() : QString();
+    m_notes->setText(!cue                ? tr("PgDn begins with the first cue.")
+                     : cue->note.empty() ? tr("No notes for this cue.") + votes
+                                         : toQString(cue->note) + votes);
+}
+
 void NotesWindow::showCue() {
     const lessons::Cue* cue = m_cues.currentCue();
     const auto stage = [](const lessons::Cue& one) { return toQString(stageInfo(one.state.stage).label); };
     m_nowTitle->setText(tr("What they see   ") + place() + (cue ? ", " + stage(*cue) : QString()));
-    m_notes->setText(!cue                ? tr("PgDn begins with the first cue.")
-                     : cue->note.empty() ? tr("No notes for this cue.")
-                                         : toQString(cue->note));
+    showNote();
     if (m_cues.current() >= 0) m_list->setCurrentIndex(m_cues.index(m_cues.current()));
     computeNext();
     showTime();

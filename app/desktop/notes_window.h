@@ -37,6 +37,8 @@ private:
     QWidget* makeRight();
     QWidget* makeFoot();
     void showCue();
+    void showNote();
+    QString votesText() const;
     void showTime();
     void showAudience();
     void computeNext();

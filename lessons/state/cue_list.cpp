@@ -21,7 +21,42 @@ namespace {
 
 constexpr std::size_t kMaxCues = 1000;
 const KnownKeys kListKeys{"title", "minutes", "cue"};
-const KnownKeys kCueKeys{"name", "caption", "note"};
+const KnownKeys kCueKeys{"name", "caption", "note", "ask", "choices", "right"};
+constexpr std::size_t kMostChoices = 4, kLeastChoices = 2;
+
+// ask, choices and right, which go together.
+std::optional<CueQuestion> questionIn(const toml::table& cue, const std::string& path, TomlValues& values) {
+    const auto* ask = cue.get("ask");
+    const auto* choices = cue.get("choices");
+    const auto* right = cue.get("right");
+    if (!ask && !choices && !right) return {};
+    if (!ask || !choices || !right) {
+        values.fail(cue.source(), path + " has a question without all of its parts", "ask, choices and right");
+        return {};
+    }
+    CueQuestion question;
+    question.text = values.text(*ask, path + ".ask").value_or("");
+    const auto* list = choices->as_array();
+    if (!list || list->size() < kLeastChoices || list->size() > kMostChoices) {
+        values.refuse(*choices, path + ".choices", "an array of 2 to 4 texts");
+        return {};
+    }
+    for (std::size_t i = 0; i < list->size(); ++i)
+        question.choices.push_back(values.text((*list)[i], fmt::format("{}.choices.{}", path, i)).value_or(""));
+    const std::string letter = values.text(*right, path + ".right").value_or("A");
+    question.right = letter.size() == 1 ? std::size_t(letter[0] - 'A') : kMostChoices;
+    if (question.right >= question.choices.size())
+        values.fail(right->source(), fmt::format("{}.right is {}", path, pipeline::inQuotes(letter)),
+                    fmt::format("a letter from A to {}", char('A' + question.choices.size() - 1)));
+    return question;
+}
+
+std::string questionText(const CueQuestion& question) {
+    std::vector<std::string> choices;
+    for (const std::string& choice : question.choices) choices.push_back(pipeline::tomlString(choice));
+    return fmt::format("ask = {}\nchoices = [{}]\nright = \"{}\"\n", pipeline::tomlString(question.text),
+                       fmt::join(choices, ", "), char('A' + question.right));
+}
 
 }  // namespace
 
@@ -33,6 +68,7 @@ std::string toToml(const CueList& list) {
         text += fmt::format("\n[[cue]]\nname = {}\n", pipeline::tomlString(cue.name));
         if (!cue.caption.empty()) text += fmt::format("caption = {}\n", pipeline::tomlString(cue.caption));
         if (!cue.note.empty()) text += fmt::format("note = {}\n", pipeline::tomlText(cue.note));
+        if (cue.ask) text += questionText(*cue.ask);
         text += stateText(cue.state, "cue.");
     }
     return text;
@@ -56,6 +92,7 @@ Result<CueList> readCues(std::string_view text, const std::string& file, const p
         cue.state = readStateTable(*one, path, kCueKeys, values);
         for (auto [key, into] : {std::pair{"name", &cue.name}, {"caption", &cue.caption}, {"note", &cue.note}})
             if (const auto* node = one->get(key)) *into = values.text(*node, path + '.' + key).value_or("");
+        cue.ask = questionIn(*one, path, values);
         if (cue.name.empty()) values.fail(one->source(), path + " has no name", "a name");
         if (std::ranges::find(list.cues, cue.name, &Cue::name) != list.cues.end())
             values.fail(one->source(), path + ": another cue is called " + pipeline::inQuotes(cue.name),
@@ -81,6 +118,11 @@ Result<std::string> readCueText(const std::filesystem::path& file) {
 Result<CueList> readCueFile(const std::filesystem::path& file, const pipeline::Stop& stop) {
     const auto text = readCueText(file);
     return text ? readCues(*text, file.string(), stop) : Result<CueList>(text.errors());
+}
+
+std::optional<std::size_t> asking(const CueList& list, std::size_t cue) {
+    if (cue < list.cues.size() && list.cues[cue].ask) return cue;
+    return cue > 0 && cue < list.cues.size() && list.cues[cue - 1].ask ? std::optional(cue - 1) : std::nullopt;
 }
 
 Result<std::size_t> findCue(const CueList& list, std::string_view name) {

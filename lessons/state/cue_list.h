@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -9,12 +10,21 @@
 
 namespace lessons {
 
+// What a cue asks the audience. The cue after it is the answer, whose caption says it in one sentence.
+struct CueQuestion {
+    std::string text = {};
+    std::vector<std::string> choices = {};  // 2 to 4, called A to D
+    std::size_t right = 0;                  // of them
+    bool operator==(const CueQuestion&) const = default;
+};
+
 // One thing to show in a talk, as the window shows it, with what to say.
 struct Cue {
     std::string name;
     std::string caption = {};  // what the audience reads below the picture; empty: the name
     std::string note = {};     // for the lecturer alone; lines
     WindowState state = {};
+    std::optional<CueQuestion> ask = {};
     bool operator==(const Cue&) const = default;
 };
 
@@ -32,6 +42,9 @@ std::string toToml(const CueList& list);
 pipeline::Result<CueList> readCues(std::string_view text, const std::string& file, const pipeline::Stop& stop = {});
 pipeline::Result<std::string> readCueText(const std::filesystem::path& file);  // the file as it is
 pipeline::Result<CueList> readCueFile(const std::filesystem::path& file, const pipeline::Stop& stop = {});
+
+// The cue whose question is on show at a cue: it asks, or answers the one before it. Nothing at others.
+std::optional<std::size_t> asking(const CueList& list, std::size_t cue);
 
 // By its name, or by its number from 1 where no cue has that name. Errors name the nearest.
 pipeline::Result<std::size_t> findCue(const CueList& list, std::string_view name);

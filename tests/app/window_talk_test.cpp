@@ -1,4 +1,5 @@
 // How a talk looks, and that the window behind it is what it was.
+#include <QFile>
 #include <QLabel>
 #include <QPushButton>
 #include <QTest>
@@ -6,6 +7,7 @@
 #include <array>
 #include <map>
 
+#include "app/desktop/ask_panel.h"
 #include "app/desktop/clean_view.h"
 #include "app/desktop/panel_dock.h"
 #include "app/desktop/presentation.h"
@@ -14,6 +16,8 @@
 #include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_compare.h"
 #include "app/panels/buffer_view.h"
+#include "app/panels/cue_panel.h"
+#include "app/panels/math_view.h"
 #include "app/panels/segmented.h"
 #include "tests/app/window_fixture.h"
 
@@ -83,6 +87,66 @@ TEST_F(WindowTalk, AComparisonHasOneSetOfNamesAndOneLine) {
     EXPECT_TRUE(bar->findChild<QLabel*>()->isVisible());
     for (const auto* button : bar->findChildren<QPushButton*>())
         EXPECT_TRUE(!button->isVisible() || button->property("kind") == "segment") << button->text().toStdString();
+}
+
+// Two cues: the first asks, the second is its answer.
+class AskingTalk : public WindowTalk {
+protected:
+    void SetUp() override {
+        const QString file = folder.filePath("ask.cues");
+        QFile out(file);
+        ASSERT_TRUE(out.open(QIODevice::WriteOnly));
+        out.write(
+            "[[cue]]\nname = \"ask\"\nask = \"Which?\"\nchoices = [\"One\", \"<b>Two</b>\", \"Three\"]\nright = \"B\"\n"
+            "scene = \"pyramid\"\npixel = [268, 281]\n[[cue]]\nname = \"answer\"\ncaption = \"It is two.\"\n"
+            "scene = \"pyramid\"\npixel = [268, 281]\n[[cue]]\nname = \"other\"\nscene = \"pyramid\"\n");
+        out.close();
+        ASSERT_TRUE(window.openFile(file));
+        ASSERT_TRUE(waitForFrame());
+    }
+    CueModel& model() { return window.cues().model(); }
+};
+
+TEST_F(AskingTalk, AQuestionHasItsChoicesAndNoNumbersThenComesTheAnswer) {
+    CleanView& view = present();
+    auto& title = *view.findChild<QLabel*>("cueTitle");
+    EXPECT_EQ(title.text(), "Which?");
+    EXPECT_TRUE(view.ask().isVisible());
+    EXPECT_FALSE(view.ask().isAnswer());
+    EXPECT_FALSE(view.findChild<MathView*>()->isVisible()) << "no equation beside a question";
+    EXPECT_EQ(view.ask().accessibleName(), "Which?. A: One; B: <b>Two</b>; C: Three");
+    press("PgDown");
+    ASSERT_TRUE(waitForFrame());
+    EXPECT_EQ(title.text(), "It is two.");
+    EXPECT_TRUE(view.ask().isAnswer());
+    EXPECT_TRUE(view.ask().accessibleName().contains("B: <b>Two</b>, right"));
+    press("PgDown");
+    ASSERT_TRUE(waitForFrame());
+    EXPECT_FALSE(title.isVisible());
+    EXPECT_FALSE(view.ask().isVisible());
+    press("PgUp");
+    press("PgUp");
+    EXPECT_EQ(title.text(), "Which?");
+}
+
+TEST_F(AskingTalk, VotesAreTypedAndStayWithTheirQuestion) {
+    CleanView& view = present();
+    EXPECT_TRUE(view.takeKey(Qt::Key_B)) << "a choice, not the black screen";
+    EXPECT_EQ(view.ask().field(), 1);
+    for (const int key : {Qt::Key_2, Qt::Key_1, Qt::Key_Tab, Qt::Key_9}) EXPECT_TRUE(view.takeKey(key));
+    EXPECT_EQ(model().votes(0), (std::vector<int>{0, 21, 9}));
+    EXPECT_EQ(view.caption(), "30 votes so far.");
+    EXPECT_TRUE(view.takeKey(Qt::Key_B));
+    EXPECT_TRUE(view.takeKey(Qt::Key_7));
+    EXPECT_EQ(model().votes(0)[1], 7) << "typed anew it replaces";
+    EXPECT_TRUE(view.takeKey(Qt::Key_Escape)) << "leaves the field, not the talk";
+    EXPECT_EQ(view.ask().field(), -1);
+    EXPECT_TRUE(window.presentation().isOn());
+    press("PgDown");
+    ASSERT_TRUE(waitForFrame());
+    EXPECT_EQ(view.caption(), "7 of 16 votes were right.");
+    press("PgUp");
+    EXPECT_EQ(model().votes(0), (std::vector<int>{0, 7, 9}));
 }
 
 }  // namespace

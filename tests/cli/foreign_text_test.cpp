@@ -108,11 +108,11 @@ TEST_F(ForeignFiles, OfTheProgramsOwnAreReadOrRefusedWithoutACommandForTheTermin
     for (const std::string_view text : {kHostile, kSpelled}) {
         const std::string cues =
             file("c.cues", replaced("title = \"@\"\nminutes = 10\n[[cue]]\nname = \"@\"\ncaption = \"@\"\n"
-                                    "note = \"@\"\nscene = \"@\"\nstage = \"@\"\n\"@\" = 1\n",
+                                    "note = \"@\"\nask = \"@\"\nchoices = [\"@\"]\nright = \"@\"\nscene = \"@\"\nstage = \"@\"\n\"@\" = 1\n",
                                     text));
         for (const std::string& named : {cues, cues + ":" + std::string(text)})
             expectHarmless(run({"present", named}), named);
-        expectHarmless(run({"check", "--cues", cues}), "check");
+        expectHarmless(run({"present", "--check", cues}), "check");
         const std::string study = file("s.json", replaced(R"({"format":"@","format_version":1})", text));
         expectHarmless(run({"study", "merge", study, "-o", folder / "out"}), "study");
         const std::string own = file(

@@ -182,6 +182,7 @@ TEST(CueList, IsTheSameAfterWritingAndReading) {
     CueList list{"Lecture 1", 50, {{"Why no highlight?", "R leaves 66.6°", "Ask first.\nThen \"turn\" it.", rich()}}};
     list.cues.push_back({"Next", {}, "one line, it's", rich()});
     list.cues[1].state.set.clear();
+    list.cues[0].ask = CueQuestion{"Which \"one\"?", {"A, B", "it's", "\\"}, 2};
     const std::string text = toToml(list);
     const auto again = readCues(text, "a.cues");
     ASSERT_TRUE(again) << format(again.errors()) << text;
@@ -203,8 +204,27 @@ TEST(CueList, WhatIsWrongIsToldWithItsPlace) {
     // The window counts whole minutes: half of one would be gone from the talk, and from the file once it is written.
     EXPECT_EQ(wrong("\nminutes = 22.5\n"), "a.cues:2:11: minutes is 22.5, expected a whole number from 1 to 600\n");
     EXPECT_EQ(wrong("minutes = 45.0\n"), "");
+    const auto asks = [&](std::string_view question) {
+        return wrong("[[cue]]\nname = \"a\"\nscene = \"p\"\n" + std::string(question));
+    };
+    EXPECT_EQ(asks("ask = \"Q\"\nchoices = [\"1\", \"2\"]\nright = \"B\"\n"), "");
+    EXPECT_EQ(asks("ask = \"Q\"\n"),
+              "a.cues:1:1: cue.0 has a question without all of its parts, expected ask, choices and right\n");
+    EXPECT_TRUE(asks("ask = \"Q\"\nright = \"A\"\nchoices = [\"1\"]\n").starts_with("a.cues:6:11: cue.0.choices is "));
+    EXPECT_EQ(asks("ask = \"Q\"\nchoices = [\"1\", \"2\"]\nright = \"C\"\n"),
+              "a.cues:6:9: cue.0.right is \"C\", expected a letter from A to B\n");
     EXPECT_TRUE(
         wrong("[[cue]]\nname = \"a\"\nscene = \"p\"\n[[cue.view]]\nbufer = \"color\"\n").starts_with("a.cues:5:1:"));
+}
+
+TEST(CueList, TheCueAfterAQuestionIsItsAnswer) {
+    CueList list{{}, 45, {{"One"}, {"Question"}, {"Answer"}, {"Last"}}};
+    list.cues[1].ask.emplace();
+    EXPECT_EQ(asking(list, 0), std::nullopt);
+    EXPECT_EQ(asking(list, 1), 1u);
+    EXPECT_EQ(asking(list, 2), 1u);
+    EXPECT_EQ(asking(list, 3), std::nullopt);
+    EXPECT_EQ(asking(list, 9), std::nullopt);
 }
 
 TEST(CueList, ACueIsFoundByNameAndByNumber) {

@@ -1,0 +1,39 @@
+// Checking a cue list without the window.
+#include <gtest/gtest.h>
+
+#include "tests/cli/run_program.h"
+#include "tests/support/files.h"
+
+namespace {
+
+using test::run;
+
+TEST(PresentCheck, BothLecturesAreRight) {
+    for (const char* lecture : {"lecture1.cues", "lecture2.cues"}) {
+        const auto done = run({"present", "--check", std::string(SHADESCOPE_SCENES) + "/../manual/" + lecture});
+        EXPECT_EQ(done.status, 0) << done.err;
+        EXPECT_NE(done.out.find(" 7 questions are right."), std::string::npos) << done.out;
+    }
+}
+
+TEST(PresentCheck, WhatDoesNotFitIsToldWithItsCue) {
+    const test::TemporaryFolder folder;
+    const std::string file = (folder / "talk.cues").string();
+    test::writeText(
+        file,
+        "[[cue]]\nname = \"One\"\nscene = \"pyramid\"\npixel = [700, 0]\n"
+        "[[cue]]\nname = \"Two\"\nscene = \"no_such_scene\"\n"
+        "[[cue]]\nname = \"Three\"\nscene = \"pyramid\"\nask = \"Q\"\nchoices = [\"a\", \"b\"]\nright = \"A\"\n");
+    const auto done = run({"present", "--check", file});
+    EXPECT_EQ(done.status, 3);
+    EXPECT_NE(done.err.find("cue \"One\": "), std::string::npos) << done.err;
+    EXPECT_NE(done.err.find("cue \"Two\": "), std::string::npos) << done.err;
+    EXPECT_NE(
+        done.err.find(file + ": cue \"Three\": asks and is the last cue, expected a cue after it, which is the answer"),
+        std::string::npos)
+        << done.err;
+    EXPECT_EQ(run({"present", "--check", (folder / "none.cues").string()}).status, 3);
+    EXPECT_EQ(run({"present", "--check"}).status, 2);
+}
+
+}  // namespace
