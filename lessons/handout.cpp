@@ -36,6 +36,7 @@ section { margin-top: 2rem; padding-top: 1.25rem; border-top: 1px solid #D0D5DC;
 .question { margin: .75rem 0 0; padding: .5rem .75rem .75rem; border: 1.5px solid #171A1F; break-inside: avoid; }
 .blank { display: inline-block; min-width: 12rem; border-bottom: 1px solid #171A1F; }
 .place { display: inline-block; width: 2rem; margin-right: .75rem; border-bottom: 1px solid #171A1F; }
+.gap { display: inline-block; min-width: 3.5rem; border-bottom: 1px solid #171A1F; text-align: left; } .gap b { font-size: .7em; vertical-align: super; }
 .answer { font-weight: 600; }
 .options { list-style: none; padding: 0; } .options p, .works p, td p { display: inline; margin: 0; }
 .box { display: inline-block; width: .9rem; height: .9rem; border: 1.5px solid #171A1F; vertical-align: -.1rem; }

@@ -76,13 +76,14 @@ public:
         if (!tree) return fail(cue, tree.errors());
         const std::string views = viewsHtml(cue, *tree, shared);
         if (!m_errors.empty()) return {};
-        const std::string& caption = cue.caption.empty() ? cue.name : cue.caption;
+        const std::string caption = cue.ask ? askText(*cue.ask) : cue.caption.empty() ? cue.name : cue.caption;
         const auto frame = frameOf(cue, shared);
         if (!frame) return fail(cue, {Error{{}, "stopped", {}}});
         std::string html =
             fmt::format("<section class=\"cue\" id=\"cue-{}\" aria-labelledby=\"name-{}\">\n", number, number);
         html += fmt::format("<h2 id=\"name-{}\">{}</h2>\n<div class=\"room\">{}{}</div>\n", number,
-                            escapedHtml(cue.name), views, equationHtml(cue.state, *frame));
+                            escapedHtml(cue.name), views,
+                            cue.ask ? std::string() : equationHtml(cue.state, *frame));  // no numbers before the answer
         html += "<p class=\"caption\"><b>" + escapedHtml(m_stage) + "</b> " + escapedHtml(caption) + "</p>\n";
         if (!cue.note.empty()) html += "<aside class=\"said\">" + escapedHtml(cue.note) + "</aside>\n";
         return html + "</section>\n";
@@ -91,6 +92,14 @@ public:
     std::vector<std::string> leftOut;
 
 private:
+    // "Which one? A: Red · B: Blue"
+    static std::string askText(const CueQuestion& question) {
+        std::string text = question.text;
+        char letter = 'A';
+        for (const std::string& choice : question.choices)
+            text += fmt::format("{}{}: {}", letter == 'A' ? " " : " · ", letter, choice), ++letter;
+        return text;
+    }
     std::string fail(const Cue& cue, const Errors& errors) {
         for (Error error : errors) {
             error.found = "cue " + pipeline::inQuotes(cue.name) + ": " + error.found;

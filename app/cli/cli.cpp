@@ -24,6 +24,7 @@ constexpr std::array kCommands{
     Command{"study", declareStudy},     Command{"check", declareCheck},     Command{"bench", declareBench},
     Command{"film", declareFilm},       Command{"lesson", declareLesson},   Command{"bug", declareBug},
     Command{"compare", declareCompare}, Command{"present", declarePresent}, Command{"site", declareSite},
+    Command{"sheet", declareSheet},     Command{"grade", declareGrade},
 };
 
 constexpr std::array<std::string_view, 4> kOptions{"-h", "--help", "--version", "--help-all"};

@@ -28,7 +28,6 @@ void declareCheck(CLI::App& program, const CliHost& host, int& status);
 void declareFilm(CLI::App& program, const CliHost& host, int& status);
 void declareBug(CLI::App& program, const CliHost& host, int& status);
 void declareCompare(CLI::App& program, const CliHost& host, int& status);
-void declarePresent(CLI::App& program, const CliHost& host, int& status);
 void declareSheet(CLI::App& program, const CliHost& host, int& status);
 void declareGrade(CLI::App& program, const CliHost& host, int& status);
 void declareLesson(CLI::App& program, const CliHost& host, int& status);

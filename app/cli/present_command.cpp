@@ -103,8 +103,8 @@ void declarePresent(CLI::App& program, const CliHost& host, int& status) {
         bool check = false;
     };
     const auto options = std::make_shared<Options>();
-    auto* list = command->add_option("FILE", options->cues,
-                                     "A cue list; FILE:CUE begins with another cue than the first, by its name or number");
+    auto* list = command->add_option(
+        "FILE", options->cues, "A cue list; FILE:CUE begins with another cue than the first, by its name or number");
     list->type_name("[:CUE]");
     command
         ->add_flag("--check", options->check,

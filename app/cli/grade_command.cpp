@@ -1,0 +1,80 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "app/cli/commands.h"
+#include "app/cli/interrupt.h"
+#include "app/cli/message.h"
+#include "app/cli/scene_argument.h"
+#include "lessons/grade.h"
+#include "pipeline/core/text.h"
+
+namespace app {
+
+namespace {
+
+struct GradeRequest {
+    std::vector<std::string> files;
+    std::string folder, sheets;
+    double pass = 0;  // per cent
+};
+
+// Hand-ins that cannot be read outweigh students below the mark: they have not been looked at.
+int runGrade(const GradeRequest& request) {
+    std::optional<lessons::SheetKeys> keys;
+    if (!request.sheets.empty()) {
+        auto read = lessons::readSheetKeys(request.sheets);
+        if (!read) {
+            printErrors(read.errors());
+            return kBadInput;
+        }
+        keys = std::move(read).value();
+    }
+    const Interrupt interrupt;
+    const std::vector<std::filesystem::path> files(request.files.begin(), request.files.end());
+    const auto graded = lessons::grade(files, keys ? &*keys : nullptr, interrupt.token());
+    if (interrupt.asked() || !graded) {
+        tell("Cancelled. Nothing was written.\n");
+        return kInterrupted;
+    }
+    printErrors(graded->refused);
+    const auto written = writeGraded(*graded, request.folder);
+    if (!written) {
+        printErrors(written.errors());
+        return kCouldNotWrite;
+    }
+    std::size_t below = 0;
+    for (const lessons::Graded::Student& student : graded->students)
+        below += 100 * student.points < request.pass * student.full;
+    std::string line = pipeline::plural(std::int64_t(graded->students.size()), "hand-in");
+    if (request.pass > 0) line += fmt::format(", {} below {} %", below, pipeline::shortestText(request.pass));
+    if (!graded->refused.empty()) line += fmt::format(", {} could not be read", graded->refused.size());
+    say("{}; {} in {}\n", line, fmt::join(*written, ", "), request.folder);
+    const std::vector<lessons::SharedMistake> shared = mistakesOf(*graded);
+    for (std::size_t i = 0; i < std::min<std::size_t>(3, shared.size()); ++i)
+        say("  {}: {} of {}\n", shared[i].name, shared[i].students, graded->students.size());
+    return !graded->refused.empty() ? kBadInput : below > 0 ? kAnswerIsNo : kDone;
+}
+
+}  // namespace
+
+void declareGrade(CLI::App& program, const CliHost&, int& status) {
+    CLI::App* command = program.add_subcommand(
+        "grade", "Grade a class's hand-ins and name its misconceptions, as a table, JSON and a page");
+    const auto request = std::make_shared<GradeRequest>();
+    command
+        ->add_option("FILES", request->files,
+                     "Results of lessons, or answers to sheets, one file a student; its name is the student's")
+        ->required();
+    command->add_option("-o,--output", request->folder, "The folder to write into, made when it is missing")
+        ->required()
+        ->type_name("DIR");
+    command->add_option("--sheets", request->sheets, "sheets.json, where the answers are to sheets")->type_name("FILE");
+    command->add_option("--pass", request->pass, "Exit with 1 where somebody has fewer per cent of the points")
+        ->check(CLI::Range(0.0, 100.0))
+        ->type_name("PERCENT");
+    command->callback([request, &status] { status = runGrade(*request); });
+}
+
+}  // namespace app

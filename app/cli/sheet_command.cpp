@@ -1,0 +1,86 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "app/cli/commands.h"
+#include "app/cli/interrupt.h"
+#include "app/cli/message.h"
+#include "app/cli/progress_printer.h"
+#include "app/cli/scene_argument.h"
+#include "lessons/library.h"
+#include "lessons/sheet.h"
+#include "pipeline/core/text.h"
+
+namespace app {
+
+namespace {
+
+struct SheetRequest {
+    std::string lesson, folder;
+    lessons::SheetOptions options;
+};
+
+int runSheet(const SheetRequest& request) {
+    const std::filesystem::path folder = lessons::lessonAt(request.lesson);
+    if (folder.empty()) {
+        tell("{}: no lesson.md there, expected the folder of a lesson with \"vary\" in its header\n", request.lesson);
+        return kBadInput;
+    }
+    const auto made = lessons::readSheetTemplate(folder);
+    if (!made) {
+        printErrors(made.errors());
+        return kBadInput;
+    }
+    const Interrupt interrupt;
+    const auto sheets = [&] {
+        ProgressPrinter progress("sheets");
+        return makeSheets(*made, request.options, interrupt.token(),
+                          [&](std::size_t sheet) { progress.show(sheet, request.options.count, "sheets"); });
+    }();
+    if (interrupt.asked()) {
+        tell("Cancelled. Nothing was written.\n");
+        return kInterrupted;
+    }
+    if (!sheets) {
+        printErrors(sheets.errors());
+        return kBadInput;
+    }
+    const auto written = writeSheets(*sheets, *made, request.options, request.folder);
+    if (!written) {
+        printErrors(written.errors());
+        return kCouldNotWrite;
+    }
+    printErrors(sheets->leftOut);
+    tell("{} in {}, their keys in {}\n", pipeline::plural(std::int64_t(sheets->sheets.size()), "sheet"), request.folder,
+         (std::filesystem::path(request.folder) / "keys").string());
+    return kDone;
+}
+
+}  // namespace
+
+void declareSheet(CLI::App& program, const CliHost&, int& status) {
+    CLI::App* command = program.add_subcommand(
+        "sheet", "Write variants of a lesson for paper, each with other numbers, and their keys");
+    const auto request = std::make_shared<SheetRequest>();
+    command->add_option("LESSON", request->lesson, "The folder of a lesson whose header says what varies")->required();
+    command->add_option("-o,--output", request->folder, "The folder to write into, made when it is missing")
+        ->required()
+        ->type_name("DIR");
+    command->add_option("--variants", request->options.count, "How many sheets")
+        ->check(CLI::Range(1, 500))
+        ->capture_default_str()
+        ->type_name("N");
+    command->add_option("--seed", request->options.seed, "Another seed gives other sheets; the same gives the same")
+        ->capture_default_str()
+        ->type_name("N");
+    command
+        ->add_option("--blank", request->options.blanks,
+                     "How many numbers of tables and equations each page leaves blank")
+        ->check(CLI::Range(0, 100))
+        ->capture_default_str()
+        ->type_name("N");
+    command->callback([request, &status] { status = runSheet(*request); });
+}
+
+}  // namespace app

@@ -1,0 +1,58 @@
+#pragma once
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "lessons/results.h"
+#include "lessons/sheet.h"
+
+// A class's hand-ins: what each student answered, and which misconceptions they share.
+
+namespace lessons {
+
+// One question of one student.
+struct GradedAnswer {
+    std::string student;   // the hand-in's name
+    std::string lesson;    // its name, or "sheet 7"
+    std::size_t page = 0;  // from 1; 0 where the lesson has no such page any more
+    std::string heading;
+    Progress progress;
+    double points = 0, full = 0;
+    std::string note;  // why it could not be counted; may be empty
+};
+
+struct Graded {
+    struct Student {
+        std::string name;
+        double points = 0, full = 0;  // full: of the questions in this hand-in
+    };
+    std::vector<Student> students;      // in the order of the hand-ins
+    std::vector<GradedAnswer> answers;  // student by student, page by page
+    // What could not be read: the file, and why. The others are graded all the same.
+    pipeline::Errors refused;
+};
+
+// Grades hand-ins: results as the window and the pages write them (lessons/results.h), or the answers to a sheet,
+// {"version": 1, "sheet": 7, "answers": {"1": "0.77", "2": "B"}}, where sheets were given. Two hand-ins of one name are
+// told apart by their folders. "stopped" is the only error.
+pipeline::Result<Graded> grade(std::span<const std::filesystem::path> files, const SheetKeys* sheets,
+                               const pipeline::Stop& stop = {});
+
+// How often a misconception was met.
+struct SharedMistake {
+    std::string id, name;
+    std::size_t students = 0, times = 0;
+    std::vector<std::string> treatedBy;  // "Which way it faces, page 2": pages of lessons that name it, at most 3
+};
+// Those of most students first, then of most times, then by name.
+std::vector<SharedMistake> mistakesOf(const Graded& graded);
+
+// The same as a table for a spreadsheet, as JSON, and as a page for the teacher.
+std::string toCsv(const Graded& graded);
+std::string toJson(const Graded& graded);
+std::string toHtml(const Graded& graded);
+// class.csv, class.json and class.html, all or none. Gives their names.
+pipeline::Result<std::vector<std::string>> writeGraded(const Graded& graded, const std::filesystem::path& folder);
+
+}  // namespace lessons

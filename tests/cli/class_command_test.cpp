@@ -1,0 +1,71 @@
+// Sheets for a class, and its hand-ins graded.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/run_program.h"
+#include "tests/support/files.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+using test::run;
+
+// Of the template that comes with the program: the answer of the key is graded right, that of a mistake by its name.
+TEST(Class, HomeworkIsMadeHandedInAndGraded) {
+    const test::TemporaryFolder folder;
+    const std::string light = std::string(SHADESCOPE_SCENES) + "/../sheets/light";
+    const auto made = run({"sheet", light, "--variants", "2", "--seed", "7", "--blank", "1", "-o", folder / "sheets"});
+    ASSERT_EQ(made.status, 0) << made.err;
+    for (const char* file : {"sheet-01.html", "sheet-02.html", "keys/sheet-01-key.html", "keys/sheets.csv"})
+        EXPECT_TRUE(fs::exists(folder / "sheets" / file)) << file;
+    const auto keys = nlohmann::json::parse(test::readText(folder / "sheets/keys/sheets.json"));
+    const std::string sheet = test::readText(folder / "sheets/sheet-01.html");
+    EXPECT_NE(sheet.find("class=gap"), std::string::npos);
+
+    const std::string first = keys["sheets"][0]["answers"][0];
+    test::writeText(folder / "anna.json",
+                    R"({"version": 1, "sheet": 1, "answers": {"1": ")" + first.substr(0, first.find(' ')) + R"("}})");
+    test::writeText(folder / "ben.json", R"({"version": 1, "sheet": 2, "answers": {"1": "0"}})");
+    const std::vector<std::string> command{"grade",
+                                           (folder / "anna.json").string(),
+                                           (folder / "ben.json").string(),
+                                           "--sheets",
+                                           (folder / "sheets/keys/sheets.json").string(),
+                                           "-o",
+                                           (folder / "class").string()};
+    const auto graded = run(command);
+    ASSERT_EQ(graded.status, 0) << graded.err;
+    const auto json = nlohmann::json::parse(test::readText(folder / "class/class.json"));
+    EXPECT_EQ(json["students"][0]["points"], 2);
+    EXPECT_EQ(json["students"][1]["points"], 0);
+    EXPECT_TRUE(fs::exists(folder / "class/class.csv"));
+    EXPECT_TRUE(fs::exists(folder / "class/class.html"));
+
+    auto strict = command;
+    strict.insert(strict.end(), {"--pass", "30"});
+    EXPECT_EQ(run(strict).status, 1) << "ben has no point";
+    test::writeText(folder / "carl.json", "no JSON");
+    strict.insert(strict.begin() + 1, (folder / "carl.json").string());
+    const auto bad = run(strict);
+    EXPECT_EQ(bad.status, 3);
+    EXPECT_NE(bad.err.find("carl.json"), std::string::npos) << bad.err;
+    EXPECT_EQ(nlohmann::json::parse(test::readText(folder / "class/class.json"))["students"].size(), 2u);
+}
+
+TEST(Class, WrongUsageAndFilesThatAreNotThere) {
+    const test::TemporaryFolder folder;
+    EXPECT_EQ(run({"sheet", folder / "none", "-o", folder / "out"}).status, 3);
+    EXPECT_EQ(run({"sheet", folder / "none"}).status, 2);
+    EXPECT_EQ(run({"sheet", folder / "none", "-o", folder / "out", "--variants", "0"}).status, 2);
+    EXPECT_EQ(run({"grade", "-o", folder / "out"}).status, 2);
+    EXPECT_EQ(run({"grade", folder / "none.json", "-o", folder / "out"}).status, 3);
+    EXPECT_EQ(run({"grade", folder / "none.json", "-o", folder / "out", "--sheets", folder / "none"}).status, 3);
+    test::writeText(folder / "file", "");
+    test::writeText(folder / "a.json",
+                    R"({"version": 1, "lessons": {"pyramid": {"x": {"outcome": "open", "hints": 0, "tries": []}}}})");
+    EXPECT_EQ(run({"grade", folder / "a.json", "-o", folder / "file" / "out"}).status, 4);
+}
+
+}  // namespace
