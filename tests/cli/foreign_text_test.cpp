@@ -108,7 +108,8 @@ TEST_F(ForeignFiles, OfTheProgramsOwnAreReadOrRefusedWithoutACommandForTheTermin
     for (const std::string_view text : {kHostile, kSpelled}) {
         const std::string cues =
             file("c.cues", replaced("title = \"@\"\nminutes = 10\n[[cue]]\nname = \"@\"\ncaption = \"@\"\n"
-                                    "note = \"@\"\nask = \"@\"\nchoices = [\"@\"]\nright = \"@\"\nscene = \"@\"\nstage = \"@\"\n\"@\" = 1\n",
+                                    "note = \"@\"\nask = \"@\"\nchoices = [\"@\"]\nright = \"@\"\nscene = \"@\"\nstage "
+                                    "= \"@\"\n\"@\" = 1\n",
                                     text));
         for (const std::string& named : {cues, cues + ":" + std::string(text)})
             expectHarmless(run({"present", named}), named);
