@@ -124,11 +124,7 @@ TEST(Algorithm, EveryStageAndEveryAlternativeHasATextOfAFewLines) {
          [](Scene& s) { s.settings.depthFormat = DepthFormat::Reversed; }},
     }};
     std::set<std::string_view> titles;
-    for (int combination = 0; combination < 243; ++combination) {
-        Scene scene = test::pyramid();
-        scene.settings.width = scene.settings.height = 16;
-        for (int i = 0, rest = combination; i < 5; ++i, rest /= 3)
-            kChoices[std::size_t(i)][std::size_t(rest % 3)](scene);
+    const auto take = [&](const Scene& scene, int combination) {
         const FramePtr frame = test::frameOf(scene, setOf({BufferId::Color}));
         for (const StageId stage : kStages)
             for (const ElementKind kind :
@@ -140,8 +136,38 @@ TEST(Algorithm, EveryStageAndEveryAlternativeHasATextOfAFewLines) {
                 EXPECT_LE(algorithm->lines.size(), 15u) << algorithm->row->title << " " << combination;
                 titles.insert(algorithm->row->title);
             }
+    };
+    for (int combination = 0; combination < 243; ++combination) {
+        Scene scene = test::pyramid();
+        scene.settings.width = scene.settings.height = 16;
+        for (int i = 0, rest = combination; i < 5; ++i, rest /= 3)
+            kChoices[std::size_t(i)][std::size_t(rest % 3)](scene);
+        take(scene, combination);
     }
-    EXPECT_EQ(titles.size(), algorithmTable().size());
+    for (const Shading shading : {Shading::Flat, Shading::Phong}) {
+        Scene scene = test::pyramid();
+        scene.settings.width = scene.settings.height = 16;
+        scene.settings.model = Model::CookTorrance, scene.settings.shading = shading;
+        take(scene, 243);
+    }
+    // Every model has lines of its own; those of others wait for the next one.
+    const auto ofOthers = std::ranges::count_if(
+        algorithmTable(), [](const AlgorithmText& text) { return text.when.find("other") != text.when.npos; });
+    EXPECT_EQ(ofOthers, 2);
+    EXPECT_EQ(titles.size() + std::size_t(ofOthers), algorithmTable().size());
+}
+
+TEST(Algorithm, ATitleNamesTheModelThatItsLinesCompute) {
+    const auto titleOf = [](Model model, Shading shading, ElementKind kind) {
+        Scene scene = test::pyramid();
+        scene.settings.model = model, scene.settings.shading = shading;
+        return algorithmOf(*test::frameOf(scene, setOf({BufferId::Color})), StageId::Shading, kind)->row->title;
+    };
+    for (const auto& [model, name] : {std::pair(Model::BlinnPhong, "Blinn-Phong"), std::pair(Model::OpenGl, "OpenGL"),
+                                      std::pair(Model::CookTorrance, "Cook-Torrance")}) {
+        EXPECT_NE(titleOf(model, Shading::Phong, ElementKind::Polygon).find(name), std::string_view::npos) << name;
+        EXPECT_NE(titleOf(model, Shading::Flat, ElementKind::PolygonTerms).find(name), std::string_view::npos) << name;
+    }
 }
 
 TEST(Algorithm, IsWrittenAsTextWithTheLineMarkedAndAsLatex) {
