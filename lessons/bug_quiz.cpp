@@ -43,7 +43,7 @@ std::string box(bool ticked, std::string_view label) {
 
 std::string figure(const pipeline::Frame& frame, const pipeline::BufferName& name, std::string_view note = {}) {
     const pipeline::Tile whole{{0, 0}, {frame.scene().settings.width, frame.scene().settings.height}};
-    return figureHtml(frame, name, whole, {}, note);
+    return figureHtml(frame, name, whole, {}, {}, note);
 }
 
 // A buffer of each stage, and the first that is wrong where it is none of these.

@@ -36,11 +36,16 @@ std::string numberHtml(double value) {
 
 std::string cssColor(Color8 c) { return fmt::format("#{:02x}{:02x}{:02x}", c.r, c.g, c.b); }
 
-std::string pictureOf(const AnyBuffer& buffer, PaletteRange range, Tile part) {
+std::string pictureOf(const AnyBuffer& buffer, PaletteRange range, ShownChannel shown, Tile part) {
     pipeline::Buffer2D<Color8> picture(part.max - part.min, Color8(0));
+    const int channel = shown < ShownChannel::Luminance ? index(shown) : -1;
+    const auto colorAt = [&](std::size_t x, std::size_t y) {
+        if (channel < 0 || channel >= buffer.channels()) return elementColor(buffer, x, y, range);
+        return pipeline::paletteColor(buffer.info->palette, buffer.value(x, y, channel), range.first, range.last);
+    };
     for (int y = part.min.y; y < part.max.y; ++y)
         for (int x = part.min.x; x < part.max.x; ++x)
-            picture.at(glm::ivec2(x, y) - part.min) = elementColor(buffer, std::size_t(x), std::size_t(y), range);
+            picture.at(glm::ivec2(x, y) - part.min) = colorAt(std::size_t(x), std::size_t(y));
     return pngOf(picture);
 }
 
@@ -103,18 +108,20 @@ std::string legend(const pipeline::Frame& frame, const AnyBuffer& buffer, Palett
 }
 
 std::string pictureHtml(const pipeline::Frame& frame, const AnyBuffer& buffer, Tile part,
-                        const std::optional<glm::ivec2>& pixel, const std::string& caption) {
+                        const std::optional<glm::ivec2>& pixel, const std::string& caption, const BufferShown& look) {
     const glm::ivec2 size(int(buffer.columns()), int(buffer.rows()));
     const bool ofPixels = buffer.info->domain == Domain::Pixel;
     if (!ofPixels) part = {{0, 0}, size};
-    const PaletteRange range = fittingRange(buffer, statistics(buffer), frame.scene().settings.depthFormat);
+    const PaletteRange range = look.range
+                                   ? PaletteRange{(*look.range)[0], (*look.range)[1]}
+                                   : fittingRange(buffer, statistics(buffer), frame.scene().settings.depthFormat);
     // A tall one, as the faces of a shadow buffer below one another, is narrower: it has to fit on a sheet.
     const glm::dvec2 shown(part.max - part.min);
     const std::string narrow =
         shown.y > shown.x ? fmt::format(" style=\"max-width: {:.2f}rem\"", kTallest * shown.x / shown.y) : "";
     std::string html =
         fmt::format("<div class=picture{}><img src=\"{}\" alt=\"{}\">", narrow,
-                    pipeline::imageSource("png", pictureOf(buffer, range, part)),
+                    pipeline::imageSource("png", pictureOf(buffer, range, look.channel, part)),
                     pipeline::escapedHtml(pictureSentence(buffer, part, ofPixels ? pixel : std::nullopt)));
     if (pixel && ofPixels) {
         const glm::dvec2 at = 100.0 * (glm::dvec2(*pixel - part.min) + 0.5) / glm::dvec2(part.max - part.min);
@@ -161,11 +168,13 @@ std::string captionOf(const pipeline::BufferName& name, const std::string& meani
 }
 
 std::string bufferFigure(const pipeline::Frame& frame, const AnyBuffer& buffer, Tile part,
-                         const std::optional<glm::ivec2>& pixel, const std::string& meaning, std::string_view note) {
+                         const std::optional<glm::ivec2>& pixel, const std::string& meaning, const BufferShown& look,
+                         std::string_view note) {
     const std::string caption = captionOf(buffer.name, meaning, note);
     const Domain domain = buffer.info->domain;
     const bool isPicture = domain == Domain::Pixel || domain == Domain::Texel;
-    return "<figure>" + (isPicture ? pictureHtml(frame, buffer, part, pixel, caption) : tableHtml(buffer, caption)) +
+    return "<figure>" +
+           (isPicture ? pictureHtml(frame, buffer, part, pixel, caption, look) : tableHtml(buffer, caption)) +
            "</figure>\n";
 }
 
@@ -176,13 +185,13 @@ std::string comparedFigure(const BufferShown& view, const pipeline::BufferName& 
     const std::string& with = view.compared->with;
     if (with.starts_with(kBuffer)) {
         const auto other = pipeline::findBuffer(with.substr(kBuffer.size()));
-        return other ? figureHtml(frame, *other, part, pixel, "B") : std::string();
+        return other ? figureHtml(frame, *other, part, pixel, view, "B") : std::string();
     }
     if (!with.starts_with(kSetting) || pipeline::isDerived(name.id)) return {};
     const std::string change = with.substr(kSetting.size());
     ChangedFrames changed;
     const auto other = changed.frame(frame, std::span(&change, 1), frame.wanted(), stop);
-    return other ? figureHtml(**other, name, part, pixel, change) : std::string();
+    return other ? figureHtml(**other, name, part, pixel, view, change) : std::string();
 }
 
 }  // namespace
@@ -208,19 +217,19 @@ std::string figuresHtml(const PageState& state, const pipeline::FramePtr& whole,
         const bool isYetToCome = !frame->buffer(name) && whole->buffer(name);  // at the page's place in the frame
         if (hidden.hides(name) || isYetToCome) continue;
         // Of a view that is compared: A, B, or both where the window wipes, blinks or takes the difference.
-        const auto& compared = state.window.views[i].compared;
-        const std::string other = compared && compared->mode != "a"
-                                      ? comparedFigure(state.window.views[i], name, *frame, part, pixel, stop)
-                                      : std::string();
+        const BufferShown& view = state.window.views[i];
+        const auto& compared = view.compared;
+        const std::string other =
+            compared && compared->mode != "a" ? comparedFigure(view, name, *frame, part, pixel, stop) : std::string();
         if (compared && compared->mode == "b" && !other.empty()) {
             html += other;
             continue;
         }
         if (pipeline::isDerived(name.id)) {
             const auto made = derive(name, recipe, *frame, {.stop = stop});
-            if (made) html += bufferFigure(*frame, made->buffer, part, pixel, made->meaning, {});
+            if (made) html += bufferFigure(*frame, made->buffer, part, pixel, made->meaning, view, {});
         } else {
-            html += figureHtml(*frame, name, part, pixel);
+            html += figureHtml(*frame, name, part, pixel, view);
         }
         html += other;
     }
@@ -270,9 +279,9 @@ Tile partToShow(const pipeline::Frame& frame, std::span<const pipeline::BufferNa
 }
 
 std::string figureHtml(const pipeline::Frame& frame, const pipeline::BufferName& name, Tile part,
-                       const std::optional<glm::ivec2>& pixel, std::string_view note) {
+                       const std::optional<glm::ivec2>& pixel, const BufferShown& look, std::string_view note) {
     if (const auto buffer = frame.buffer(name))
-        return bufferFigure(frame, *buffer, part, pixel, std::string(buffer->info->meaning), note);
+        return bufferFigure(frame, *buffer, part, pixel, std::string(buffer->info->meaning), look, note);
     return "<figure><figcaption>" + captionOf(name, frame.whyAbsent(name), note) + "</figcaption></figure>\n";
 }
 

@@ -21,9 +21,10 @@ pipeline::Tile partToShow(const pipeline::Frame& frame, std::span<const pipeline
 
 // What a page shows of a buffer, as an element figure in HTML: that part of its picture with a ring around the picked
 // pixel and what its colours mean, or a table of what has no pixels; why there is none where the frame has none. note:
-// before its name, as of a comparison; may be empty.
+// before its name, as of a comparison; may be empty. look: its palette's range and the channel that is shown alone.
 std::string figureHtml(const pipeline::Frame& frame, const pipeline::BufferName& name, pipeline::Tile part,
-                       const std::optional<glm::ivec2>& pixel, std::string_view note = {});
+                       const std::optional<glm::ivec2>& pixel, const BufferShown& look = {},
+                       std::string_view note = {});
 
 // All figures of half a page, but for hidden buffers: of its views, with what they are compared with beside them.
 // Derived buffers are made; rays take their time.

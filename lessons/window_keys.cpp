@@ -44,6 +44,11 @@ constexpr std::array<KeyForm, 10> kViewForms{{{"shown", "channel", Form::Words},
                                               {"metric", "metric", Form::Words},
                                               {"difference", "difference", Form::Numbers}}};
 
+// Whether its colours depend on a range: not those of names, nor of bytes, which are colours as they are.
+bool hasPaletteRange(const pipeline::BufferInfo& info) {
+    return !isOfNames(info) && !(info.palette == pipeline::Palette::Color && info.element == pipeline::Element::UInt8);
+}
+
 std::string quoted(std::string_view words) {
     std::string text = "\"";
     for (const char c : words) {
@@ -202,7 +207,9 @@ private:
             add("buffer = " + quoted(buffers[i]), {});
             for (const KeyForm& form : kViewForms)
                 if (const Entry* entry = find(form.key))
-                    if (const auto value = ofView(entry->line(), i, buffers.size())) writeKey(form, *value);
+                    if (const auto value = ofView(entry->line(), i, buffers.size());
+                        value && (form.key != "range" || takesRange(buffers, i, entry->line())))
+                        writeKey(form, *value);
             if (const Entry* entry = find("zoom"))
                 if (const auto value = ofView(entry->line(), i, buffers.size())) writeZoom(*value);
         }
@@ -215,6 +222,19 @@ private:
         std::string text = "buffer";
         for (std::size_t i = 1; i < buffers; ++i) text += " | buffer";
         return text;
+    }
+    // A range is of one quantity: without ";" it is for the views of the first buffer that has a palette range, and for
+    // what has the same unit in the same palette.
+    static bool takesRange(const std::vector<std::string>& buffers, std::size_t view, const Line& value) {
+        if (separated(value, ";").size() > 1) return true;
+        const auto infoOf = [](const std::string& name) -> const pipeline::BufferInfo& {
+            return pipeline::bufferInfo(pipeline::findAnyBuffer(name)->id);
+        };
+        const auto first =
+            std::ranges::find_if(buffers, [&](const std::string& name) { return hasPaletteRange(infoOf(name)); });
+        if (first == buffers.end()) return view == 0;
+        const pipeline::BufferInfo &led = infoOf(*first), &own = infoOf(buffers[view]);
+        return own.palette == led.palette && own.unit == led.unit && own.element == led.element;
     }
     // A view's part of a value; nothing where it is empty.
     std::optional<Line> ofView(const Line& value, std::size_t view, std::size_t views) {

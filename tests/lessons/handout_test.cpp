@@ -156,6 +156,23 @@ TEST(HandoutFigure, ShowsThePartThatIsDrawnInThePicturesProportions) {
     EXPECT_EQ(withCorner.max, glm::ivec2(640, 480));
 }
 
+TEST(HandoutFigure, HasTheRangeAndTheChannelOfItsView) {
+    const pipeline::FramePtr frame =
+        frameOf(pyramidScene(), pipeline::setOf({pipeline::BufferId::ZView, pipeline::BufferId::Intensity}));
+    const pipeline::Tile whole{{0, 0}, {640, 480}};
+    BufferShown look;
+    const auto figure = [&](pipeline::BufferId id) { return figureHtml(*frame, {id}, whole, {}, look); };
+    const std::string fitted = figure(pipeline::BufferId::ZView), all = figure(pipeline::BufferId::Intensity);
+    look.range = {600, 1000};
+    const std::string ranged = figure(pipeline::BufferId::ZView);
+    EXPECT_TRUE(has(ranged, "600 <span")) << ranged.substr(ranged.find("<figcaption>"));
+    EXPECT_TRUE(has(ranged, "</span> 1000")) << ranged.substr(ranged.find("<figcaption>"));
+    EXPECT_NE(ranged.substr(0, ranged.find("<figcaption>")), fitted.substr(0, fitted.find("<figcaption>")));
+    look.channel = ShownChannel::Third;
+    look.range = {0, 175};
+    EXPECT_NE(figure(pipeline::BufferId::Intensity), all);
+}
+
 TEST(HandoutFigure, IsATableOfWhatHasNoPixelsAndAReasonWhereThereIsNothing) {
     pipeline::FrameRequest request;
     request.wanted = pipeline::setOf({pipeline::BufferId::PolygonsVerdict, pipeline::BufferId::VerticesWorld});

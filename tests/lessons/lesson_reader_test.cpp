@@ -51,6 +51,23 @@ TEST(LessonReader, GivesNamesToExpressions) {
     EXPECT_NE(errorsOf(withHeader("# One\nText.\n\nquestion: Is it {answer}?\nanswer: 1\n")), "");
 }
 
+// Depths have a range of their own, as n_dot_l has another; bytes that are colours have none.
+TEST(LessonReader, ARangeIsForTheViewsOfOneQuantity) {
+    const auto rangesOf = [](std::string_view keys) {
+        std::vector<double> ends;  // the last one of each view; NaN where it has none
+        const auto lesson =
+            parseLesson(withHeader("# One\n" + std::string(keys) + "\nText.\n"), "lesson.md", sceneNamed);
+        EXPECT_TRUE(lesson) << format(lesson.errors());
+        if (lesson)
+            for (const BufferShown& view : lesson->pages[0].first.state.window.views)
+                ends.push_back(view.range ? (*view.range)[1] : -1);
+        return ends;
+    };
+    EXPECT_EQ(rangesOf("buffers: color, z_view, n_dot_l.0\nrange: 600, 900\n"), (std::vector<double>{-1, 900, -1}));
+    EXPECT_EQ(rangesOf("buffers: n_dot_l.0, r_dot_v.0\nrange: 0, 1\n"), (std::vector<double>{1, 1}));
+    EXPECT_EQ(rangesOf("buffers: color, z_view\nrange: 0, 200; 600, 900\n"), (std::vector<double>{200, 900}));
+}
+
 TEST(LessonReader, ReadsHeaderPagesAndQuestions) {
     const auto lesson = parseLesson(withHeader("set: material.0.n = 6\n"
                                                "\n"
