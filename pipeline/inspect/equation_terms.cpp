@@ -224,8 +224,7 @@ Formula EquationTerms::numberOf(const Term& leaf, const Evaluation& e, const Lig
         case Shadow: {
             // Lit or not is no measure; a share of texels or samples is, with as many digits as the dot products.
             const bool isShare = value != 0 && value != 1;
-            Formula shadow = isShare ? number(value, 4, "shadow." + k) : text(shortest(value), "shadow." + k);
-            return value == 0 ? struck(std::move(shadow)) : shadow;
+            return isShare ? number(value, 4, "shadow." + k) : text(shortest(value), "shadow." + k);
         }
         case Fading:
         case NDotV:
@@ -265,7 +264,7 @@ Formula EquationTerms::numbersOf(const Term& term, const Evaluation& e, const Li
     return {};
 }
 
-// What a clamp or a factor 0 removes is struck.
+// What a clamp removes is struck.
 void EquationTerms::appendNumbers(Factors product, const Evaluation& e, const LightReport* light,
                                   std::vector<Formula>& parts) const {
     NumberRow numbers(parts);

@@ -348,12 +348,13 @@ void fill(const FrameData<Real>& data, const Stop& stop, bool fragments, PixelRe
     const std::size_t lights = data.keys.shading.lights.size();
     for (std::size_t k = 0; k < lights; ++k)
         report.shadow.push_back(double(shadowAt(data.keys.shading, data.shadingSources(), k, triangle, position)));
+    evaluateAll(data, triangle, b, report);
     if (modelFacts(data.keys.shading.illumination.model).shadows)
         for (std::size_t k = 0; k < lights; ++k)
-            report.shadowPlaces.push_back(data.keys.shading.parts.of(Part::Light, k)
-                                              ? shadowPlace(data.keys.shading.lights[k], report.shadow[k])
-                                              : kNotLookedFor);
-    evaluateAll(data, triangle, b, report);
+            report.shadowPlaces.push_back(
+                data.keys.shading.parts.of(Part::Light, k)
+                    ? placeInLight(report.evaluations, data.keys.shading.lights[k], k, report.shadow[k])
+                    : kNotLookedFor);
     sumUp<Real>(report, lights);
 }
 

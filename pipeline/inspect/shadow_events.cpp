@@ -109,10 +109,10 @@ std::vector<std::string> shadowEvents(const FrameData<Real>& data, std::uint32_t
         if (!light.castsShadow) continue;
         const double factor = double(shadowAt(inputs, sources, k, triangle, position));
         std::string text;
-        if (isMean(inputs, k)) {
-            text = shadowPlace(light, factor);
-        } else if (!(glm::dot(normal, towardsLight(light, position)) > 0)) {
+        if (!(glm::dot(normal, towardsLight(light, position)) > 0)) {
             text = "the polygon faces away: only the ambient term";
+        } else if (isMean(inputs, k)) {
+            text = shadowPlace(light, factor);
         } else if (looksUp(data, k)) {
             const ShadowDepths found = compare(data.shadowBuffer->lights[k][0], inputs.shadow, position, normal);
             text = comparisonOf(found) + (found.shadowed ? ": in shadow, only the ambient term" : ": lit");
@@ -124,6 +124,12 @@ std::vector<std::string> shadowEvents(const FrameData<Real>& data, std::uint32_t
         events.push_back(fmt::format("light {}: {}", k, text));
     }
     return events;
+}
+
+std::string placeInLight(const std::vector<Evaluation>& evaluations, const Light& light, std::size_t k, double factor) {
+    const auto isTurnedAway = [k](const Evaluation& e) { return !(e.lights[k].nDotL > 0); };
+    return !evaluations.empty() && std::ranges::all_of(evaluations, isTurnedAway) ? "turned away"
+                                                                                  : shadowPlace(light, factor);
 }
 
 #define SHADESCOPE_INSTANTIATE(Real)                                                                                   \

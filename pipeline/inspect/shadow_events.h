@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "pipeline/inspect/pixel_report.h"
 #include "pipeline/run/frame_data.h"
 
 namespace pipeline {
@@ -17,6 +18,9 @@ std::vector<std::string> shadowEvents(const FrameData<Real>& data, std::uint32_t
 
 // What is said of a light that adds nothing, for which nobody looks.
 inline constexpr const char* kNotLookedFor = "not looked for: the light adds nothing";
+
+// Where a surface is in a light: "turned away" where N·L is above 0 in none of its evaluations, else as shadowPlace says.
+std::string placeInLight(const std::vector<Evaluation>& evaluations, const Light& light, std::size_t k, double factor);
 
 // The two depths that say whether a point of a triangle is lit, in the same numbers: "z' 2.000000 > Z'[12][44] 0.000000 +
 // 0.02". Nothing where it faces away, where a light has no shadow buffer, and where S is a mean of several answers.

@@ -223,6 +223,20 @@ TEST(PixelReport, CallsNothingLitByALightThatAddsNothing) {
     }
 }
 
+// A light behind the pyramid: N·L is below 0 on every face that the viewer sees. That is no shadow, and S is no clamp.
+TEST(PixelReport, ASurfaceThatFacesAwayFromALightIsTurnedAway) {
+    for (const LightKind kind : {LightKind::AtInfinity, LightKind::Point, LightKind::Area}) {
+        Scene scene = test::pyramid();
+        scene.lights[0].kind = kind;
+        scene.lights[0].position = {-4000, -4000, -4000};
+        const FramePtr frame = test::frameOf(scene);
+        const PixelReport report = inspectPixel(*frame, {268, 281});
+        ASSERT_TRUE(report.covered);
+        EXPECT_EQ(report.shadowPlaces, std::vector<std::string>{"turned away"});
+        EXPECT_EQ(toText(*frame, report).find("umbra"), std::string::npos);
+    }
+}
+
 TEST(PixelReport, AgreesWithTheFramesBuffers) {
     for (unsigned seed = 0; seed < 12; ++seed) {
         const Scene scene = test::randomScene(seed);
