@@ -1,12 +1,24 @@
 #include "pipeline/inspect/equation_terms.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 
 #include "pipeline/inspect/formula_parts.h"
 
 namespace pipeline {
 namespace {
+
+// Of a setting, or of a product of two: 15 digits give back every decimal number that was written, and none of the noise
+// of a product (1.1 · 0.2).
+std::string settingText(double value) {
+    double rounded = value;
+    const std::string digits = fmt::format("{:.15g}", value);
+    std::from_chars(digits.data(), digits.data() + digits.size(), rounded);
+    return shortest(rounded);
+}
 
 using TermKind = Term::Kind;
 
@@ -224,7 +236,7 @@ Formula EquationTerms::numberOf(const Term& leaf, const Evaluation& e, const Lig
         case Shadow: {
             // Lit or not is no measure; a share of texels or samples is, with as many digits as the dot products.
             const bool isShare = value != 0 && value != 1;
-            return isShare ? number(value, 4, "shadow." + k) : text(shortest(value), "shadow." + k);
+            return isShare ? number(value, 4, "shadow." + k) : text(settingText(value), "shadow." + k);
         }
         case Fading:
         case NDotV:
@@ -235,8 +247,8 @@ Formula EquationTerms::numberOf(const Term& leaf, const Evaluation& e, const Lig
         case NDotH: return number(light->nDotH, 4, "n_dot_h." + k);
         case Mirror:
             return halfway() ? number(light->nDotH, 4, "n_dot_h." + k) : number(light->rDotV, 4, "r_dot_v." + k);
-        case Exponent: return text(shortest(value), materialKey("n"));
-        default: return text(shortest(value));
+        case Exponent: return text(settingText(value), materialKey("n"));
+        default: return text(settingText(value));
     }
 }
 

@@ -223,6 +223,16 @@ TEST(PixelReport, CallsNothingLitByALightThatAddsNothing) {
     }
 }
 
+// 1.1 · 0.2 is 0.22000000000000003 in double.
+TEST(PixelReport, AProductOfSettingsIsWrittenWithoutItsRounding) {
+    Scene scene = test::pyramid();
+    scene.lights[0].intensity = 1.1, scene.lights[0].color = Vec3d(0.2);
+    const FramePtr frame = test::frameOf(scene);
+    const std::string text = toText(*frame, inspectPixel(*frame, {268, 281}));
+    EXPECT_NE(text.find("1·0.22 ["), std::string::npos) << text;
+    EXPECT_EQ(text.find("0.2200000"), std::string::npos) << text;
+}
+
 // A light behind the pyramid: N·L is below 0 on every face that the viewer sees. That is no shadow, and S is no clamp.
 TEST(PixelReport, ASurfaceThatFacesAwayFromALightIsTurnedAway) {
     for (const LightKind kind : {LightKind::AtInfinity, LightKind::Point, LightKind::Area}) {
