@@ -84,6 +84,40 @@ bool shadowExplains(const ReadFile& file, const Reference& reference, std::size_
     return !open.empty() && open[i] != 0;
 }
 
+// Whether an edge of a shadow of theirs is near: where they have none, a shadow is missing and no edge has moved.
+class TheirShadows {
+public:
+    TheirShadows(const ReadFile& file, const Values& right, const Reference& reference, Measure measure,
+                 double tolerance)
+        : m_reference(reference), m_columns(right.columns) {
+        const bool isS = file.file->name.buffer.id == Shadow;
+        if (reference.shadowed.empty() || !isLit(file.file->name.buffer.id)) return;
+        m_shadowed.assign(right.count(), kUnknown);
+        for (std::size_t i = 0; i < right.count(); ++i) {
+            if (!file.mine.there[i] || !right.there[i]) continue;
+            if (!isS && reference.shadowContrast[i] < kLeastContrast) continue;
+            const double allowed = file.mine.allowed(i, tolerance);
+            const bool close = differenceAt(measure, file.mine, right, i) <= allowed;
+            m_shadowed[i] = close == (reference.shadowed[i] != 0);
+        }
+    }
+    bool isEdgeNear(std::size_t i) const {
+        if (m_reference.grazing[i]) return true;
+        const int x = int(i % m_columns), y = int(i / m_columns), rows = int(m_shadowed.size() / m_columns);
+        for (int v = std::max(0, y - kShadowBand); v <= std::min(rows - 1, y + kShadowBand); ++v)
+            for (int u = std::max(0, x - kShadowBand); u <= std::min(int(m_columns) - 1, x + kShadowBand); ++u)
+                if (m_shadowed[std::size_t(v) * m_columns + std::size_t(u)] == m_reference.shadowed[i]) return true;
+        return false;
+    }
+
+private:
+    static constexpr std::uint8_t kUnknown = 2;
+    static constexpr double kLeastContrast = 8;  // of 255
+    const Reference& m_reference;
+    std::size_t m_columns;
+    std::vector<std::uint8_t> m_shadowed;  // as theirs is
+};
+
 // Elements that right renderers need not agree on. saysDrawn: the file tells by itself where something is drawn.
 bool isLeft(const ReadFile& file, const Reference& reference, bool saysDrawn, std::size_t i) {
     const BufferName& name = file.file->name.buffer;
@@ -137,6 +171,7 @@ Finding compareValues(const ReadFile& file, const Values& right, const Reference
     double worst = -1, squares = 0;
     std::size_t numbers = 0;
     const OpenPixels open(reference);
+    const TheirShadows shadows(file, right, reference, row.measure, out.tolerance);
     const auto classify = [&](std::size_t i, double& difference) {
         const bool here = file.mine.there[i] != 0, there = right.there[i] != 0;
         difference = 0;
@@ -152,7 +187,7 @@ Finding compareValues(const ReadFile& file, const Values& right, const Reference
         }
         if (picture && !reference.outline.empty() && reference.outline[i] && neighbours.explain(i) && open.isOpen(i))
             return Class::Allowed;
-        if (shadowExplains(file, reference, i, allowed)) return Class::Allowed;
+        if (shadowExplains(file, reference, i, allowed) && shadows.isEdgeNear(i)) return Class::Allowed;
         if (isColor && isBlack(file.mine, i) && reference.context.covered[i]) return Class::Missing;
         if (isColor && !reference.context.covered[i]) return Class::Extra;
         if (!picture && !here) return Class::Left;  // a vertex without a place of theirs

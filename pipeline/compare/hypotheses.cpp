@@ -18,7 +18,7 @@ constexpr double kSameFloor = 0.35;     // tolerances: what rounding to bytes le
 constexpr double kClearlyBetter = 2;    // times as close as the next
 constexpr double kExplains = 20;        // times as close as the right renderer
 constexpr double kFits = 0.9;           // tolerances: what fits whatever the right renderer is off
-constexpr double kFitsAtMost = 3;       // tolerances: what fits, however far off the right renderer is
+constexpr double kFitsAtMost = 1.5;     // tolerances: what fits, however far off the right renderer is
 constexpr double kMissingCost = 100;    // tolerances
 constexpr double kTrimmedShare = 0.03;  // of the pixels that are wrong, the farthest: rasterizers differ
 constexpr double kNoise = 1;            // tolerances: what two right renderers differ by
@@ -144,7 +144,9 @@ public:
         Distances out(m_evidence.size(), {HUGE_VAL, HUGE_VAL});
         for (std::size_t i = 0; i < out.size(); ++i) {
             const Evidence& one = m_evidence[i];
-            if (one.file->name.buffer.id == BufferId::ShadowBuffer) {  // what it leads to tells more: S
+            // What a shadow buffer leads to, S, tells more; counts of fragments depend on who is cut where.
+            const BufferId id = one.file->name.buffer.id;
+            if (id == BufferId::ShadowBuffer || id == BufferId::Overdraw) {
                 out[i] = {0, 0};
                 continue;
             }
@@ -380,6 +382,14 @@ Suspects findSuspects(const Scene& scene, const Reference& reference, const Conv
     for (const std::vector<std::size_t>& files : focusOn(findings, *first.stage, first.wrongHere)) {
         Suspects focused = trial.judge(files, stop);
         if (!focused.candidates.empty() || focused.stopped) return focused;
+    }
+    // The picture alone: files may be written before the error is made, or after.
+    for (std::size_t i = 0; i < findings.size(); ++i) {
+        if (findings[i].name.buffer.id != BufferId::Color || findings[i].agrees) continue;
+        Suspects focused = trial.judge({i}, stop);
+        if (focused.stopped) return focused;
+        std::erase_if(focused.candidates, [&](const Candidate& c) { return c.error.stage != first.stage; });
+        if (focused.candidates.size() == 1) return focused.experiment.reset(), focused;
     }
     return out;
 }

@@ -12,7 +12,6 @@ namespace pipeline::foreign {
 
 namespace {
 
-constexpr int kShadowBand = 3;     // pixels around an edge of a shadow: texels of any resolution
 constexpr double kGrazing = 0.12;  // N·L of the plane below which a bias decides
 
 BufferSet allCompared() {
@@ -53,7 +52,7 @@ void findOutline(Reference& reference) {
 }
 
 // Where the S of a light is open.
-std::vector<std::uint8_t> openShadow(const Reference& reference, std::size_t light) {
+std::vector<std::uint8_t> openShadow(Reference& reference, std::size_t light) {
     const Values& s = reference.values.at("shadow." + std::to_string(light));
     const Values& l = reference.values.at("light_vector." + std::to_string(light));
     const Values& polygons = reference.values.at("polygon_id");
@@ -65,10 +64,12 @@ std::vector<std::uint8_t> openShadow(const Reference& reference, std::size_t lig
         const auto polygon = std::size_t(polygons.numbers[i]);
         const Vec3d plane = polygonNormal(*data.transform, polygon);
         const Vec3d towards(l.at(i)[0], l.at(i)[1], l.at(i)[2]);
-        open[i] =
-            glm::dot(plane, towards) < kGrazing || anyAround(i, kShadowBand, s.columns, s.rows, [&](std::size_t other) {
-                return covered[other] && std::abs(s.numbers[other] - s.numbers[i]) > 0.01;
-            });
+        const bool grazes = glm::dot(plane, towards) < kGrazing;
+        if (grazes) reference.grazing[i] = 1;
+        if (!grazes && s.numbers[i] < 0.5) reference.shadowed[i] = 1;
+        open[i] = grazes || anyAround(i, kShadowBand, s.columns, s.rows, [&](std::size_t other) {
+                      return covered[other] && std::abs(s.numbers[other] - s.numbers[i]) > 0.01;
+                  });
     }
     return open;
 }
@@ -79,6 +80,8 @@ void findShadows(Reference& reference) {
     reference.shadowOpen.resize(scene.lights.size());
     const Values& intensity = reference.values.at("intensity");
     reference.intensityLow = reference.intensityHigh = intensity;
+    reference.shadowed.assign(intensity.count(), 0), reference.grazing.assign(intensity.count(), 0);
+    reference.shadowContrast.assign(intensity.count(), 0);
     for (std::size_t k = 0; k < scene.lights.size(); ++k) {
         if (!scene.lights[k].castsShadow) continue;
         reference.shadowOpen[k] = openShadow(reference, k);
@@ -87,6 +90,8 @@ void findShadows(Reference& reference) {
             const auto whole = valuesIn(*reference.unshadowed, *findBuffer(term + std::to_string(k)));
             if (!whole) continue;
             for (std::size_t i = 0; i < here.count(); ++i) {
+                const double change = std::max({whole->at(i)[0], whole->at(i)[1], whole->at(i)[2]});
+                reference.shadowContrast[i] += 255 * change / reference.context.iMax;
                 if (!reference.shadowOpen[k][i]) continue;
                 for (int c = 0; c < 3; ++c) {
                     reference.intensityLow.at(i)[c] -= here.at(i)[c];

@@ -23,12 +23,18 @@ struct Reference {
     // Per light and pixel: whether right renderers may differ in S there, because an edge of a shadow is near or the
     // surface hardly faces the light. Empty where a light casts none.
     std::vector<std::vector<std::uint8_t>> shadowOpen;
+    // Per pixel: whether it is in a shadow; whether some light hardly falls on its plane, so that a bias decides; and by how
+    // much of 255 the lights that cast shadows may change its colour. Empty where no light casts one.
+    std::vector<std::uint8_t> shadowed, grazing;
+    std::vector<double> shadowContrast;
     // Per pixel, of color and intensity: the values between which they are right as far as S is open. Empty where no S is.
     Values colorLow, colorHigh, intensityLow, intensityHigh;
 };
 
 // In double, with nothing left out, sampled where their pixels are: what is compared with.
 std::shared_ptr<const Scene> referenceScene(Scene scene, PixelCorner corner = PixelCorner::None);
+
+inline constexpr int kShadowBand = 3;  // pixels around an edge of a shadow: texels of any resolution
 
 // The values of one buffer of a frame; nothing where it has none.
 std::optional<Values> valuesIn(const Frame& frame, const BufferName& name);

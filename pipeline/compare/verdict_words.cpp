@@ -17,6 +17,8 @@ std::string_view words(Standing standing) {
 }
 
 std::string headline(const Report& report) {
+    if (report.agrees() && report.options.strict && report.conventionsDiffer())
+        return "Everything handed in agrees but for its conventions, which count as errors.";
     if (report.agrees()) return "Everything handed in agrees.";
     if (report.options.hints < 1) return "Something differs.";
     const bool two = report.suspects && report.suspects->candidates.size() > 1;
@@ -49,7 +51,8 @@ std::string evidence(const Report& report) {
     }
     const Finding* const first = report.firstDifference();
     if (!first || report.options.hints < 1) return {};
-    return fmt::format("{}: {}.", first->name.text(), findingText(*first));
+    const std::string text = fmt::format("{}: {}.", first->name.text(), findingText(*first));
+    return first->nan == 0 ? text : fmt::format("{} {} of its numbers are NaN.", text, first->nan);
 }
 
 std::vector<std::string> hints(const Report& report) {

@@ -147,6 +147,52 @@ TEST(Compare, idsFromOneSignsOfZAndDotProductsCutOffAreNoErrors) {
     EXPECT_EQ(conventionOf(report, "n_dot_l.0", "dot_products"), "cut-at-0");
 }
 
+TEST(Compare, aBackgroundThatIsNotBlackAndYUpwardsWithTheRowsAreNoErrors) {
+    const Handed handed;
+    test::Npy color = handed.all("color"), ids = handed.all("polygon_id"), screen = handed.all("vertices.screen");
+    for (std::size_t i = 0; i < ids.values.size(); ++i)
+        for (std::size_t c = 0; c < 3 && ids.values[i] < 0; ++c) color.values[3 * i + c] = c == 2 ? 77 : 51;
+    for (std::size_t i = 1; i < screen.values.size(); i += 3)
+        screen.values[i] = double(color.shape[0]) - screen.values[i];
+    handed.give("color", turned(color));
+    handed.give("vertices.screen", screen);
+    const Json report = handed.json();
+    EXPECT_EQ(report["exit"], 0) << report["headline"];
+    EXPECT_EQ(conventionOf(report, "vertices.screen", "screen"), "y-up");
+}
+
+TEST(Compare, aShadowThatIsMissingIsNoEdgeThatHasMoved) {
+    const Handed right, wrong({"light.0.shadow=off", "light.1.shadow=off"});
+    right.give("color", wrong.all("color"));
+    EXPECT_EQ(right.json({"--no-known"})["exit"], 1);
+}
+
+TEST(Compare, aShadowBufferIsComparedInItsOwnFrameOrNotAtAll) {
+    const Handed handed;
+    test::Npy buffer = handed.all("shadow_buffer.0"), other = buffer;
+    const std::size_t side = buffer.shape[0];
+    ASSERT_EQ(buffer.shape, (std::vector<std::size_t>{side, side}));
+    for (std::size_t y = 0; y < side; ++y)  // x and y exchanged, and depth counted from elsewhere in another unit
+        for (std::size_t x = 0; x < side; ++x) other.values[x * side + y] = 2.5 * buffer.values[y * side + x] - 7;
+    handed.give("shadow_buffer.0", other);
+    handed.give("color", handed.all("color"));
+    EXPECT_EQ(handed.json()["exit"], 0);
+    for (std::size_t i = 0; i < other.values.size(); ++i) other.values[i] = double(i * 7919 % 1009);
+    handed.give("shadow_buffer.0", other);
+    const auto done = handed.compare();
+    EXPECT_EQ(done.status, 0);
+    EXPECT_TRUE(test::has(done.out, "is not compared")) << done.out;
+}
+
+TEST(Compare, aBufferThatAgreesTakesNoNameAway) {
+    const Handed right, wrong({"shading=gouraud"});
+    for (const char* name : {"overdraw", "object_id", "position", "shadow_buffer.0"}) right.give(name, right.all(name));
+    right.give("color", wrong.all("color"));
+    const Json report = right.json();
+    ASSERT_EQ(report["known"].size(), 1u) << report.dump(1);
+    EXPECT_EQ(report["known"][0]["id"], "gouraud-for-phong");
+}
+
 TEST(Compare, mineTomlOverridesWhatIsFound) {
     const Handed handed;
     handed.give("color", turned(handed.all("color")));
