@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lessons/attempt.h"
+#include "lessons/expression/changed_frames.h"
 #include "lessons/lesson.h"
 #include "pipeline/export/json.h"
 #include "pipeline/run/runner.h"

@@ -2,7 +2,6 @@
 
 #include "app/web/core/core.h"
 #include "app/web/core/scene_text.h"
-#include "lessons/expression/changed_frames.h"
 #include "lessons/hidden.h"
 #include "lessons/live_text.h"
 #include "pipeline/core/text.h"
