@@ -100,7 +100,7 @@ function orderList(question) {
   const move = (row, by) => {
     const rows = [...list.children], to = rows.indexOf(row) + by;
     if (to < 0 || to >= rows.length) return;
-    const held = document.activeElement;
+    /** @type {any} */ const held = document.activeElement;
     by < 0 ? rows[to].before(row) : rows[to].after(row);
     held?.focus();  // moving a node takes the focus from it
     say(`${one('.words', row).textContent}, ${to + 1} of ${rows.length}`);
