@@ -91,7 +91,10 @@ int runCli(int argc, const char* const* argv, const CliHost& host) {
             program.exit(error);
             return flushed(kDone);
         }
-        tell("shadescope: {}\nRun shadescope --help to see what there is.\n", pipeline::escaped(error.what()));
+        const std::string_view first = argc > 1 ? argv[1] : "";
+        const bool isOfCommand = std::ranges::find(kCommands, first, &Command::name) != kCommands.end();
+        tell("shadescope: {}\nRun shadescope {}{}--help to see what there is.\n", pipeline::escaped(error.what()),
+             isOfCommand ? first : "", isOfCommand ? " " : "");
         return kWrongUsage;
     } catch (const std::system_error& error) {  // say() has no other way
         // A thread that cannot begin has no memory for its stack.

@@ -4,7 +4,9 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <charconv>
+#include <cstdio>
 
 #include "app/cli/cli.h"
 #include "app/cli/cue_check.h"
@@ -13,6 +15,7 @@
 #include "lessons/state/state_scene.h"
 #include "pipeline/core/text.h"
 #include "pipeline/formats/no_memory.h"
+#include "pipeline/formats/toml_scene.h"
 #include "pipeline/plan/memory_limit.h"
 #include "pipeline/scene/key_places.h"
 #include "pipeline/scene/settings_table.h"
@@ -32,6 +35,21 @@ pipeline::KeyPlaces optionsOf(const SceneArgument& argument) {
     for (const std::string& assignment : argument.set)
         places.add(std::string(pipeline::assignedKey(assignment)), {"--set " + assignment, 0, 0});
     return places;
+}
+
+// Of a scene in TOML; in standard input there is no folder for files beside it.
+pipeline::Result<Scene> readStandardInput(const pipeline::ReadProgress& progress) {
+    std::string text;
+    std::array<char, 1 << 16> part;
+    while (text.size() <= pipeline::kMaxTomlBytes && !progress.stop.stop_requested()) {
+        const std::size_t count = std::fread(part.data(), 1, part.size(), stdin);
+        if (count == 0) break;
+        text.append(part.data(), count);
+    }
+    const pipeline::FileLoader none = [](std::string_view) -> pipeline::Result<pipeline::NamedFile> {
+        return pipeline::Error{{}, "the scene names a file", "a scene that needs none, or the scene as a file"};
+    };
+    return readTomlScene({text, "standard input", progress}, none);
 }
 
 pipeline::Result<Scene> applySettings(Scene scene, const SceneArgument& argument) {
@@ -56,7 +74,9 @@ pipeline::Result<Scene> applySettings(Scene scene, const SceneArgument& argument
 }  // namespace
 
 void declareSceneArgument(CLI::App& command, SceneArgument& argument, SceneArgument::Need need) {
-    command.add_option("SCENE", argument.scene, "A scene file, or the name of a built-in scene")
+    command
+        .add_option("SCENE", argument.scene,
+                    "A scene file, or the name of a built-in scene; - reads a scene in TOML from standard input")
         ->required(need == SceneArgument::Need::Always);
     command.add_option("--size", argument.size, "Size of the picture in pixels")->type_name("WxH");
     command.add_option("--set", argument.set, "Change a setting of the scene; may be repeated; plan --json lists them")
@@ -72,8 +92,9 @@ std::shared_ptr<const Scene> loadScene(const SceneArgument& argument, const pipe
         return nullptr;
     };
     const pipeline::ReadProgress progress{{}, stop};
-    auto read = argument.state ? sceneOf(*argument.state, argument.folder, progress)
-                               : lessons::readNamedScene(argument.scene, {}, progress);
+    auto read = argument.state          ? sceneOf(*argument.state, argument.folder, progress)
+                : argument.scene == "-" ? readStandardInput(progress)
+                                        : lessons::readNamedScene(argument.scene, {}, progress);
     if (stop.stop_requested()) {
         tell("Cancelled.\n");
         status = kInterrupted;

@@ -12,6 +12,22 @@ using test::has;
 using test::run;
 using test::scene;
 
+TEST(Commands, ASceneComesFromStandardInput) {
+    const auto piped = test::runReading(scene("lambert.toml"), {"inspect", "-", "--pixel", "320,240"});
+    EXPECT_EQ(piped.status, 0) << piped.err;
+    EXPECT_EQ(piped.out, run({"inspect", "lambert", "--pixel", "320,240"}).out);
+    const auto other = test::runReading(scene("pyramid.des"), {"inspect", "-", "--pixel", "320,240"});
+    EXPECT_EQ(other.status, 3);
+    EXPECT_TRUE(has(other.err, "standard input:")) << other.err;
+}
+
+TEST(Commands, AUsageErrorPointsToTheHelpOfItsCommand) {
+    const auto wrong = run({"inspect", "pyramid", "--nothing"});
+    EXPECT_EQ(wrong.status, 2);
+    EXPECT_TRUE(has(wrong.err, "\nRun shadescope inspect --help to see what there is.\n")) << wrong.err;
+    EXPECT_EQ(run({"inspect", "--help"}).status, 0);
+}
+
 TEST(Program, HelpAndVersionGoToStandardOutput) {
     for (const char* option : {"-h", "--help"}) {
         const auto done = run({option});

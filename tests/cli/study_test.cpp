@@ -256,7 +256,7 @@ TEST(StudyCommand, saysWhatIsWrong) {
         for (const char* value : {"0", "-1", "nan", "inf", "1e999", "x", ""})
             EXPECT_EQ(message({"--sweep", "shading", limit, value}, 2),
                       std::string("shadescope: ") + limit + ": found \"" + value +
-                          "\", expected a number above 0\nRun shadescope --help to see what there is.\n");
+                          "\", expected a number above 0\nRun shadescope study --help to see what there is.\n");
     EXPECT_NE(test::run({"study", "pyramid", "--sweep", "shading"}).err.find("--output is required"),
               std::string::npos);
     EXPECT_NE(test::run({"study", "merge", "a.json"}).err.find("--output is required"), std::string::npos);
