@@ -78,10 +78,11 @@ QWidget* CheckPanel::makeLeft() {
     m_command->setObjectName("checkCommand");
     m_command->setProperty("tone", 2);
     m_command->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_command->setMinimumWidth(1);  // its words are no reason for a wide window
     auto* foot = new QHBoxLayout;
     for (QPushButton* button : {m_runAll, m_runOne, m_copy}) foot->addWidget(button);
-    foot->addStretch(1);
-    foot->addWidget(m_command);
+    m_command->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    foot->addWidget(m_command, 1);
     auto* column = new QVBoxLayout(content);
     column->addWidget(m_head);
     column->addWidget(m_bar);
@@ -133,7 +134,9 @@ QWidget* CheckPanel::makeRight() {
         column->setContentsMargins(0, 0, 0, 0);
         m_message->setContentsMargins(margin, 0, margin, 0);
     });
-    return surface(content, this);
+    auto* area = scrolling(content, this);
+    followTheme(area, [area, content] { area->setMinimumWidth(content->minimumSizeHint().width()); });
+    return surface(area, this);
 }
 
 const Case& CheckPanel::chosenCase() const { return caseTable()[m_selected]; }

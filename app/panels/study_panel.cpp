@@ -3,7 +3,6 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QPushButton>
-#include <QScrollArea>
 #include <QSplitter>
 #include <QVBoxLayout>
 
@@ -98,11 +97,7 @@ QWidget* StudyPanel::makeLeft() {
     column->addStretch(1);
     connect(open, &QPushButton::clicked, this, &StudyPanel::openFile);
     connect(m_export, &QPushButton::clicked, this, &StudyPanel::exportFiles);
-    auto* area = new QScrollArea(this);
-    area->setFocusPolicy(Qt::NoFocus);
-    area->setWidget(content);
-    area->setWidgetResizable(true);
-    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    auto* area = scrolling(content, this);
     followTheme(content, [column, area] {
         const Theme& theme = Theme::current();
         column->setContentsMargins(theme.px(12), theme.px(12), theme.px(12), theme.px(12));
@@ -127,11 +122,12 @@ QWidget* StudyPanel::makeMiddle() {
 QWidget* StudyPanel::makeRight() {
     auto* splitter = new QSplitter(Qt::Vertical, this);
     m_points = new StudyPoints(splitter);
-    m_details = new StudyDetails(splitter);
+    m_details = new StudyDetails;
     splitter->addWidget(surface(m_points, splitter));
-    splitter->addWidget(surface(m_details, splitter));
+    splitter->addWidget(surface(scrolling(m_details, splitter), splitter));
     splitter->setChildrenCollapsible(false);
-    followTheme(splitter, [splitter] { splitter->setMinimumWidth(Theme::current().px(420)); });
+    // With the left side and the plot it fits a screen of 1280 by 720 in the projector's letters.
+    followTheme(splitter, [splitter] { splitter->setMinimumWidth(Theme::current().px(300)); });
     return splitter;
 }
 

@@ -14,7 +14,7 @@ namespace app {
 
 PictureFrame::PictureFrame(QWidget* parent) : QWidget(parent) {
     followTheme(this, [this] {
-        setMinimumSize(Theme::current().px(120), Theme::current().px(120));
+        setMinimumSize(Theme::current().px(80), Theme::current().px(100));
         update();
     });
 }

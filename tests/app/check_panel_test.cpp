@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/core/theme.h"
 #include "app/panels/check_cases.h"
 #include "app/panels/check_knob.h"
 #include "app/panels/check_pictures.h"
@@ -63,6 +64,18 @@ CaseResult resultOf(std::size_t which, bool holds) {
 }
 
 }  // namespace
+
+TEST_F(CheckPanelTest, FitsASmallScreenInEveryTheme) {
+    panel.show();
+    for (const app::ThemeId theme : {app::ThemeId::Dark, app::ThemeId::Projector, app::ThemeId::Light}) {
+        app::Theme::current().set(theme);
+        QCoreApplication::sendPostedEvents();
+        panel.resize(1280, 720);
+        QCoreApplication::processEvents();
+        EXPECT_EQ(panel.size(), QSize(1280, 720)) << int(theme) << ": the least is " << panel.minimumSizeHint().width()
+                                                  << " by " << panel.minimumSizeHint().height();
+    }
+}
 
 TEST_F(CheckPanelTest, RunsAllCasesWhenItIsFirstShown) {
     panel.show();

@@ -13,6 +13,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "app/core/theme.h"
 #include "app/panels/study_choice.h"
 #include "app/panels/study_details.h"
 #include "app/panels/study_pictures.h"
@@ -68,6 +69,18 @@ struct StudyPanelTest : testing::Test {
 };
 
 }  // namespace
+
+TEST_F(StudyPanelTest, FitsASmallScreenInEveryTheme) {
+    panel.show();
+    for (const app::ThemeId theme : {app::ThemeId::Dark, app::ThemeId::Projector, app::ThemeId::Light}) {
+        app::Theme::current().set(theme);
+        QCoreApplication::sendPostedEvents();
+        panel.resize(1280, 720);
+        QCoreApplication::processEvents();
+        EXPECT_EQ(panel.size(), QSize(1280, 720)) << int(theme) << ": the least is " << panel.minimumSizeHint().width()
+                                                  << " by " << panel.minimumSizeHint().height();
+    }
+}
 
 // A window of its own, which the keyboard goes through and out of its tables again.
 TEST_F(StudyPanelTest, HasATitleAndKeepsNoFocusInATable) {
