@@ -46,11 +46,12 @@ std::string blockText(const Json& json) {
     return out;
 }
 
-// The rows of the table that the page's engine names; their sources stay in the program.
-std::string misconceptionRows() {
+// The rows of the table that the lesson names; their sources stay in the program.
+std::string misconceptionRows(std::string_view lesson) {
     std::string text = "| id | name | stage | defect | source |\n|---|---|---|---|---|\n";
     for (const Misconception& row : misconceptions().rows)
-        text += fmt::format("| {} | {} | {} |  |  |\n", row.id, row.name, row.stage);
+        if (lesson.find(row.id) != lesson.npos)
+            text += fmt::format("| {} | {} | {} |  |  |\n", row.id, row.name, row.stage);
     return text;
 }
 
@@ -97,7 +98,7 @@ Result<LivePage> makePage(const std::string& text, const fs::path& folder, const
     if (!read) return read.errors();
     Lesson lesson = std::move(read).value();
     lesson.folder = folder;
-    files["misconceptions.md"] = misconceptionRows();
+    files["misconceptions.md"] = misconceptionRows(text);
 
     auto handout = makeHandout(lesson, stop);
     if (!handout) return handout.errors();

@@ -77,6 +77,37 @@ try {
   expect('B is another picture of the same buffer', (await p.run(pixels(0))) !== (await p.run(pixels(1))));
   expect('and A stays', (await text('.side')) === 'A');
 
+  await p.run('(c => { c.value = ""; c.dispatchEvent(new Event("change")); })(document.querySelector("#compare"))');
+
+  // The algorithm's lines are the program's, at the same step.
+  const moment = 'z-buffer/polygon=2/row=270/x=258';
+  await p.run(`one('#algorithmbox').open = true, view.level = 4, step(0, ${JSON.stringify(moment)})`);
+  await p.until('document.querySelector(".code .now") !== null');
+  const told = JSON.parse(execFileSync(program, ['inspect', 'pyramid', '--step', moment, '--json'], { encoding: 'utf8' }));
+  const own = (told.algorithm?.lines ? told.algorithm : told).lines.map(line => line.text);
+  expect('the algorithm has the lines of the program', (await p.run('[...document.querySelectorAll(".code .text")].map(line => line.textContent.trim()).join("\\n")')) === own.map(line => line.trim()).join('\n'), await text('.code'));
+  expect('and its values', (await text('.code')).includes('polygon = 2'), await text('.code'));
+  await p.run('one("#algorithmbox").open = false, step(0, "shading")');
+
+  // Derived buffers are made of the frame.
+  await p.run('show(1, "z_ndc")');
+  expect('a derived buffer is shown', await p.run('document.querySelectorAll(".picture")[1].querySelector(".absent").hidden'), await text('.picture:last-child .absent'));
+  await p.run('show(1, "condition"), one("#condition").value = "n_dot_l.0 < 0.75", one("#condition").dispatchEvent(new Event("change"))');
+  const [met, all] = await p.run(`(() => { const holds = core.numbers(core.ask('buffer', 'condition', 0)), lit = core.numbers(core.ask('buffer', 'n_dot_l.0', 0)), ids = core.numbers(core.ask('buffer', 'polygon_id', 0)); let met = 0, all = 0; for (let i = 0; i < ids.length; ++i) if (ids[i] >= 0) ++all, met += (holds[i] === 1) === (lit[i] < 0.75) ? 1 : 0; return [met, all]; })()`);
+  expect('a condition is true where it holds', all > 2000 && met === all, [met, all]);
+  await p.run('one("#condition").value = "n_dot_l.0 <", one("#condition").dispatchEvent(new Event("change"))');
+  expect('what is no condition is told', await p.run('!document.querySelectorAll(".picture")[1].querySelector(".absent").hidden'));
+  await p.run('one("#condition").value = "", one("#condition").dispatchEvent(new Event("change")), show(1, "shadow_verdict.0")');
+  expect('and what the program alone makes', /Shadescope|shadow/.test(await text('.picture:last-child .absent')), await text('.picture:last-child .absent'));
+  await p.run('show(1, "polygon_id")');
+
+  // A planted defect is a setting as any other.
+  const right = await p.run(pixels(0));
+  await p.run('setSetting("defect", "y-down")');
+  expect('a planted defect changes the picture', (await p.run(pixels(0))) !== right);
+  await p.run('document.querySelector("#putback").click()');
+  expect('and goes again', (await p.run(pixels(0))) === right);
+
   expect('eval is refused', await p.run('(() => { try { (0, eval)("1"); return false; } catch { return true; } })()'));
   expect('fetch is refused', await p.run('fetch("https://example.org/").then(() => false, () => true)'));
   expect('an inline handler is refused', await p.run(`new Promise(done => { const box = document.createElement('div'); box.innerHTML = '<img src=x onerror="window.bad = 1">'; document.body.append(box); setTimeout(() => { box.remove(); done(!window.bad); }, 50); })`));

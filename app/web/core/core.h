@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lessons/attempt.h"
+#include "lessons/derived_buffer.h"
 #include "lessons/expression/changed_frames.h"
 #include "lessons/lesson.h"
 #include "pipeline/export/json.h"
@@ -29,6 +30,9 @@ struct ShownScene {
     pipeline::Moment moment;                 // where steps are
     pipeline::FramePtr atMoment;             // null at the end of the frame
     const pipeline::Frame& now() const { return atMoment ? *atMoment : *frame; }
+    // Derived buffers of the frame `derivedOf`, by name: those that were asked for.
+    std::map<std::string, lessons::DerivedBuffer> derived;
+    pipeline::FramePtr derivedOf;
 };
 
 // The open lesson.
@@ -47,6 +51,7 @@ struct LiveCore {
     ShownScene own;                                         // the reader's
     std::optional<ShownScene> other;                        // what it is compared with
     pipeline::BufferSet wanted;
+    lessons::DerivedRecipe recipe;  // of the buffers `condition`, `expression` and `mix`
     std::optional<OpenLesson> lesson;
 };
 LiveCore& core();
@@ -58,6 +63,9 @@ int giveText(std::string text);
 int refuse(const pipeline::Errors& errors);  // {"errors": [{file, line, column, found, expected, keys, text}]}
 int refuse(std::string found);
 const std::string& answer();
+
+// A buffer of what is shown, derived ones too; nothing, after the reason was given.
+std::optional<pipeline::AnyBuffer> bufferNamed(ShownScene& shown, std::string_view text);
 
 // What a page shows of every frame, beside the buffers of its views: ids to pick by, vertices to draw in space.
 pipeline::BufferSet shownAlways();

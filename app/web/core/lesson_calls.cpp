@@ -148,6 +148,8 @@ int givePage() {
               {"level", int(window.step)},
               {"pixel", window.pixel ? Json(*window.pixel) : Json()},
               {"channel", window.channel},
+              {"condition", window.condition},
+              {"mix", window.mix},
               {"buffers", buffers},
               {"in_play", settingsInPlay()},
               {"hidden", hiddenJson()},
@@ -217,8 +219,11 @@ WEB_CALL(page) int webPage(int number, int then) {
     };
     open.first = run(page().first, lessons::requestFor(page()));
     open.half = open.then ? run(*page().then, lessons::requestForThen(page())) : open.first;
-    core().own = {open.half->sharedScene(), open.half, nullptr, {}, nullptr};
+    core().own = {open.half->sharedScene(), open.half, nullptr, {}, nullptr, {}, nullptr};
     core().other.reset();
+    const lessons::WindowState& window = (open.then ? *page().then : page().first).state.window;
+    const auto mix = pipeline::parseMix(window.mix, open.half->scene().lights.size());
+    core().recipe = {window.condition, mix ? *mix : pipeline::TermMix()};
     const int given = givePage();
     core().own.frame.reset();  // the reader's own begins anew: it says what ran
     return given;

@@ -18,21 +18,7 @@ namespace {
 std::vector<std::uint8_t> s_pixels;  // RGBA of the last picture
 std::optional<AnyBuffer> s_buffer;   // keeps the memory that the page reads
 
-const ShownScene& shownOf(int which) { return which == 0 || !core().other ? core().own : *core().other; }
-
-// Nothing, after the reason was given.
-std::optional<AnyBuffer> bufferNamed(const pipeline::Frame& frame, std::string_view text) {
-    const auto name = pipeline::findBuffer(text);
-    if (!name) {
-        const bool isDerived = pipeline::findDerived(text).has_value();
-        refuse(isDerived ? "\"" + std::string(text) + "\" is a derived buffer: open the scene in Shadescope to see it."
-                         : "no buffer \"" + std::string(text) + "\"; " + pipeline::insteadOfBuffer(text));
-        return {};
-    }
-    auto buffer = frame.buffer(*name);
-    if (!buffer) refuse(frame.whyAbsent(*name));
-    return buffer;
-}
+ShownScene& shownOf(int which) { return which == 0 || !core().other ? core().own : *core().other; }
 
 Json placeJson(const AnyBuffer& buffer) {
     const void* start = std::visit([](const auto& span) { return static_cast<const void*>(span.data()); }, buffer.data);
@@ -98,24 +84,6 @@ void paint(const AnyBuffer& buffer, std::span<const T> numbers, pipeline::Tile p
 
 }  // namespace
 
-// What the frame has, and what it has not with the reason: every buffer that the scene can have.
-WEB_CALL(buffers) int webBuffers() {
-    const pipeline::Frame& frame = core().own.now();
-    Json list = Json::array();
-    for (const pipeline::BufferName& name : pipeline::allBuffers(frame.scene().lights.size())) {
-        const pipeline::BufferInfo& info = pipeline::bufferInfo(name.id);
-        static constexpr std::array<const char*, 4> kDomains{"vertex", "polygon", "pixel", "texel"};
-        list.push_back({{"name", name.text()},
-                        {"stage", pipeline::stageInfo(info.stage).label},
-                        {"domain", kDomains[std::size_t(info.domain)]},
-                        {"channels", info.channels},
-                        {"unit", info.unit},
-                        {"meaning", info.meaning},
-                        {"useless", whyUseless(frame.scene(), name.id)}});
-    }
-    return give(list);
-}
-
 // The names of the buffers that the frame holds.
 WEB_CALL(held) int webHeld() {
     Json list = Json::array();
@@ -125,7 +93,7 @@ WEB_CALL(held) int webHeld() {
 
 // The numbers themselves: pointer, shape, dtype. which: as of picture().
 WEB_CALL(buffer) int webBuffer(const char* text, int size, int which) {
-    s_buffer = bufferNamed(shownOf(which).now(), textAt(text, size));
+    s_buffer = bufferNamed(shownOf(which), textAt(text, size));
     return s_buffer ? give(placeJson(*s_buffer)) : 0;
 }
 
@@ -136,7 +104,7 @@ WEB_CALL(picture)
 int webPicture(const char* text, int size, int which, int channel, int own, double first, double last, int x, int y,
                int width, int height) {
     const pipeline::Frame& frame = shownOf(which).now();
-    const auto buffer = bufferNamed(frame, textAt(text, size));
+    const auto buffer = bufferNamed(shownOf(which), textAt(text, size));
     if (!buffer) return 0;
     const pipeline::BufferInfo& info = *buffer->info;
     const PaletteRange range = own ? PaletteRange{first, last} : rangeOf(*buffer, frame.scene().settings.depthFormat);

@@ -1,4 +1,5 @@
 #include "app/web/core/core.h"
+#include "pipeline/export/algorithm_json.h"
 #include "pipeline/export/formula_mathml.h"
 #include "pipeline/scene/topology.h"
 
@@ -64,6 +65,19 @@ WEB_CALL(step) int webStep(int level, int way, const char* text, int size) {
     }
     own.atMoment = own.moment == own.steps->last() ? nullptr : own.steps->frameAt(own.moment, 1);
     return give(lastStep(level));
+}
+
+// The algorithm of the stage, with its line and values at the step; at the end of the frame the text alone. stage: from 0.
+WEB_CALL(algorithm) int webAlgorithm(int stage) {
+    ShownScene& own = core().own;
+    if (stage < 0 || stage >= int(pipeline::kStageCount)) return refuse("no such stage");
+    if (!own.steps) {
+        own.steps = std::make_unique<pipeline::Steps>(own.frame);
+        own.moment = own.steps->last();
+    }
+    const auto state =
+        own.steps->algorithmAt(own.atMoment ? own.moment : pipeline::Moment{pipeline::StageId(stage), 0});
+    return state ? give(toJson(*state)) : give(nullptr);
 }
 
 // The vertices of every polygon, over all objects, and the object of each.

@@ -98,9 +98,12 @@ WEB_CALL(want) int webWant(const char* text, int size) {
         } else if (name == "every") {
             wanted.set();
         } else {
-            const auto found = pipeline::findBuffer(name);
-            if (!found) return refuse("no buffer \"" + std::string(name) + "\"; " + pipeline::insteadOfBuffer(name));
-            wanted.set(index(found->id));
+            const auto found = pipeline::findAnyBuffer(name);
+            if (!found) return refuse("no buffer \"" + std::string(name) + "\"; " + pipeline::insteadOfAnyBuffer(name));
+            if (!isDerived(found->id))
+                wanted.set(index(found->id));
+            else if (const auto needed = buffersFor(*found, core().recipe, *core().own.scene))
+                wanted |= *needed;  // else its picture says why
         }
     }
     if (const auto& open = core().lesson) {

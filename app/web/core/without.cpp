@@ -29,8 +29,15 @@ std::vector<BuiltInScene> builtInScenes() { return {}; }
 Result<Scene> readScene(const std::filesystem::path& file, const ReadProgress&) {
     return Error{{file.string(), 0, 0}, "not in this page", {}};
 }
-// A lesson may show them; the page then says that they are derived.
-std::string whyNoShadowVerdicts(const Scene&, std::size_t) { return {}; }
+std::string whyNoShadowVerdicts(const Scene&, std::size_t) {
+    return "The program alone casts exact rays: open the scene in Shadescope to see the verdicts.";
+}
+bool haveSameRays(const Scene&, const Scene&) { return false; }
+std::optional<ExactShadows> exactShadows(const Scene&, std::size_t, int, Stop, const std::function<void(double)>&) {
+    return {};
+}
+std::optional<ShadowVerdicts> judgeShadows(const Frame&, const ExactShadows&) { return {}; }
+AnyBuffer bufferOf(const ShadowVerdicts&) { return {}; }
 Result<std::filesystem::path> pathInFolder(const std::filesystem::path&, std::string_view, std::string_view) {
     return Error{{}, "not in this page", {}};
 }
