@@ -9,6 +9,7 @@
 #include "app/core/freed_aside.h"
 #include "app/core/mix_model.h"
 #include "app/core/pixel_inspection.h"
+#include "app/core/renderer_check.h"
 #include "app/core/scene_step.h"
 #include "app/core/shown_name.h"
 #include "app/core/stage_status.h"
@@ -46,6 +47,7 @@ Document::Document(QObject* parent) : QObject(parent) {
     m_mixer = std::make_unique<MixModel>(*this);
     m_derived = std::make_unique<DerivedBuffers>(*this);
     m_inspection = std::make_unique<PixelInspection>(*this);
+    m_renderer = std::make_unique<RendererCheck>(*this);
     constexpr int kRestMilliseconds = 200;
     m_moving.setSingleShot(true);
     m_moving.setInterval(kRestMilliseconds);
@@ -59,6 +61,7 @@ Document::Document(QObject* parent) : QObject(parent) {
 
 Document::~Document() {
     m_worker.reset();
+    m_renderer.reset();
     m_inspection.reset();
     m_derived.reset();
     m_mixer.reset();

@@ -25,6 +25,7 @@ namespace app {
 class DerivedBuffers;
 class MixModel;
 class PixelInspection;
+class RendererCheck;
 class SceneStep;
 
 // The value of a setting before the last change.
@@ -73,7 +74,9 @@ public:
     DerivedBuffers& derived() { return *m_derived; }
     const DerivedBuffers& derived() const { return *m_derived; }
     const MixModel& mixer() const { return *m_mixer; }
-    MixModel& mixer() { return *m_mixer; }  // the mix of the terms in the pictures
+    MixModel& mixer() { return *m_mixer; }             // the mix of the terms in the pictures
+    RendererCheck& renderer() { return *m_renderer; }  // another renderer, compared with this scene
+    const RendererCheck& renderer() const { return *m_renderer; }
     // The setting that the last step of undo changed, if it changed exactly one.
     std::optional<SettingChange> lastChange() const;
     // The scene before the last step of undo; a whole drag is one step. Null if there is none.
@@ -222,6 +225,7 @@ private:
     std::unique_ptr<MixModel> m_mixer;
     std::unique_ptr<DerivedBuffers> m_derived;
     std::unique_ptr<PixelInspection> m_inspection;
+    std::unique_ptr<RendererCheck> m_renderer;
 };
 
 }  // namespace app

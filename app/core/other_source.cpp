@@ -61,6 +61,7 @@ QString nameOf(const OtherSource& source) {
             return QString("%1 (%2)").arg(text, toQString(source.setting.setting->label).toLower());
         }
         case Kind::File: return shownName(source.file);
+        case Kind::Mine: return "my renderer";
     }
     return {};
 }
@@ -73,6 +74,7 @@ std::string keyOf(const OtherSource& source) {
         case Kind::Setting:
             return "setting " + source.setting.key() + '=' + formatSetting(source.setting, source.value);
         case Kind::File: return "file " + source.file.toStdString();
+        case Kind::Mine: break;  // its folder is no part of a state
     }
     return {};
 }
@@ -106,7 +108,8 @@ std::optional<BufferName> otherBuffer(const OtherSource& source, const BufferNam
         case Kind::Buffer: return source.buffer;
         case Kind::Before:
         case Kind::Setting: return shown;
-        case Kind::File: return std::nullopt;
+        case Kind::File:
+        case Kind::Mine: return std::nullopt;
         case Kind::PreviousStage: break;
     }
     // What stands on texels is another picture: the stage before it is taken.
@@ -122,7 +125,8 @@ ScenePtr otherScene(const OtherSource& source, const ScenePtr& scene, const Scen
         case Kind::Buffer:
         case Kind::PreviousStage: return scene;
         case Kind::Before: return before;
-        case Kind::File: return nullptr;
+        case Kind::File:
+        case Kind::Mine: return nullptr;
         case Kind::Setting: break;
     }
     if (!hasSetting(*scene, source.setting)) return nullptr;

@@ -17,6 +17,7 @@ struct OtherSource {
         Before,         // the same buffer before the last change of the scene
         Setting,        // the same buffer of another pipeline: with one setting changed
         File,           // a picture
+        Mine,           // what somebody else's renderer has left of it
     };
     Kind kind = Kind::Before;
     pipeline::BufferName buffer{pipeline::BufferId::Color};  // Buffer
@@ -29,7 +30,7 @@ struct OtherSource {
 // "gouraud (shading)", "before the last change", "diffuse.0", "reference.npy".
 QString nameOf(const OtherSource& source);
 
-// As a file has it: "before", "previous stage", "buffer z_view", "setting shading=gouraud", "file a.npy"; and again, for a
+// As a file has it, empty for Mine: "before", "previous stage", "buffer z_view", "setting shading=gouraud", "file a.npy"; and again, for a
 // scene that has the setting.
 std::string keyOf(const OtherSource& source);
 pipeline::Result<OtherSource> sourceNamed(std::string_view key, const pipeline::Scene& scene);

@@ -22,6 +22,9 @@ std::span<const ActionRow> actionTable() {
          "Saves a view in any size, on a transparent ground; the file opens the scene again."},
         {A::Film, "File", "Step film…", "", "Writes a buffer's build-up, step by step, as a GIF or as PNG files."},
         {A::Handout, "File", "Lesson as a handout…", "", "Writes the open lesson as pages for a browser."},
+        {A::CheckRenderer, "File", "Check my renderer…", "Ctrl+Shift+R",
+         "Choose the folder that your own renderer has written: which of its stages is the first that is wrong?", false,
+         true},
         {A::RestoreSession, "File", "Restore the session at start", "",
          "Begins the next time with what the window shows when it is closed.", true, true},
         {A::Close, "File", "Close", "Ctrl+W", "Closes the scene and shows the start page.", false, true},
@@ -116,6 +119,8 @@ std::span<const ActionRow> actionTable() {
 
         {A::GoToPixel, "Inspect", "Go to pixel…", "Ctrl+G", "Picks a pixel by its numbers."},
         {A::Unpick, "Inspect", "Pick nothing", "Ctrl+Shift+G", "Forgets the picked pixel."},
+        {A::WorstPixel, "Inspect", "Next worst pixel", "Alt+W",
+         "Pick the pixel at which your renderer differs most; again: the next one."},
         {A::Condition, "Inspect", "Condition…", "Ctrl+/",
          "Asks a question of every pixel: n_dot_l.0 > 0.9 && x < 300."},
         {A::RedChannel, "Inspect", "Equation in red", "Alt+R", "Writes the equation of the red part.", true, true},

@@ -168,6 +168,7 @@ void MainWindow::makeDocks() {
     auto* settings = findChild<SettingsPanel*>();
     connect(tree, &SceneTree::selected, settings, &SettingsPanel::select);
     connectLessons();
+    connectRenderer();
     auto* inspector = findChild<InspectorPanel*>();
     connect(inspector, &InspectorPanel::bufferAsked, m_views, &ViewArea::showBuffer);
     connect(inspector, &InspectorPanel::settingAsked, this, &MainWindow::showSetting);
@@ -351,6 +352,10 @@ void MainWindow::dropEvent(QDropEvent* event) {
     const auto refuse = [this](const QString& found, const QString& expected) {
         emit m_document.failed({{{}, found.toStdString(), expected.toStdString()}});
     };
+    QStringList paths;
+    for (const QUrl& url : urls)
+        if (url.isLocalFile()) paths += url.toLocalFile();
+    if (paths.size() == urls.size() && isRendererDrop(paths)) return checkRenderer(paths);
     if (urls.size() != 1) return refuse(tr("%1 files were dropped").arg(urls.size()), tr("one scene or model"));
     if (!urls.front().isLocalFile())
         return refuse(tr("%1 is no file of this machine").arg(urls.front().toDisplayString()),

@@ -27,6 +27,7 @@ class LessonPanel;
 class ManualWindow;
 class PanelDock;
 class PixelField;
+class RendererPanel;
 class Presentation;
 class SceneOpener;
 class Session;
@@ -72,6 +73,9 @@ public:
     void openLesson(const QString& name);
     // One that stands anywhere, by its folder. False when it cannot be read, or the scene on show is to stay.
     bool openLessonAt(const std::filesystem::path& folder);
+    // Compares the scene on show with what somebody's renderer has written: a folder, or files. Without a scene the one
+    // that is in the folder is opened first.
+    void checkRenderer(const QStringList& paths);
     void growText(double by);
     void showStartPage();
 
@@ -135,6 +139,15 @@ private:
     void showLessonParts();
     QString lessonTitle() const;
     QString whyHidden(const QString& panel) const;  // until a question is answered; empty where it is not
+    // main_window_renderer.cpp: somebody else's renderer, contracts and wrong pictures
+    void connectRenderer();
+    void chooseRenderer(bool folder);
+    bool isRendererDrop(const QStringList& paths) const;
+    void showRenderer();
+    void setViewsToRenderer();
+    void showInViews(const pipeline::BufferName& buffer);
+    void leaveRenderer();
+    void goToLessonPage(const QString& lesson, const QString& heading);
     // main_window_cues.cpp: cues, and presenting
     void connectCues();
     void enableCueActions();
@@ -198,6 +211,8 @@ private:
     KeySheet* m_keys;
     PixelField* m_pixelField;
     CuePanel* m_cues;
+    RendererPanel* m_renderer;
+    QString m_viewsBeforeRenderer;  // their arrangement; empty while they are not set to it
     Presentation* m_presentation;
     bool m_presents = false;  // from before it begins to after it has ended
     QByteArray m_beforeTalk;  // where the panels stood

@@ -10,6 +10,7 @@
 #include "app/core/own_file.h"
 #include "app/core/pointed.h"
 #include "app/core/recent_files.h"
+#include "app/core/renderer_check.h"
 #include "app/core/session_file.h"
 #include "app/core/text.h"
 #include "app/desktop/actions.h"
@@ -97,6 +98,7 @@ void MainWindow::connectActions() {
     on(A::Slide, [this] { exportSlide(); });
     on(A::Film, [this] { exportFilm(); });
     on(A::Handout, [this] { m_lessons->findChild<HandoutButton*>()->click(); });
+    on(A::CheckRenderer, [this] { chooseRenderer(true); });
     on(A::Close, [this] { closeScene(); });
     on(A::RestoreSession, [](bool wanted) { SessionFile::setWanted(wanted); });
     on(A::Quit, [this] { close(); });
@@ -214,6 +216,9 @@ void MainWindow::enableActions() {
                               !scene                             ? noScene
                               : m_document.hidden().count() != 0 ? tr("After your answer.")
                                                                  : tr("The first frame is not ready yet."));
+    m_actions->setEnabled(A::CheckRenderer, !m_aside, tr("Close the lesson first: this scene is its own."));
+    m_actions->setEnabled(A::WorstPixel, scene && m_document.renderer().report(),
+                          scene ? tr("Check your renderer first: File, Check my renderer.") : noScene);
     m_actions->setEnabled(A::Unpick, scene && m_document.pixel(), tr("Pick a pixel first."));
     m_actions->setEnabled(A::NextStage, scene && m_document.stage() != pipeline::StageId::Shading,
                           scene ? tr("Already at the last stage; Ctrl+← goes back.") : noScene);

@@ -99,7 +99,13 @@ void MainWindow::fitWidth(bool always) {
     if (!always && now == m_width) return;
     m_width = now;
     const bool wide = now == Width::Wide;
-    for (PanelDock* dock : m_sideDocks) dock->setVisible(m_leftDocks.contains(dock) ? wide : now != Width::Narrow);
+    // Your renderer has the left side alone, and has it in every width.
+    auto* const renderer = findChild<PanelDock*>("renderer");
+    const bool checks = !renderer->isHidden();
+    for (PanelDock* dock : m_sideDocks) {
+        const bool isLeft = m_leftDocks.contains(dock), isRenderer = dock == renderer;
+        dock->setVisible(isRenderer ? checks : isLeft ? wide && !checks : now != Width::Narrow);
+    }
     m_rail->setVisible(!wide);
     // One that was chosen stays.
     const std::string views = m_views->arrangement();
@@ -110,8 +116,8 @@ void MainWindow::fitWidth(bool always) {
     for (PanelDock* dock : m_sideDocks) {
         const bool isLeft = m_leftDocks.contains(dock);
         docks += dock;
-        if (isLeft && dock->objectName() != "cues") left += dock;  // it has the lesson's place
-        widths += dockWidth(isLeft ? 296 : wide ? 456 : 384);
+        if (isLeft && dock->objectName() != "cues" && dock != renderer) left += dock;  // they have the lesson's place
+        widths += dockWidth(dock == renderer ? (wide ? 384 : 300) : isLeft ? 296 : wide ? 456 : 384);
     }
     resizeDocks(docks, widths, Qt::Horizontal);
     m_dockScale = dockScale();
@@ -126,7 +132,8 @@ void MainWindow::fitWidth(bool always) {
 
 // Panels that share a place, the first in front: the cues have the lesson's, for who gives a talk takes no lesson.
 void MainWindow::tabDocks() {
-    for (const auto& [front, behind] : {std::pair("lesson", "cues"), std::pair("inspector", "algorithm")}) {
+    for (const auto& [front, behind] :
+         {std::pair("lesson", "cues"), std::pair("lesson", "renderer"), std::pair("inspector", "algorithm")}) {
         auto* const dock = findChild<PanelDock*>(front);
         tabifyDockWidget(dock, findChild<PanelDock*>(behind));
         dock->raise();

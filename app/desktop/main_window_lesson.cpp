@@ -116,6 +116,7 @@ void MainWindow::showLesson() {
 
 void MainWindow::beginLesson() {
     m_opener->cancel();
+    leaveRenderer();  // the lesson's scene is another
     m_aside.emplace();
     m_aside->thumbnails = m_views->hasThumbnails();
     if (!showsScene()) return;

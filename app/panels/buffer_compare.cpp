@@ -2,6 +2,7 @@
 
 #include "app/core/derived_buffers.h"
 #include "app/core/picture_file.h"
+#include "app/core/renderer_check.h"
 #include "app/core/text.h"
 #include "app/panels/buffer_canvas.h"
 
@@ -45,7 +46,12 @@ BufferCompare::BufferCompare(Document& document, BufferCanvas* canvas, QWidget* 
     connect(m_bar, &CompareBar::worstChosen, this, &BufferCompare::goToWorst);
     connect(m_bar, &CompareBar::stagesChosen, this, &BufferCompare::stagesChosen);
     connect(m_bar, &CompareBar::closed, this, [this] { compareWith(std::nullopt); });
-    connect(&m_document, &Document::sceneOpened, this, [this] { compareWith(std::nullopt); });
+    connect(&m_document, &Document::sceneOpened, this, [this] {
+        if (!isMine()) compareWith(std::nullopt);
+    });
+    connect(&m_document.renderer(), &RendererCheck::compared, this, [this] {
+        if (isMine()) emit changed();
+    });
 }
 
 void BufferCompare::compareWith(std::optional<OtherSource> source) {
@@ -101,6 +107,11 @@ std::optional<AnyBuffer> BufferCompare::findOther(const FramePtr& frame, const A
     const bool isDerived = name && pipeline::isDerived(name->id);
     m_document.want(this, isOwn && name && !isDerived ? pipeline::setOf({name->id}) : pipeline::BufferSet());
     m_document.derived().want(this, isOwn && isDerived ? std::vector{*name} : std::vector<BufferName>());
+    if (source.kind == Kind::Mine) {
+        auto mine = m_document.renderer().buffer(a);
+        if (!mine) m_why = m_document.renderer().whyNo(a.name);
+        return mine;
+    }
     if (source.kind == Kind::File) {
         if (m_file && m_file->name == a.name) return m_file;
         auto read = readPicture(source.file, a);
@@ -230,19 +241,6 @@ Wipe BufferCompare::wipe() const {
     else if (m_mode == CompareMode::Wipe)
         wipe.share = m_share, wipe.hasHandle = true;
     return wipe;
-}
-
-void BufferCompare::goToWorst() {
-    m_goesToWorst = !m_found;
-    if (!m_found || !m_found->worst) return;
-    const std::size_t worst = *m_found->worst;
-    const auto columns = m_found->values.columns();
-    switch (m_found->values.info->domain) {
-        case Domain::Pixel: return m_document.pick(glm::ivec2(worst % columns, worst / columns));
-        case Domain::Polygon: return m_document.select(lessons::Selection{lessons::Selection::Kind::Polygon, worst});
-        case Domain::Vertex: return m_document.select(lessons::Selection{lessons::Selection::Kind::Vertex, worst});
-        case Domain::Texel: break;
-    }
 }
 
 }  // namespace app

@@ -34,6 +34,7 @@ public:
     const std::optional<OtherSource>& source() const { return m_source; }
     void compareWith(std::optional<OtherSource> source);  // nothing: no longer
     bool isOn() const { return current().has_value(); }   // the pictures bear names of their own
+    bool isMine() const { return m_source && m_source->kind == OtherSource::Kind::Mine; }
     CompareMode mode() const { return m_mode; }
     void setMode(CompareMode mode);  // the same again: back to A
     void setMetric(pipeline::DifferenceMetric metric);

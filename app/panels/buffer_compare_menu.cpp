@@ -5,6 +5,7 @@
 
 #include "app/core/derived_buffers.h"
 #include "app/core/numbers.h"
+#include "app/core/renderer_check.h"
 #include "app/core/text.h"
 #include "app/panels/buffer_compare.h"
 #include "lessons/state/state_text.h"
@@ -13,6 +14,7 @@ namespace app {
 
 using pipeline::AnyBuffer;
 using pipeline::BufferName;
+using pipeline::Domain;
 
 namespace {
 
@@ -66,6 +68,14 @@ void BufferCompare::fillMenu(QMenu& menu, const BufferName& shown) {
         action->setEnabled(choice.whyNot.isEmpty());
         action->setToolTip(choice.whyNot);
     }
+    QAction* mine = menu.addAction(tr("My renderer"), this, [this] {
+        compareWith(OtherSource{.kind = OtherSource::Kind::Mine});
+        emit chosen();
+    });
+    mine->setCheckable(true);
+    mine->setChecked(isMine());
+    mine->setEnabled(m_document.renderer().isOpen());
+    if (!mine->isEnabled()) mine->setToolTip(m_document.renderer().whyNo(shown));
     menu.addAction(tr("A file…"), this, &BufferCompare::chooseFile);
     menu.addSeparator();
     QAction* nothing = menu.addAction(tr("Nothing"), this, [this] { compareWith(std::nullopt); });
@@ -74,7 +84,7 @@ void BufferCompare::fillMenu(QMenu& menu, const BufferName& shown) {
 }
 
 std::optional<lessons::BufferShown::Compared> BufferCompare::state() const {
-    if (!m_source) return {};
+    if (!m_source || m_source->kind == OtherSource::Kind::Mine) return {};
     OtherSource source = *m_source;
     const auto change = m_document.lastChange();
     if (source.kind == OtherSource::Kind::Before && change)
@@ -107,6 +117,19 @@ pipeline::Errors BufferCompare::lookAt(const std::optional<lessons::BufferShown:
     m_mode = CompareMode::A;
     setMode(wanted);
     return {};
+}
+
+void BufferCompare::goToWorst() {
+    m_goesToWorst = !m_found;
+    if (!m_found || !m_found->worst) return;
+    const std::size_t worst = *m_found->worst;
+    const auto columns = m_found->values.columns();
+    switch (m_found->values.info->domain) {
+        case Domain::Pixel: return m_document.pick(glm::ivec2(worst % columns, worst / columns));
+        case Domain::Polygon: return m_document.select(lessons::Selection{lessons::Selection::Kind::Polygon, worst});
+        case Domain::Vertex: return m_document.select(lessons::Selection{lessons::Selection::Kind::Vertex, worst});
+        case Domain::Texel: break;
+    }
 }
 
 void BufferCompare::chooseFile() {

@@ -145,7 +145,7 @@ void BufferView::want() {
     const bool useful = isOwn && m_document.hasScene() && whyUseless(m_document.scene(), m_name.id).empty();
     const bool hasOverlays = whyNoOverlays(bufferInfo(m_name.id)).isEmpty();
     m_document.want(this, (useful || kept().forced ? pipeline::setOf({m_name.id}) : pipeline::BufferSet()) |
-                              (hasOverlays ? buffersOf(m_overlays) : pipeline::BufferSet()));
+                              (hasOverlays ? buffersOf(m_overlays, m_name.id) : pipeline::BufferSet()));
 }
 
 bool BufferView::standsOnPicture() const { return bufferInfo(m_name.id).domain != Domain::Texel; }

@@ -104,7 +104,7 @@ OverlaySet BufferView::overlaysNow() const {
     OverlaySet shown = m_overlays;
     for (std::size_t i = 0; i < shown.size(); ++i)
         for (const BufferName& hidden : m_document.hidden().buffers)
-            if (shown[i] && buffersOf(OverlaySet().set(i))[index(hidden.id)]) shown.reset(i);
+            if (shown[i] && buffersOf(OverlaySet().set(i), m_name.id)[index(hidden.id)]) shown.reset(i);
     return shown;
 }
 

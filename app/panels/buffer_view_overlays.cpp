@@ -1,6 +1,7 @@
 // What a BufferView lays over its picture.
 #include <QLabel>
 
+#include "app/core/renderer_check.h"
 #include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_compare.h"
 #include "app/panels/buffer_header.h"
@@ -34,6 +35,9 @@ void BufferView::observeOverlays() {
         condition->setToolTip(tr("Veils the pixels for which a condition does not hold (/)"));
     });
     connect(m_condition, &ConditionBar::changed, this, &BufferView::refresh);
+    connect(&m_document.renderer(), &RendererCheck::compared, this, [this] {
+        if (m_overlays[index(OverlayId::Classes)]) refresh();
+    });
     connect(&Theme::current(), &Theme::changed, this, &BufferView::refresh);  // its ground is the veil's
     connect(m_condition, &ConditionBar::left, m_canvas, qOverload<>(&QWidget::setFocus));
 }
@@ -54,6 +58,7 @@ void BufferView::setShowLoupe(bool show) {
 
 void BufferView::layOver(ShowRequest& request) const {
     if (!whyNoOverlays(*request.buffer.info).isEmpty()) return;
+    if (m_overlays[index(OverlayId::Classes)] || m_compare->isMine()) request.mine = m_document.renderer().report();
     if (m_shadows->light()) request.shadows = m_shadows->verdicts();
     if (m_name.id != pipeline::BufferId::Condition) request.veil = m_condition->mask();
 }

@@ -8,6 +8,7 @@
 #include "app/core/numbers.h"
 #include "app/core/text.h"
 #include "app/panels/buffer_legend.h"
+#include "app/panels/violators.h"
 #include "pipeline/inspect/overlay_values.h"
 
 namespace app {
@@ -144,12 +145,15 @@ std::span<const OverlayInfo, kOverlayCount> overlayTable() {
         {O::DepthTest, "Depth test", "Where fragments came in vain: overwritten, or not nearer.",
          pipeline::setOf({B::Overdraw, B::DepthWrites})},
         {O::Strange, "NaN, infinite, negative", "Marks numbers that should not be there.", {}},
+        {O::Violators, "Contract violators", "Masks the pixels at which something that must hold does not.", {}},
+        {O::Classes, "Classes of my renderer", "Which pixels of your renderer agree, and how the others differ.", {}},
     }};
     return kTable;
 }
 
-pipeline::BufferSet buffersOf(OverlaySet overlays) {
+pipeline::BufferSet buffersOf(OverlaySet overlays, BufferId shown) {
     pipeline::BufferSet needs;
+    if (overlays[index(OverlayId::Violators)]) needs = violatorBuffers(shown);
     for (const OverlayInfo& overlay : overlayTable())
         if (overlays[index(overlay.id)]) needs |= overlay.needs;
     return needs;
@@ -183,6 +187,7 @@ void addOverlays(const Frame& frame, OverlaySet overlays, ShownBuffer& shown, co
     if (whyNoOverlays(info).isEmpty()) {
         if (isOn(OverlayId::Fragments)) legend << fragments(frame, content.size, content.overlays);
         if (isOn(OverlayId::PolygonSize)) legend << polygonSizes(frame, content.size, content.overlays);
+        if (isOn(OverlayId::Violators)) legend << violators(contractInput(frame), shown.buffer.name, content, stop);
         if (isOn(OverlayId::DepthTest)) legend << depthTest(frame, content.size, content.overlays);
         const auto verdicts = frame.buffer({BufferId::PolygonsVerdict});
         if (isOn(OverlayId::Verdict) && verdicts) {

@@ -9,8 +9,18 @@
 namespace app {
 
 // What can be laid over the picture of a buffer, several at once.
-enum class OverlayId : unsigned char { Edges, EdgeFunctions, Verdict, Fragments, PolygonSize, DepthTest, Strange };
-inline constexpr std::size_t kOverlayCount = 7;
+enum class OverlayId : unsigned char {
+    Edges,
+    EdgeFunctions,
+    Verdict,
+    Fragments,
+    PolygonSize,
+    DepthTest,
+    Strange,
+    Violators,
+    Classes
+};
+inline constexpr std::size_t kOverlayCount = 9;
 using OverlaySet = std::bitset<kOverlayCount>;
 constexpr std::size_t index(OverlayId id) { return static_cast<std::size_t>(id); }
 static_assert(lessons::kOverlayNames.size() == kOverlayCount);
@@ -24,8 +34,8 @@ struct OverlayInfo {
 };
 std::span<const OverlayInfo, kOverlayCount> overlayTable();
 
-// The buffers that the overlays read.
-pipeline::BufferSet buffersOf(OverlaySet overlays);
+// The buffers that the overlays read over the buffer on show.
+pipeline::BufferSet buffersOf(OverlaySet overlays, pipeline::BufferId shown);
 // Why a buffer's view cannot have overlays; empty where it can.
 QString whyNoOverlays(const pipeline::BufferInfo& info);
 // Likewise of one of them, in a picture with row 0 on top or, where it is flipped, at the foot.

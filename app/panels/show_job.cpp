@@ -5,6 +5,7 @@
 #include "app/core/luminance.h"
 #include "app/panels/condition_bar.h"
 #include "app/panels/shadow_overlay.h"
+#include "app/panels/violators.h"
 #include "pipeline/inspect/compare.h"
 
 namespace app {
@@ -17,6 +18,7 @@ bool isLittle(const AnyBuffer& buffer, const pipeline::Frame& frame) {
     return buffer.count() <= kManyNumbers && !isLarge(frame);
 }
 bool isLittle(const ShowRequest& request) {
+    if (request.overlays[index(OverlayId::Violators)]) return false;  // contracts ask more of an element than a picture
     const auto& other = request.other;
     return isLittle(request.buffer, *request.frame) && (!other || isLittle(other->buffer, *other->frame));
 }
@@ -49,6 +51,12 @@ ShownOther showOther(const ShowRequest& request, const ShownBuffer& a, const std
     if (isComparable || b.source.kind == OtherSource::Kind::PreviousStage)
         other.shown = showBuffer(*b.frame, other.buffer, other.drawnB, channelB,
                                  sameColors ? std::optional(a.look.range) : std::nullopt, stop);
+    if (other.shown && request.mine && b.source.kind == OtherSource::Kind::Mine) {
+        if (request.overlays[index(OverlayId::Classes)]) addClasses(*request.mine, *other.shown);
+        if (request.overlays[index(OverlayId::Violators)])
+            violators(theirInput(request.mine->conventions, *request.mine->reference), b.buffer.name,
+                      other.shown->content, stop);
+    }
     if (other.drawnA.empty() != other.drawnB.empty())  // one has a background, the other has none
         other.drawnA = other.drawnB = other.drawnA.empty() ? other.drawnB : other.drawnA;
     return other;
@@ -60,7 +68,7 @@ ShownOther showOther(const ShowRequest& request, const ShownBuffer& a, const std
 bool operator==(const ShowRequest& a, const ShowRequest& b) {
     return a.frame == b.frame && isSame(a.buffer, b.buffer) && isSame(a.mix, b.mix) && a.channel == b.channel &&
            a.range == b.range && a.overlays == b.overlays && a.hatches == b.hatches && a.shadows == b.shadows &&
-           a.veil == b.veil && isSame(a.other, b.other) && a.look == b.look;
+           a.veil == b.veil && a.mine == b.mine && isSame(a.other, b.other) && a.look == b.look;
 }
 
 ShownBuffer show(const ShowRequest& request, const std::stop_token& stop) {
@@ -78,6 +86,7 @@ ShownBuffer show(const ShowRequest& request, const std::stop_token& stop) {
     CanvasContent& content = shown.content;
     if (request.hatches) content.overlays.push_back(verdictPicture(*request.hatches, 0));
     addOverlays(frame, request.overlays, shown, stop);
+    if (request.mine && request.overlays[index(OverlayId::Classes)]) addClasses(*request.mine, shown);
     if (request.shadows) {
         const QImage image = verdictPicture(*request.shadows, kVerdictAlpha);
         if (image.size() == content.size) content.overlays.push_back(image);

@@ -8,6 +8,7 @@
 #include "app/panels/overlays.h"
 #include "app/panels/shown_buffer.h"
 #include "lessons/expression/condition.h"
+#include "pipeline/compare/verdict.h"
 #include "pipeline/study/shadow_verdict.h"
 
 namespace app {
@@ -32,6 +33,7 @@ struct ShowRequest {
     std::shared_ptr<const lessons::ConditionMask> veil{};       // likewise
     std::shared_ptr<const std::vector<bool>> drawn{};  // of a difference: which elements hold something; empty: all
     std::optional<OtherRequest> other{};
+    std::shared_ptr<const pipeline::foreign::Report> mine{};  // for what is laid over of somebody else's renderer
     WindowLook look{};
 };
 bool operator==(const ShowRequest& a, const ShowRequest& b);

@@ -7,6 +7,7 @@
 #include <QVBoxLayout>
 
 #include "app/core/numbers.h"
+#include "app/core/renderer_check.h"
 #include "app/core/text.h"
 #include "app/panels/buffer_compare.h"
 #include "app/panels/follow_theme.h"
@@ -100,6 +101,7 @@ void StageDifferences::start() {
     m_title->setText(tr("A against B, %1").arg(other));
     const bool isFile = m_compare.source() && m_compare.source()->kind == OtherSource::Kind::File;
     if (a && isFile) return startFile(a);
+    if (a && m_compare.isMine()) return startMine(a);
     m_file.reset();
     if (!a || !b || a == b) {
         m_list->clear();
@@ -131,6 +133,23 @@ void StageDifferences::startFile(const pipeline::FramePtr& frame) {
               [this](const StageDifference& row) { add(row); });
 }
 
+// Each stage is compared with the file that it has in the folder.
+void StageDifferences::startMine(const pipeline::FramePtr& frame) {
+    const RendererCheck& renderer = m_document.renderer();
+    const RendererCheck::ReportPtr& report = renderer.report();
+    if (!report) {
+        clear();
+        return m_title->setText(renderer.whyNo({pipeline::BufferId::Color}));
+    }
+    m_title->setText(tr("A against B, %1").arg(renderer.name()));
+    if (frame == m_a && report == m_file) return;
+    clear();
+    m_a = frame, m_file = report;
+    for (const pipeline::AnyBuffer& buffer : frame->buffers())
+        if (renderer.buffer(buffer)) m_names.push_back(buffer.name);
+    compareNext();
+}
+
 void StageDifferences::clear() {
     m_job.forget();
     m_a.reset(), m_b.reset(), m_file.reset();
@@ -144,11 +163,16 @@ void StageDifferences::compareNext() {
     if (m_names.empty()) return m_job.forget();
     const pipeline::BufferName name = m_names.front();
     m_names.pop_front();
-    m_job.ask([a = m_a, b = m_b, name](const BackgroundJob::Control&) { return stageDifference(*a, *b, name); },
-              [this](const StageDifference& row) {
-                  add(row);
-                  compareNext();
-              });
+    const auto mine = m_b ? std::nullopt : m_document.renderer().buffer(*m_a->buffer(name));
+    if (!m_b && !mine) return;  // another report is on its way
+    m_job.ask(
+        [a = m_a, b = m_b, mine, name](const BackgroundJob::Control&) {
+            return mine ? stageDifference(*a, *mine) : stageDifference(*a, *b, name);
+        },
+        [this](const StageDifference& row) {
+            add(row);
+            compareNext();
+        });
 }
 
 void StageDifferences::add(const StageDifference& row) {

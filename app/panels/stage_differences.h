@@ -32,6 +32,7 @@ protected:
 private:
     void start();
     void startFile(const pipeline::FramePtr& frame);
+    void startMine(const pipeline::FramePtr& frame);
     void clear();
     void compareNext();
     void add(const pipeline::StageDifference& row);
@@ -42,7 +43,7 @@ private:
     QTreeWidget* m_list;
     BackgroundJob m_job;
     pipeline::FramePtr m_a, m_b;
-    std::shared_ptr<const void> m_file;        // that B was read from, as long as it is that
+    std::shared_ptr<const void> m_file;        // or the report, that B was read from, as long as it is that
     std::deque<pipeline::BufferName> m_names;  // still to be compared
     std::vector<pipeline::StageDifference> m_rows;
 };

@@ -162,7 +162,8 @@ pipeline::FramePtr frameOf(const lessons::WindowState& state, std::shared_ptr<co
         if (const auto name = pipeline::findBuffer(view.buffer)) request.wanted.set(index(name->id));
         for (const pipeline::BufferName& name : derivedIn(view))
             if (const auto needed = buffersFor(name, recipeOf(state, *scene), *scene)) request.wanted |= *needed;
-        request.wanted |= buffersOf(overlaysOf(view));
+        if (const auto name = pipeline::findAnyBuffer(view.buffer))
+            request.wanted |= buffersOf(overlaysOf(view), name->id);
     }
     pipeline::FramePtr frame = runFrame(std::move(scene), request, nullptr);
     if (!frame || !state.place) return frame;

@@ -6,8 +6,8 @@
 // The words for what views show, in files, in the order of the enumerators that they stand for.
 namespace lessons {
 
-inline constexpr std::array<std::string_view, 7> kOverlayNames{"edges",        "edge_functions", "verdict", "fragments",
-                                                               "polygon_size", "depth_test",     "strange"};
+inline constexpr std::array<std::string_view, 9> kOverlayNames{
+    "edges", "edge_functions", "verdict", "fragments", "polygon_size", "depth_test", "strange", "violators", "classes"};
 
 inline constexpr std::array<std::string_view, 6> kSpaceNames{"world", "eye", "clip", "screen", "light", "point"};
 inline constexpr std::array<std::string_view, 6> kFaceNames{"+x", "-x", "+y", "-y", "+z", "-z"};

@@ -40,8 +40,7 @@ AnyBuffer bufferOf(const BufferName& name, const Values& values) {
 
 }  // namespace
 
-std::vector<BrokenContract> brokenContracts(const Conventions& conventions, const Reference& reference,
-                                            const Stop& stop) {
+ContractInput theirInput(const Conventions& conventions, const Reference& reference) {
     ContractInput input{reference.frame->scene(), reference.frame->topology(), {}, {}};
     for (const ReadFile& file : conventions.files) {
         // Its depth is left to the z-buffer here, and counts of fragments depend on who is clipped where.
@@ -49,6 +48,12 @@ std::vector<BrokenContract> brokenContracts(const Conventions& conventions, cons
         input.buffers.push_back({bufferOf(file.file->name.buffer, file.mine), roundingOf(file.file->numbers)});
     }
     for (const std::uint8_t covered : reference.context.covered) input.drawn.push_back(covered != 0);
+    return input;
+}
+
+std::vector<BrokenContract> brokenContracts(const Conventions& conventions, const Reference& reference,
+                                            const Stop& stop) {
+    const ContractInput input = theirInput(conventions, reference);
     std::vector<BrokenContract> out;
     for (const ContractResult& result : checkContracts(input, stop)) {
         const std::size_t broken = result.checked - result.hold;

@@ -1,6 +1,7 @@
 #pragma once
 #include "pipeline/compare/conventions.h"
 #include "pipeline/compare/reference.h"
+#include "pipeline/contracts/contract.h"
 
 namespace pipeline::foreign {
 
@@ -12,6 +13,9 @@ struct BrokenContract {
     std::size_t checked = 0, broken = 0;
     std::string worst;  // "0.83 at pixel 12, 40, off by 0.17"
 };
+// Their buffers as contracts are evaluated on them, each as exact as its file. It reads the reference's frame.
+ContractInput theirInput(const Conventions& conventions, const Reference& reference);
+
 // Of the buffers that were handed in, those that more than one element in a hundred breaks.
 std::vector<BrokenContract> brokenContracts(const Conventions& conventions, const Reference& reference,
                                             const Stop& stop);

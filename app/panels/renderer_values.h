@@ -1,0 +1,33 @@
+#pragma once
+#include <QWidget>
+
+#include "app/core/document.h"
+#include "pipeline/compare/verdict.h"
+
+class QGridLayout;
+class QLabel;
+
+namespace app {
+
+// What somebody else's buffers and this program's hold at the picked pixel, or of the selected vertex or polygon, side by
+// side. Nothing that was not handed in is made up.
+class RendererValues : public QWidget {
+    Q_OBJECT
+public:
+    explicit RendererValues(Document& document, QWidget* parent = nullptr);
+
+    void show(const pipeline::foreign::Report& report);
+    QString title() const { return m_titleText; }  // "Pixel 185, 105"
+    bool isEmpty() const { return m_rows == 0; }
+
+private:
+    QLabel* cell(const QString& text, bool isMono, bool differs);
+
+    Document& m_document;
+    QGridLayout* m_grid;
+    QLabel* m_first;
+    QString m_titleText;
+    int m_rows = 0;
+};
+
+}  // namespace app
