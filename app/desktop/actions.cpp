@@ -121,6 +121,7 @@ std::span<const ActionRow> actionTable() {
         {A::Unpick, "Inspect", "Pick nothing", "Ctrl+Shift+G", "Forgets the picked pixel."},
         {A::WorstPixel, "Inspect", "Next worst pixel", "Alt+W",
          "Pick the pixel at which your renderer differs most; again: the next one."},
+        {A::Contracts, "Inspect", "Contracts", "K", "List what must hold of this stage's output, and whether it does."},
         {A::Condition, "Inspect", "Condition…", "Ctrl+/",
          "Asks a question of every pixel: n_dot_l.0 > 0.9 && x < 300."},
         {A::RedChannel, "Inspect", "Equation in red", "Alt+R", "Writes the equation of the red part.", true, true},
@@ -131,6 +132,9 @@ std::span<const ActionRow> actionTable() {
          "Varies settings and shows how wrong the picture is, and how long it takes."},
         {A::Check, "Study", "Stiff and extreme cases…", "Ctrl+Alt+C",
          "Runs the inputs on which a formula that looks right fails."},
+
+        {A::WrongPicture, "Learn", "The wrong picture…", "Ctrl+Alt+G",
+         "Find the error in a wrong picture: look at buffers and pixels, mark the first wrong stage, name the cause."},
 
         {A::RunCommand, "Help", "Run a command…", "Ctrl+Shift+P", "Finds any action, buffer or scene by its name."},
         {A::Keys, "Help", "Keys", "H; ?", "Lists the keys."},

@@ -147,6 +147,8 @@ private:
     void setViewsToRenderer();
     void showInViews(const pipeline::BufferName& buffer);
     void leaveRenderer();
+    void showWrongPicture();
+    void showContracts();
     void goToLessonPage(const QString& lesson, const QString& heading);
     // main_window_cues.cpp: cues, and presenting
     void connectCues();

@@ -3,8 +3,6 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMenu>
-#include <QScreen>
-#include <QShortcut>
 #include <QStackedWidget>
 
 #include "app/core/own_file.h"
@@ -23,6 +21,7 @@
 #include "app/desktop/panel_dock.h"
 #include "app/desktop/pixel_field.h"
 #include "app/desktop/preferences_dialog.h"
+#include "app/desktop/show_apart.h"
 #include "app/desktop/step_actions.h"
 #include "app/desktop/view_area.h"
 #include "app/panels/buffer_canvas.h"
@@ -55,18 +54,6 @@ QString fileFilters() {
     QStringList patterns;
     for (const pipeline::Format& format : pipeline::formatTable()) patterns << u'*' + toQString(format.extension);
     return MainWindow::tr("Scenes and models (%1);;Lessons (lesson.md);;All files (*)").arg(patterns.join(u' '));
-}
-
-// In a window of its own.
-void showApart(QWidget& panel) {
-    if (!panel.isWindow()) {
-        panel.setWindowFlag(Qt::Window);
-        QObject::connect(new QShortcut(QKeySequence::Close, &panel), &QShortcut::activated, &panel, &QWidget::close);
-        panel.resize(QSize(1680, 1000).boundedTo(panel.screen()->availableSize()));
-    }
-    panel.show();
-    panel.raise();
-    panel.activateWindow();
 }
 
 }  // namespace
@@ -217,6 +204,10 @@ void MainWindow::enableActions() {
                               : m_document.hidden().count() != 0 ? tr("After your answer.")
                                                                  : tr("The first frame is not ready yet."));
     m_actions->setEnabled(A::CheckRenderer, !m_aside, tr("Close the lesson first: this scene is its own."));
+    const bool mayTell = m_document.hidden().count() == 0;
+    m_actions->setEnabled(
+        A::Contracts, scene && m_document.frame() && mayTell,
+        scene ? mayTell ? tr("The first frame is not ready yet.") : tr("After your answer.") : noScene);
     m_actions->setEnabled(A::WorstPixel, scene && m_document.renderer().report(),
                           scene ? tr("Check your renderer first: File, Check my renderer.") : noScene);
     m_actions->setEnabled(A::Unpick, scene && m_document.pixel(), tr("Pick a pixel first."));

@@ -10,11 +10,16 @@
 #include "app/desktop/actions.h"
 #include "app/desktop/main_window.h"
 #include "app/desktop/panel_dock.h"
+#include "app/desktop/show_apart.h"
 #include "app/desktop/view_area.h"
 #include "app/panels/buffer_compare.h"
 #include "app/panels/buffer_view.h"
+#include "app/panels/bug_panel.h"
+#include "app/panels/contract_list.h"
 #include "app/panels/lesson_panel.h"
 #include "app/panels/renderer_panel.h"
+#include "app/panels/stage_card.h"
+#include "app/panels/stage_strip.h"
 #include "lessons/library.h"
 #include "pipeline/formats/format_table.h"
 
@@ -54,6 +59,8 @@ void MainWindow::connectRenderer() {
         enableActions();
         if (!m_document.renderer().isOpen()) leaveRenderer();
     });
+    connect((*m_actions)[ActionId::WrongPicture], &QAction::triggered, this, &MainWindow::showWrongPicture);
+    connect((*m_actions)[ActionId::Contracts], &QAction::triggered, this, &MainWindow::showContracts);
     connect((*m_actions)[ActionId::WorstPixel], &QAction::triggered, m_renderer, &RendererPanel::goToWorst);
 }
 
@@ -137,6 +144,35 @@ void MainWindow::leaveRenderer() {
     if (m_viewsBeforeRenderer.isEmpty()) return;
     m_views->setArrangement(std::exchange(m_viewsBeforeRenderer, QString()).toStdString());
     enableActions();
+}
+
+void MainWindow::showWrongPicture() {
+    auto* bugs = findChild<BugPanel*>();
+    if (!bugs) {
+        bugs = new BugPanel(this);
+        connect(bugs, &BugPanel::lessonAsked, this, [this](const QString& lesson, const QString& heading) {
+            goToLessonPage(lesson, heading);
+            activateWindow();
+        });
+    }
+    showApart(*bugs);
+}
+
+// Below the card of the stage on show.
+void MainWindow::showContracts() {
+    auto* contracts = findChild<ContractList*>();
+    if (!contracts) {
+        contracts = new ContractList(m_document, this);
+        connect(contracts, &ContractList::violatorsAsked, this,
+                [this](const pipeline::BufferName& buffer, std::optional<glm::ivec2> worst) {
+                    BufferView& view = m_views->activeBuffer();
+                    view.setBuffer(buffer);
+                    view.setOverlay(OverlayId::Violators, true);
+                    if (worst) m_document.pick(worst);
+                });
+    }
+    const QWidget& card = m_strip->card(m_document.stage());
+    contracts->open(card.mapToGlobal(QPoint(0, card.height() + 2)), m_document.stage());
 }
 
 void MainWindow::goToLessonPage(const QString& lesson, const QString& heading) {

@@ -1,0 +1,135 @@
+// The wrong picture in its window: looks are counted, stages marked and causes named, by the keys alone.
+#include "app/panels/bug_panel.h"
+
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QPushButton>
+#include <QTest>
+#include <algorithm>
+
+#include "app/panels/buffer_canvas.h"
+#include "app/panels/bug_box.h"
+
+namespace app {
+namespace {
+
+using Phase = lessons::WrongPicture::Phase;
+using pipeline::BufferId;
+
+class BugPanelTest : public testing::Test {
+protected:
+    BugPanelTest() {
+        panel.begin(kSeed);
+        panel.resize(1366, 720);
+        panel.show();
+        QApplication::setActiveWindow(&panel);
+        EXPECT_TRUE(wait());
+    }
+    // Until the picture is there, or what was asked of the game is answered.
+    bool wait() {
+        return QTest::qWaitFor([this] { return panel.game() && !panel.busy(); }, 60000);
+    }
+    void press(Qt::Key key, Qt::KeyboardModifiers with = Qt::NoModifier) {
+        QWidget* target = panel.focusWidget() ? panel.focusWidget() : &panel;
+        QTest::keyClick(target, key, with);
+        ASSERT_TRUE(wait());
+    }
+    BugBox& box(int number) { return *panel.findChild<BugBox*>(QString("bugBox:%1").arg(number)); }
+    BufferCanvas& picture() { return *panel.findChild<BufferCanvas*>("bugPicture"); }
+    int blamed() { return lessons::boxOf(panel.game()->row()); }
+    int rightCause() {
+        const auto& causes = panel.game()->riddle().causes;
+        return int(std::ranges::find(causes, panel.game()->row().id) - causes.begin());
+    }
+    std::size_t looks() { return panel.game()->looks().size(); }
+
+    static constexpr std::uint64_t kSeed = 2026;
+    BugPanel panel;
+};
+
+TEST_F(BugPanelTest, TheSameSeedGivesThePicturesOfTheCommand) {
+    EXPECT_EQ(panel.game()->riddle().defect, lessons::makeRiddle(kSeed, 0)->defect);
+    EXPECT_EQ(panel.game()->riddle().causes, lessons::makeRiddle(kSeed, 0)->causes);
+}
+
+TEST_F(BugPanelTest, ThePictureIsFreeAndABufferIsALookOnce) {
+    EXPECT_EQ(looks(), 0u);
+    EXPECT_TRUE(panel.said().startsWith("color: ")) << panel.said().toStdString();
+    for (int i = 0; i < 2; ++i) {
+        panel.look(pipeline::BufferName{BufferId::PolygonsVerdict});
+        ASSERT_TRUE(wait());
+        EXPECT_TRUE(panel.said().startsWith("polygons.verdict: "));
+        EXPECT_EQ(looks(), 1u);
+    }
+    EXPECT_EQ(box(1 + int(index(pipeline::StageId::Cull))).says(), "1 look");
+}
+
+// The arrows are a finger on the picture; only Space looks.
+TEST_F(BugPanelTest, APixelIsLookedAtByTheKeys) {
+    picture().setFocus();
+    press(Qt::Key_Right);
+    press(Qt::Key_Down);
+    EXPECT_EQ(looks(), 0u);
+    press(Qt::Key_Space);
+    ASSERT_EQ(looks(), 1u);
+    const pipeline::Settings& settings = panel.game()->wrong()->scene().settings;
+    EXPECT_EQ(panel.game()->looks()[0],
+              std::to_string(settings.width / 2 + 1) + ", " + std::to_string(settings.height / 2 + 1));
+    EXPECT_EQ(*picture().content().picked, QPoint(settings.width / 2 + 1, settings.height / 2 + 1));
+}
+
+TEST_F(BugPanelTest, AltAndADigitShowAStageAndMarkNothing) {
+    press(Qt::Key_5, Qt::AltModifier);
+    EXPECT_EQ(looks(), 1u);
+    for (int number = 0; number < lessons::kBoxes; ++number) EXPECT_NE(box(number).says(), "marked");
+}
+
+TEST_F(BugPanelTest, AStageThatIsAccusedWronglyIsShownToHaveDoneWhatItShould) {
+    const int wrong = blamed() == 1 ? 2 : 1;
+    press(Qt::Key(Qt::Key_0 + wrong));
+    EXPECT_EQ(box(wrong).says(), "marked");
+    press(Qt::Key_Return);
+    EXPECT_EQ(box(wrong).state(), BugBox::State::Cleared);
+    EXPECT_FALSE(box(wrong).isEnabled());
+    EXPECT_TRUE(panel.said().contains("did what it should with what it got")) << panel.said().toStdString();
+    EXPECT_EQ(panel.game()->points(), 80);
+    EXPECT_EQ(panel.game()->phase(), Phase::Stage);
+}
+
+TEST_F(BugPanelTest, AHintCostsTenPoints) {
+    press(Qt::Key_H);
+    EXPECT_TRUE(panel.said().startsWith("What can be seen: "));
+    EXPECT_EQ(panel.game()->points(), 90);
+}
+
+TEST_F(BugPanelTest, AWholeRoundIsPlayedByTheKeysAlone) {
+    press(Qt::Key(Qt::Key_0 + blamed()));
+    press(Qt::Key_Return);
+    ASSERT_EQ(panel.game()->phase(), Phase::Cause);
+    EXPECT_EQ(box(blamed()).state(), BugBox::State::Wrong);
+    press(Qt::Key(Qt::Key_1 + (rightCause() + 1) % 5));
+    press(Qt::Key_Return);
+    ASSERT_EQ(panel.game()->phase(), Phase::Cause) << "another cause is not taken";
+    EXPECT_EQ(panel.game()->points(), 80);
+    press(Qt::Key(Qt::Key_1 + rightCause()));
+    press(Qt::Key_Return);
+    ASSERT_EQ(panel.game()->phase(), Phase::Over);
+    const std::string fix(panel.game()->row().fix);
+    EXPECT_TRUE(panel.said().contains(QString::fromStdString("Right: " + fix)));
+    EXPECT_TRUE(picture().wipe().hasHandle) << "right beside wrong";
+    press(Qt::Key_Right);
+    EXPECT_DOUBLE_EQ(picture().wipe().share, 0.52);
+    const pipeline::Defect before = panel.game()->row().id;
+    press(Qt::Key_Return);
+    EXPECT_EQ(panel.number(), 1u);
+    EXPECT_NE(panel.game()->row().id, before) << "none comes twice before all have come";
+}
+
+TEST_F(BugPanelTest, ItFitsASmallScreen) {
+    EXPECT_LE(panel.minimumSizeHint().width(), 1024);
+    EXPECT_LE(panel.minimumSizeHint().height(), 640);
+}
+
+}  // namespace
+}  // namespace app
