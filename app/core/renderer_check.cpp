@@ -93,7 +93,12 @@ QString RendererCheck::name() const {
 
 void RendererCheck::setFollowed(bool followed) {
     m_followed = followed;
+    emit changed();
     if (followed && std::exchange(m_missed, false)) compareSoon();
+}
+
+void RendererCheck::setGiven(int hints) {
+    if (std::exchange(m_given, hints) != hints) emit changed();
 }
 
 void RendererCheck::readAgain() {

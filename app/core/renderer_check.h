@@ -35,6 +35,10 @@ public:
     QString name() const;  // "mine/", "depth.npy", "3 files"
     // While nobody looks, changes of files and scene are remembered and nothing is compared.
     void setFollowed(bool followed);
+    // How much of the report may be shown, as `compare --hints` has it; 3 to begin with.
+    void setGiven(int hints);
+    // For the stages' cards: the report, while somebody looks at it and its stages are given away. Else null.
+    ReportPtr shownStages() const { return m_followed && m_given >= 1 ? m_report : nullptr; }
     void readAgain();
     void cancel();
 
@@ -73,6 +77,7 @@ private:
 
     Document& m_document;
     QStringList m_paths;
+    int m_given = 3;
     bool m_followed = false, m_missed = false, m_cancelled = false;
     StatedByHand m_byHand;
     std::shared_ptr<Kept> m_kept;  // of the scene; of the job's thread alone

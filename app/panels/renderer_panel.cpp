@@ -110,6 +110,7 @@ void RendererPanel::take() {
         m_report = std::move(report);
     }
     if (m_worst != before) m_nextWorst = 0;
+    m_renderer.setGiven(m_hints);
     showAll();
     if (!m_report || !std::exchange(m_begins, false)) return;
     emit begun();

@@ -114,13 +114,15 @@ void StageCard::paintEvent(QPaintEvent*) {
     QRect title(box.left(), box.top(), box.width(), theme.px(20));
     box.setTop(box.top() + theme.px(m_compact ? 19 : 24));
     const int markWidth = theme.px(10), gap = theme.px(6);
-    if (m_compact && titleWidth() + gap + markWidth > title.width()) {  // large letters: the title has its line alone
+    if (m_compact && !m_standing &&
+        titleWidth() + gap + markWidth > title.width()) {  // large letters: the title has its line alone
         paintMark(painter, {box.right() - markWidth / 2.0, box.top() + lineHeight / 2.0}, m_status.state);
         box.setRight(box.right() - markWidth - gap);
     } else
         title.setRight(paintState(painter, title) - gap);
     paintTitle(painter, title);
     const ThemeColors& c = theme.colors();
+    if (m_standing) return paintFinding(painter, QRect(box.left(), box.top(), box.width(), lineHeight));
     if (m_status.state == StageState::LeftOut) {
         painter.setFont(theme.text(12));
         painter.setPen(c.text2);
@@ -146,7 +148,8 @@ void StageCard::paintBox(QPainter& painter) const {
     const QRectF box = QRectF(rect()).adjusted(1, 1, -1, -1);
     QPainterPath shape;
     shape.addRoundedRect(box, theme.px(6), theme.px(6));
-    const bool leftOut = m_status.state == StageState::LeftOut;
+    const bool leftOut =
+        m_standing ? *m_standing == pipeline::foreign::Standing::NoFile : m_status.state == StageState::LeftOut;
     painter.setClipPath(shape);
     painter.fillPath(shape, m_onShow ? c.tint : underMouse() ? c.hover : leftOut ? c.bg : c.surface);
     if (leftOut) {
@@ -182,6 +185,7 @@ int StageCard::titleWidth() const {
 
 // At the right of the line; gives its left end.
 int StageCard::paintState(QPainter& painter, const QRect& line) const {
+    if (m_standing) return paintStandingWord(painter, line);
     const Theme& theme = Theme::current();
     const QFont stateFont = theme.text(12, 500);
     const int markWidth = theme.px(10);

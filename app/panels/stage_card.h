@@ -3,6 +3,7 @@
 #include <functional>
 
 #include "app/core/stage_status.h"
+#include "pipeline/compare/verdict.h"
 
 namespace app {
 
@@ -16,6 +17,8 @@ public:
     pipeline::StageId stage() const { return m_stage; }
     const StageStatus& status() const { return m_status; }
     void setStatus(const StageStatus& status);
+    // How another renderer's stage stands, in place of this program's state and numbers; nothing: these again.
+    void setStanding(std::optional<pipeline::foreign::Standing> standing, const QString& finding = {});
     void setOnShow(bool onShow);
     bool isOnShow() const { return m_onShow; }
     void setCompact(bool compact);  // two lines, the state as its mark alone
@@ -36,11 +39,15 @@ private:
     double titleSize() const { return m_compact ? 13 : 14; }
     int titleWidth() const;
     int paintState(QPainter& painter, const QRect& line) const;
+    int paintStandingWord(QPainter& painter, const QRect& line) const;
+    void paintFinding(QPainter& painter, const QRect& line) const;
     void paintTitle(QPainter& painter, QRect line) const;
     void paintNumbers(QPainter& painter, const QRect& line) const;
 
     pipeline::StageId m_stage;
     StageStatus m_status;
+    std::optional<pipeline::foreign::Standing> m_standing;
+    QString m_finding;
     bool m_onShow = false, m_compact = false;
 };
 

@@ -3,6 +3,8 @@
 #include <QHBoxLayout>
 #include <QPainter>
 
+#include "app/core/renderer_check.h"
+#include "app/core/text.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/stage_card.h"
 
@@ -58,6 +60,9 @@ StageStrip::StageStrip(Document& document, QWidget* parent) : QWidget(parent), m
     connect(&document.stepper(), &Stepper::changed, this, &StageStrip::showFrame);
     connect(&document, &Document::stageChanged, this, &StageStrip::showStage);
     connect(&document, &Document::hiddenChanged, this, &StageStrip::showFrame);
+    connect(&document.renderer(), &RendererCheck::changed, this, &StageStrip::showStandings);
+    for (const auto signal : {&Document::frameReady, &Document::errorsReady})  // whose tooltips are of this program
+        connect(&document, signal, this, &StageStrip::showStandings);
     showFrame();
     showStage();
 }
@@ -72,6 +77,24 @@ void StageStrip::setCompact(bool compact) {
 
 void StageStrip::showStage() {
     for (StageCard* card : m_cards) card->setOnShow(card->stage() == m_document.stage());
+}
+
+// While another renderer is looked at, the cards say how its stages stand.
+void StageStrip::showStandings() {
+    const RendererCheck::ReportPtr report = m_document.renderer().shownStages();
+    for (StageCard* card : m_cards) {
+        if (!report) {
+            card->setStanding(std::nullopt);
+            continue;
+        }
+        const auto& verdict = report->stages[index(card->stage())];
+        // The first that differs, else the first.
+        const pipeline::foreign::Finding* shown = nullptr;
+        for (const std::size_t i : verdict.findings)
+            if (!shown || (shown->agrees && !report->findings[i].agrees)) shown = &report->findings[i];
+        const QString finding = shown ? toQString(shown->name.text() + ": " + findingText(*shown)) : QString();
+        card->setStanding(verdict.standing, finding);
+    }
 }
 
 void StageStrip::showFrame() {

@@ -24,6 +24,7 @@ public:
 private:
     void showStage();
     void showFrame();
+    void showStandings();
 
     Document& m_document;
     std::array<StageCard*, pipeline::kStageCount> m_cards;

@@ -10,6 +10,8 @@
 #include <algorithm>
 
 #include "app/core/worst_pixels.h"
+#include "app/panels/stage_card.h"
+#include "app/panels/stage_strip.h"
 #include "app/panels/standing_row.h"
 #include "tests/app/renderer_files.h"
 
@@ -210,6 +212,19 @@ TEST_F(RendererPanelTest, HintsGiveAwayOneThingAfterTheOther) {
     next.click();
     EXPECT_TRUE(shows(name));
     EXPECT_EQ(QSettings().value("renderer/hints").toInt(), 0) << "the next folder begins as this one did";
+}
+
+TEST_F(RendererPanelTest, TheStripSaysHowTheStagesStandWhileThePanelIsShown) {
+    StageStrip strip(document);
+    open(Defect::NormalMatrix);
+    StageCard& card = strip.card(StageId::Normals);
+    EXPECT_TRUE(card.accessibleName().contains("wrong here")) << card.accessibleName().toStdString();
+    panel.setHints(0);
+    EXPECT_FALSE(card.accessibleName().contains("wrong here")) << "the stage is not given away";
+    panel.setHints(3);
+    EXPECT_TRUE(card.accessibleName().contains("wrong here"));
+    panel.hide();
+    EXPECT_FALSE(card.accessibleName().contains("wrong here"));
 }
 
 TEST_F(RendererPanelTest, CopiesTheFindingAsText) {
