@@ -2,7 +2,6 @@
 
 #include <QFile>
 #include <QFileInfo>
-#include <algorithm>
 
 #include "app/core/document.h"
 #include "app/core/text.h"
@@ -15,10 +14,7 @@ QString ownFile(const Document& document) {
     const KeptScene& kept = document.kept();
     const QFileInfo info(kept.file);
     if (!kept.scene || info.suffix().toLower() != QLatin1String("toml") || !info.isWritable()) return {};
-    const auto isBuiltIn = [&](const pipeline::BuiltInScene& scene) {
-        return QFileInfo(toQString(scene.file.string())) == info;
-    };
-    if (std::ranges::any_of(pipeline::builtInScenes(), isBuiltIn)) return {};
+    if (pipeline::builtInSceneOf(kept.file.toStdString())) return {};
     const auto text = toTomlScene(*kept.scene);
     QFile file(kept.file);
     if (!text || file.size() != qint64(text->size()) || !file.open(QIODevice::ReadOnly)) return {};

@@ -9,13 +9,16 @@
 
 #include "app/core/number_format.h"
 #include "app/core/shown_name.h"
+#include "app/core/text.h"
 #include "app/core/working_bar.h"
 #include "app/panels/equation_section.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/fragments_section.h"
+#include "app/panels/layers_section.h"
 #include "app/panels/section.h"
 #include "app/panels/terms_section.h"
 #include "app/panels/why_section.h"
+#include "pipeline/formats/built_in_scenes.h"
 
 namespace app {
 
@@ -58,6 +61,7 @@ void InspectorPanel::build() {
     m_empty = new QLabel(tr("Click a pixel to see why it has its colour."), this);
     m_empty->setAlignment(Qt::AlignCenter);
     m_empty->setWordWrap(true);
+    m_empty->setTextFormat(Qt::PlainText);  // a scene's words are its author's
     m_empty->setMargin(16);
 
     auto* page = new QWidget(this);
@@ -87,17 +91,20 @@ void InspectorPanel::build() {
     m_why = new WhySection(m_document);
     m_equation = new EquationSection(m_document);
     m_terms = new TermsSection(m_document);
+    m_layers = new LayersSection;
     m_fragments = new FragmentsSection;
     m_whyFold = new Section(tr("Why this colour"), m_why);
     m_equationFold = new Section(tr("Equation"), m_equation, m_equation->switcher());
     m_termsFold = new Section(tr("Terms"), m_terms);
+    m_layersFold = new Section(tr("Layers"), m_layers);
     m_fragmentsFold = new Section(tr("Fragments"), m_fragments);
-    for (Section* section : {m_termsFold, m_fragmentsFold}) section->setKeepsSentence();
+    for (Section* section : {m_termsFold, m_layersFold, m_fragmentsFold}) section->setKeepsSentence();
     auto* column = new QVBoxLayout(page);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     column->addLayout(header);
-    for (Section* section : {m_whyFold, m_equationFold, m_termsFold, m_fragmentsFold}) column->addWidget(section);
+    for (Section* section : {m_whyFold, m_equationFold, m_termsFold, m_layersFold, m_fragmentsFold})
+        column->addWidget(section);
     column->addStretch();
 
     m_scroll = new QScrollArea(this);
@@ -121,6 +128,7 @@ void InspectorPanel::styleHeader() {
     m_swatch->setFixedSize(theme.px(32), theme.px(32));
     m_swatch->setFrameShape(QFrame::Box);
     if (m_shown) {
+        showLayers();
         const pipeline::Color8 color = m_shown->report.color;
         QPixmap swatch(m_swatch->size());
         swatch.fill(QColor(color.r, color.g, color.b));
@@ -132,7 +140,10 @@ void InspectorPanel::styleHeader() {
 void InspectorPanel::refresh() {
     m_shown = m_document.inspection().newest();
     auto* stack = static_cast<QStackedLayout*>(layout());
-    if (!m_shown) return stack->setCurrentWidget(m_empty);
+    if (!m_shown) {
+        tellEmpty();
+        return stack->setCurrentWidget(m_empty);
+    }
     const pipeline::Frame& frame = *m_shown->frame;
     const pipeline::PixelReport& report = m_shown->report;
     showHeader();
@@ -142,6 +153,8 @@ void InspectorPanel::refresh() {
     const bool isLaid = !report.layers.empty() && report.isShaded;  // of translucent surfaces, maybe over nothing
     m_equationFold->setVisible(isLit || isLaid);
     m_termsFold->setVisible(isLit);
+    m_layersFold->setVisible(isLaid);
+    showLayers();
     m_fragments->show(frame, report);
     m_fragmentsFold->setSentence(m_fragments->sentence());
     if (isLit || isLaid) {
@@ -154,6 +167,20 @@ void InspectorPanel::refresh() {
             tr("of I in %1").arg(QStringList{tr("red"), tr("green"), tr("blue")}[m_document.channel()]));
     }
     stack->setCurrentWidget(m_scroll);
+}
+
+void InspectorPanel::showLayers() {
+    if (m_shown->report.layers.empty() || !m_shown->report.isShaded) return;
+    m_layers->show(m_shown->report, m_document.channel());
+    m_layersFold->setSentence(m_layers->sentence());
+}
+
+// What there is to look at in this scene, until a pixel is picked.
+void InspectorPanel::tellEmpty() {
+    QString look = m_document.hasScene() ? toQString(m_document.scene().look) : QString();
+    if (const auto known = pipeline::builtInSceneOf(m_document.kept().file.toStdString()); known && look.isEmpty())
+        look = toQString(known->look);
+    m_empty->setText((look.isEmpty() ? QString() : look + "\n\n") + tr("Click a pixel to see why it has its colour."));
 }
 
 void InspectorPanel::showHeader() {

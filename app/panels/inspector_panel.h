@@ -12,6 +12,7 @@ namespace app {
 
 class EquationSection;
 class FragmentsSection;
+class LayersSection;
 class Section;
 class TermsSection;
 class WhySection;
@@ -35,6 +36,8 @@ private:
     void build();
     void refresh();
     void showHeader();
+    void showLayers();
+    void tellEmpty();
     void styleHeader();
 
     Document& m_document;
@@ -45,8 +48,9 @@ private:
     WhySection* m_why;
     EquationSection* m_equation;
     TermsSection* m_terms;
+    LayersSection* m_layers;
     FragmentsSection* m_fragments;
-    Section *m_whyFold, *m_equationFold, *m_termsFold, *m_fragmentsFold;
+    Section *m_whyFold, *m_equationFold, *m_termsFold, *m_layersFold, *m_fragmentsFold;
 };
 
 }  // namespace app

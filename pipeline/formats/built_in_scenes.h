@@ -1,7 +1,11 @@
 #pragma once
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "pipeline/buffers/buffer_table.h"
+#include "pipeline/core/stage.h"
 
 namespace pipeline {
 
@@ -11,8 +15,12 @@ struct BuiltInScene {
     std::string title;  // "Pyramid"
     std::string look;   // what to look at, one sentence
     std::filesystem::path file;
+    StageId stage = StageId::Shading;   // where its point is made
+    std::vector<BufferName> buffers{};  // that make it, the most important first; may be empty
 };
 std::vector<BuiltInScene> builtInScenes();
+// The one whose file this is; nothing for any other.
+std::optional<BuiltInScene> builtInSceneOf(const std::filesystem::path& file);
 
 // Where resources/ is: ../share/shadescope from an installed program, else the source tree.
 std::filesystem::path resourceFolder();

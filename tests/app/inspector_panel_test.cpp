@@ -16,6 +16,7 @@
 #include "app/core/pointed.h"
 #include "app/panels/equation_section.h"
 #include "app/panels/fragments_section.h"
+#include "app/panels/layers_section.h"
 #include "app/panels/math_view.h"
 #include "app/panels/source_view.h"
 #include "app/panels/terms_section.h"
@@ -211,6 +212,24 @@ TEST_F(InspectorPanelTest, BackgroundSaysSoAndHasNoEquation) {
     EXPECT_FALSE(panel.report()->covered);
     EXPECT_TRUE(shows("Background: nothing was drawn here."));
     EXPECT_FALSE(panel.equation().isVisible());
+}
+
+// 0.5 · 100 from the farther one, of which the nearer one lets 1 − 0.25 through, and 0.25 · 80.
+TEST(LayersSection, EveryLayerAddsItsShareOfThePixel) {
+    const std::vector<pipeline::LayerReport> layers{{3, 9, 0.5, pipeline::Vec3d(100), {}},
+                                                    {1, 7, 0.25, pipeline::Vec3d(80), {}}};
+    EXPECT_EQ(app::addedBy(layers, 0, 2), 37.5);
+    EXPECT_EQ(app::addedBy(layers, 1, 2), 20);
+    pipeline::PixelReport report{};
+    report.layers = layers;
+    report.transmittance = 0.375, report.intensity = pipeline::Vec3d(16);
+    report.translucent = pipeline::Vec3d(57.5), report.composed = pipeline::Vec3d(63.5);
+    app::LayersSection section;
+    section.show(report, 2);
+    EXPECT_TRUE(section.accessibleDescription().contains("polygon 3 9.0000"))
+        << section.accessibleDescription().toStdString();
+    EXPECT_TRUE(section.accessibleDescription().contains("37.500"));
+    EXPECT_TRUE(section.accessibleDescription().contains("0.3750 · 16.000 + 57.500 = 63.500"));
 }
 
 TEST_F(InspectorPanelTest, WithoutAPixelItSaysWhatToDo) {
