@@ -262,9 +262,11 @@ private:
             "class=n>Closer than the "
             "next reading</th></tr>\n";
         for (const Convention& one : m_report.conventions.said)
-            m_html += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td class=n>{}</td></tr>\n", code(one.buffer),
-                                  escapedHtml(one.words), code(fmt::format("{} = \"{}\"", one.key, one.value)),
-                                  escapedHtml(certaintyText(one)));
+            m_html +=
+                fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td class=n>{}</td></tr>\n", code(one.buffer),
+                            escapedHtml(one.words),
+                            one.key.empty() ? std::string() : code(fmt::format("{} = \"{}\"", one.key, one.value)),
+                            escapedHtml(certaintyText(one)));
         m_html += "</table>\n";
     }
 

@@ -6,8 +6,6 @@
 #include <cmath>
 #include <limits>
 
-#include "pipeline/formats/toml_values.h"
-
 namespace pipeline::foreign {
 
 namespace {
@@ -110,14 +108,22 @@ private:
                 sounding.keep(axis, *value);
                 m_out.said.push_back(said(*sounding.file, axis, *value, Certainty::Stated, 1, !*value));
             };
-            fix(Rows, m_stated.bottomUp);
-            fix(Columns, m_stated.mirrored);
-            fix(Channels, m_stated.bgr);
-            for (const Coding coding : m_stated.codings) {
+            const StatedConventions stated = m_stated.of(*sounding.file);
+            fix(Rows, stated.bottomUp);
+            fix(Columns, stated.mirrored);
+            fix(Channels, stated.bgr);
+            for (const auto& [key, coding] : stated.codings) {
+                // Else that is only asked where the rows run upwards.
+                if (coding == Coding::FromTheFoot && sounding.file->name.buffer.id == BufferId::VerticesScreen)
+                    sounding.candidates.assign(2, {{false, false, false, coding}, 0});
                 const auto values = sounding.valuesOn(Code);
-                if (values.size() < 2 || std::ranges::find(values, int(coding)) == values.end()) continue;
+                const bool has =
+                    std::ranges::any_of(values, [&](int value) { return codingInfo(Coding(value)).key == key; });
+                if (!has || sounding.candidates.size() < 2 || std::ranges::find(values, int(coding)) == values.end())
+                    continue;
                 sounding.keep(Code, int(coding));
-                m_out.said.push_back(said(*sounding.file, Code, int(coding), Certainty::Stated, 1, false));
+                m_out.said.push_back(
+                    said(*sounding.file, Code, int(coding), Certainty::Stated, 1, coding == Coding::AsIs));
             }
         }
         m_out.geometryIsStated = m_stated.bottomUp.has_value();
@@ -343,44 +349,6 @@ Conventions findConventions(const HandedIn& in, const ReferenceValues& reference
         const Values& right = reference.at(sounding.file->name.buffer.text());
         out.files.push_back({sounding.file, reading, read(*sounding.file, reading, context, right), std::move(others)});
     }
-    return out;
-}
-
-Result<StatedConventions> readStated(const std::string& text, const std::string& name) {
-    StatedConventions out;
-    if (text.empty()) return out;
-    auto table = parseToml({text, name});
-    if (!table) return table.errors();
-    TomlValues values(name);
-    std::vector<std::string> known{"rows", "columns", "channels"};
-    for (const CodingInfo& info : codingTable())
-        if (!info.key.empty() && std::ranges::find(known, info.key) == known.end()) known.emplace_back(info.key);
-    for (const TomlEntry& entry : inFileOrder(*table)) {
-        const std::string key(entry.key->str());
-        constexpr std::array<std::string_view, 2> kRows{"top-down", "bottom-up"};
-        constexpr std::array<std::string_view, 2> kColumns{"left-to-right", "right-to-left"};
-        constexpr std::array<std::string_view, 2> kChannels{"rgb", "bgr"};
-        const auto flag = [&](std::optional<bool>& to, std::span<const std::string_view> choices) {
-            if (const auto choice = values.choice(*entry.node, key, choices)) to = *choice == 1;
-        };
-        if (key == "rows")
-            flag(out.bottomUp, kRows);
-        else if (key == "columns")
-            flag(out.mirrored, kColumns);
-        else if (key == "channels")
-            flag(out.bgr, kChannels);
-        else {
-            std::vector<std::string_view> choices{"own"};
-            std::vector<Coding> codings{Coding::AsIs};
-            for (const CodingInfo& info : codingTable())
-                if (info.key == key) choices.push_back(info.value), codings.push_back(info.id);
-            if (choices.size() == 1)
-                values.unknown(*entry.key, key, known);
-            else if (const auto choice = values.choice(*entry.node, key, choices))
-                out.codings.push_back(codings[*choice]);
-        }
-    }
-    if (const Errors errors = values.errors(); !errors.empty()) return errors;
     return out;
 }
 

@@ -8,11 +8,18 @@ namespace pipeline::foreign {
 // What somebody has said of the files: of mine.toml.
 struct StatedConventions {
     std::optional<bool> bottomUp, mirrored, bgr;
-    std::vector<Coding> codings;  // each counts for the buffers that can have it
-    bool atCorner() const { return std::ranges::find(codings, Coding::Corner) != codings.end(); }
+    std::map<std::string, Coding> codings{};           // by their key; each counts for the buffers that can have it
+    std::map<std::string, StatedConventions> files{};  // by the buffer's name: what is said of one file alone
+    // What counts for a file: its own first, then what is said of all.
+    StatedConventions of(const HandedFile& file) const;
+    bool states(const HandedFile& file, const ReadingContext& context) const;  // how its numbers are coded
+    bool atCorner() const {
+        const auto sample = codings.find("sample");
+        return sample != codings.end() && sample->second == Coding::Corner;
+    }
 };
-// rows = "top-down", columns = "left-to-right", channels = "rgb", and the keys of the table of codings. An unknown key or
-// value is an error with line and column.
+// rows = "top-down", columns = "left-to-right", channels = "rgb", and the keys of the table of codings; of one file in a
+// table of its name, [depth]. An unknown key or value is an error with line and column.
 Result<StatedConventions> readStated(const std::string& text, const std::string& name);
 
 // How sure a convention is.

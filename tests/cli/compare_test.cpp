@@ -204,6 +204,18 @@ TEST(Compare, mineTomlOverridesWhatIsFound) {
     EXPECT_TRUE(test::has(done.err, "mine.toml:1:8")) << done.err;
 }
 
+TEST(Compare, mineTomlSpeaksOfOneFileToo) {
+    const Handed handed;
+    handed.give("color", turned(handed.all("color")));
+    handed.give("normal", handed.all("normal"));
+    test::writeText(handed.file("mine.toml"), "rows = \"bottom-up\"\n[normal]\nrows = \"top-down\"\n");
+    EXPECT_EQ(handed.json({"--no-known"})["exit"], 0);
+    test::writeText(handed.file("mine.toml"), "rows = \"bottom-up\"\n");
+    EXPECT_EQ(handed.json({"--no-known"})["exit"], 1);
+    test::writeText(handed.file("mine.toml"), "[normals_of_mine]\nrows = \"top-down\"\n");
+    EXPECT_EQ(handed.compare().status, 3);
+}
+
 TEST(Compare, namesAnErrorThatExplainsTheFiles) {
     const Handed right, wrong({"shading=gouraud"});
     right.give("depth", right.all("z_view"));

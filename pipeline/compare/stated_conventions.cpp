@@ -1,0 +1,79 @@
+#include <algorithm>
+#include <array>
+
+#include "pipeline/compare/conventions.h"
+#include "pipeline/formats/toml_values.h"
+
+namespace pipeline::foreign {
+
+StatedConventions StatedConventions::of(const HandedFile& file) const {
+    const auto own = files.find(file.name.buffer.text());
+    if (own == files.end()) return *this;
+    StatedConventions out = own->second;
+    if (!out.bottomUp) out.bottomUp = bottomUp;
+    if (!out.mirrored) out.mirrored = mirrored;
+    if (!out.bgr) out.bgr = bgr;
+    out.codings.insert(codings.begin(), codings.end());
+    return out;
+}
+
+bool StatedConventions::states(const HandedFile& file, const ReadingContext& context) const {
+    return std::ranges::any_of(readingsOf(file, context), [&](const Reading& reading) {
+        return codings.contains(std::string(codingInfo(reading.coding).key));
+    });
+}
+
+namespace {
+
+// Of all files, or in a table of its name of one.
+void readStatedTable(const toml::table& table, bool ofAll, TomlValues& values, StatedConventions& out) {
+    std::vector<std::string> known{"rows", "columns", "channels"};
+    for (const CodingInfo& info : codingTable())
+        if (!info.key.empty() && std::ranges::find(known, info.key) == known.end()) known.emplace_back(info.key);
+    constexpr std::size_t kMostLights = 1000;
+    for (const TomlEntry& entry : inFileOrder(table)) {
+        const std::string key(entry.key->str());
+        constexpr std::array<std::string_view, 2> kRows{"top-down", "bottom-up"};
+        constexpr std::array<std::string_view, 2> kColumns{"left-to-right", "right-to-left"};
+        constexpr std::array<std::string_view, 2> kChannels{"rgb", "bgr"};
+        const auto flag = [&](std::optional<bool>& to, std::span<const std::string_view> choices) {
+            if (const auto choice = values.choice(*entry.node, key, choices)) to = *choice == 1;
+        };
+        if (const auto* const file = entry.node->as_table(); file && ofAll) {
+            if (const auto name = findHanded(key, kMostLights))
+                readStatedTable(*file, false, values, out.files[name->buffer.text()]);
+            else
+                values.unknown(*entry.key, key, known);
+        } else if (key == "rows") {
+            flag(out.bottomUp, kRows);
+        } else if (key == "columns") {
+            flag(out.mirrored, kColumns);
+        } else if (key == "channels") {
+            flag(out.bgr, kChannels);
+        } else {
+            std::vector<std::string_view> choices{"own"};
+            std::vector<Coding> codings{Coding::AsIs};
+            for (const CodingInfo& info : codingTable())
+                if (info.key == key) choices.push_back(info.value), codings.push_back(info.id);
+            if (choices.size() == 1)
+                values.unknown(*entry.key, key, known);
+            else if (const auto choice = values.choice(*entry.node, key, choices))
+                out.codings[key] = codings[*choice];
+        }
+    }
+}
+
+}  // namespace
+
+Result<StatedConventions> readStated(const std::string& text, const std::string& name) {
+    StatedConventions out;
+    if (text.empty()) return out;
+    auto table = parseToml({text, name});
+    if (!table) return table.errors();
+    TomlValues values(name);
+    readStatedTable(*table, true, values, out);
+    if (const Errors errors = values.errors(); !errors.empty()) return errors;
+    return out;
+}
+
+}  // namespace pipeline::foreign
