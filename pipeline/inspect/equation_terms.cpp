@@ -1,9 +1,9 @@
 #include "pipeline/inspect/equation_terms.h"
+#include "pipeline/core/number.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 #include "pipeline/inspect/formula_parts.h"
@@ -14,10 +14,7 @@ namespace {
 // Of a setting, or of a product of two: 15 digits give back every decimal number that was written, and none of the noise
 // of a product (1.1 · 0.2).
 std::string settingText(double value) {
-    double rounded = value;
-    const std::string digits = fmt::format("{:.15g}", value);
-    std::from_chars(digits.data(), digits.data() + digits.size(), rounded);
-    return shortest(rounded);
+    return shortest(pipeline::readNumber(fmt::format("{:.15g}", value)).value_or(value));
 }
 
 using TermKind = Term::Kind;
