@@ -16,7 +16,7 @@ constexpr double kPixels = 320 * 240;   // of the picture that hypotheses are ra
 constexpr std::size_t kConfirmed = 5;   // in the picture's own size
 constexpr double kSameFloor = 0.35;     // tolerances: what rounding to bytes leaves
 constexpr double kClearlyBetter = 2;    // times as close as the next
-constexpr double kExplains = 20;        // times as close as the right renderer
+constexpr double kExplains = 18;        // times as close as the right renderer
 constexpr double kFits = 0.9;           // tolerances: what fits whatever the right renderer is off
 constexpr double kFitsAtMost = 1.5;     // tolerances: what fits, however far off the right renderer is
 constexpr double kMissingCost = 100;    // tolerances
@@ -46,10 +46,9 @@ Values smaller(const Values& of, std::size_t factor, bool names) {
 }
 
 Scene smaller(Scene scene, std::size_t factor) {
-    const double f = double(factor);
     scene.settings.width = std::max(1, scene.settings.width / int(factor));
     scene.settings.height = std::max(1, scene.settings.height / int(factor));
-    scene.camera.pixelsPerUnit /= f;
+    scene.camera.pixelsPerUnit /= double(factor);
     scene.settings.shadowSize = std::min(scene.settings.shadowSize, 512);
     return scene;
 }
@@ -76,7 +75,7 @@ std::vector<std::uint8_t> openPixels(const Frame& frame) {
     return open;
 }
 
-// A file's values with the rows from the top down and from the bottom up; for vertices and polygons they are the same.
+// A file's values with the rows in either order; for vertices and polygons they are the same.
 struct Evidence {
     const HandedFile* file;
     double tolerance;
@@ -116,6 +115,10 @@ public:
                     if (picture) reading.bottomUp = up;
                     const Values mine =
                         reading == file.reading ? file.mine : read(*file.file, reading, conventions.context, right);
+                    // One in which hardly anything is there fits whatever leaves nothing.
+                    const auto there = std::ranges::count(mine.there, 1),
+                               taken = std::ranges::count(file.mine.there, 1);
+                    if (reading.coding != file.reading.coding && 2 * there < taken) continue;
                     one.mine[up].push_back(smaller(mine, factor, isNames(name.id)));
                 }
             pictures += picture, bottomUp += picture && file.reading.bottomUp;
