@@ -129,8 +129,9 @@ void StatusLine::makeRoom(bool anew) {
     const QList<QLabel*> last{m_error, m_threads};
     for (QLabel* label : last) {
         needed += label->sizeHint().width();
-        if (anew) label->show();
-        if (needed > width()) label->hide();
+        const bool fits = needed <= width();
+        // Once and for all: a label that is shown to be hidden again may resize the window, which asks again.
+        if (fits != label->isVisibleTo(this) && (anew || !fits)) label->setVisible(fits);
     }
 }
 

@@ -271,6 +271,17 @@ TEST_F(WindowLook, AThemeAndLargerTextLeaveThePanelsAsChosen) {
     Theme::current().setScale(1);
 }
 
+// What gives way in the status line is hidden once, not shown and hidden again without end.
+TEST_F(WindowLook, TheLargestLettersLeaveTheWindowStanding) {
+    window.resize(1280, 720);
+    Theme::current().set(ThemeId::Projector);
+    Theme::current().setScale(Theme::kMostScale);
+    openPyramid();
+    EXPECT_TRUE(find<QLabel>("statusSentence")->isVisible());
+    Theme::current().setScale(1.25);
+    Theme::current().set(ThemeId::Light);
+}
+
 TEST_F(WindowLook, TheNextSceneHasThePanelsOfTheOneThatWasClosed) {
     openPyramid();
     press("Ctrl+Alt+4");
