@@ -286,7 +286,7 @@ constexpr auto kDefectsOfDrawing = std::to_array<DefectRow>({
      .wrong = "near = 0.05",
      .fix = "near as far away as may be",
      .scene = "z_fighting",
-     .settings = "camera.near=1 depth_format=fixed16",
+     .settings = "camera.near=1 depth_format=fixed16 object.1.tz=0.1",
      .first = B::VerticesScreen,
      .source = "feature list T10",
      .otherWays = kNearWays},

@@ -13,15 +13,6 @@ namespace {
 
 constexpr int kMostWords = 25;  // of a sentence
 
-// Pages that are still longer or use other words, and how often at most. Take a number down with the page; add none.
-struct Allowance {
-    std::string_view path;
-    int sentences, words;
-};
-constexpr std::array<Allowance, 3> kAllowances{{{"resources/manual/check-my-renderer.md", 3, 1},
-                                                {"resources/manual/live.md", 1, 0},
-                                                {"resources/manual/write-a-lesson.md", 2, 3}}};
-
 // A word, as a regular expression without its boundaries, and a better one.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 19> kReplaced{{
     {"foot", "bottom"},
@@ -48,11 +39,6 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 19> kReplace
 bool isPage(std::string_view path) {
     if (path == "README.md" || path == "CONTRIBUTING.md") return true;
     return path.starts_with("resources/manual/") && path.ends_with(".md") && path != "resources/manual/reference.md";
-}
-
-Allowance allowanceOf(std::string_view path) {
-    const auto found = std::ranges::find(kAllowances, path, &Allowance::path);
-    return found == kAllowances.end() ? Allowance{path, 0, 0} : *found;
 }
 
 // The lines of a page that are not within a block of code, with their numbers from 1.
@@ -126,11 +112,6 @@ void forEachSentence(const std::string& text, Visit visit) {
     visit(words, beginning);
 }
 
-// All breaches of a page, or none while they are no more than it is allowed.
-void add(Breaches& all, Breaches ofPage, int allowed) {
-    if (int(ofPage.size()) > allowed) all.insert(all.end(), ofPage.begin(), ofPage.end());
-}
-
 std::string at(const SourceFile& page, std::size_t line) { return page.path + ":" + std::to_string(line) + ": "; }
 
 }  // namespace
@@ -139,14 +120,13 @@ Breaches longSentences(const SourceTree& tree) {
     Breaches breaches;
     for (const SourceFile& page : tree) {
         if (!isPage(page.path)) continue;
-        Breaches ofPage;
         for (const Paragraph& paragraph : paragraphsOf(page))
             forEachSentence(readText(paragraph.text), [&](int words, const std::string& beginning) {
                 if (words > kMostWords)
-                    ofPage.push_back(at(page, paragraph.line) + "\"" + beginning + " …\" has " + std::to_string(words) +
-                                     " words; a sentence has at most " + std::to_string(kMostWords));
+                    breaches.push_back(at(page, paragraph.line) + "\"" + beginning + " …\" has " +
+                                       std::to_string(words) + " words; a sentence has at most " +
+                                       std::to_string(kMostWords));
             });
-        add(breaches, ofPage, allowanceOf(page.path).sentences);
     }
     return breaches;
 }
@@ -162,15 +142,14 @@ Breaches replacedWords(const SourceTree& tree) {
     Breaches breaches;
     for (const SourceFile& page : tree) {
         if (!isPage(page.path)) continue;
-        Breaches ofPage;
         for (const auto& [number, line] : linesWithoutCode(page)) {
             const std::string text = std::regex_replace(std::regex_replace(readText(line), bold, ""), label, "");
             std::smatch found;
             for (const auto& [word, better] : words)
                 if (std::regex_search(text, found, word))
-                    ofPage.push_back(at(page, number) + "has \"" + found.str() + "\"; better: " + std::string(better));
+                    breaches.push_back(at(page, number) + "has \"" + found.str() +
+                                       "\"; better: " + std::string(better));
         }
-        add(breaches, ofPage, allowanceOf(page.path).words);
     }
     return breaches;
 }

@@ -15,9 +15,10 @@ using Json = nlohmann::json;
 LiveParts plainParts() {
     return {"core",
             "<title>@TITLE@</title><style>@STYLE@</style>@STYLEHASH@ a@b.c <noscript>@PAPER@</noscript>"
-            "<script type=data>@DATA@</script><script type=core>@CORE@</script><script>@SCRIPT@</script>@SCRIPTHASH@",
+            "<script type=data>@DATA@</script>@CORE@<script>@SCRIPT@</script>@SCRIPTHASH@",
             "p{}", "start('@TITLE@')"};
 }
+const std::string kCore = "<script type=\"application/octet-stream\" id=\"core\">";
 std::string between(const std::string& text, const std::string& start, const std::string& end) {
     const std::size_t from = text.find(start) + start.size();
     return text.substr(from, text.find(end, from) - from);
@@ -31,7 +32,7 @@ TEST(LivePage, FillsEachHoleOnce) {
     ASSERT_TRUE(lesson);
     const auto page = makeLivePage(*lesson, plainParts());
     ASSERT_TRUE(page) << format(page.errors());
-    EXPECT_EQ(between(page->html, "<script type=core>", "</script>"), "Y29yZQ==");  // base64 of "core"
+    EXPECT_EQ(between(page->html, kCore, "</script>"), "Y29yZQ==");  // base64 of "core"
     EXPECT_EQ(between(page->html, "<script>", "</script>"), "start('@TITLE@')") << "a hole in what is put in stays";
     EXPECT_NE(page->html.find("a@b.c"), std::string::npos);
     // printf 'p{}' | openssl dgst -sha256 -binary | base64
@@ -68,7 +69,7 @@ TEST(LivePage, TakesNoTextOfASceneForMarkup) {
     const auto page = makeLivePage(scene, evil, evil, {}, plainParts());
     ASSERT_TRUE(page) << format(page.errors());
     EXPECT_EQ(page->html.find("<img src=x"), std::string::npos);
-    EXPECT_EQ(between(page->html, "<script type=core>", "</script>"), "Y29yZQ==") << "no text ends the data block";
+    EXPECT_EQ(between(page->html, kCore, "</script>"), "Y29yZQ==") << "no text ends the data block";
     const Json data = dataOf(*page);
     ASSERT_TRUE(data.is_object());
     EXPECT_NE(data["title"].get<std::string>().find("<img src=x onerror=alert(1)>"), std::string::npos)

@@ -102,11 +102,11 @@ try {
   await p.run('show(1, "polygon_id")');
 
   // A planted defect is a setting as any other.
-  const right = await p.run(pixels(0));
+  const correct = await p.run(pixels(0));
   await p.run('setSetting("defect", "y-down")');
-  expect('a planted defect changes the picture', (await p.run(pixels(0))) !== right);
+  expect('a planted defect changes the picture', (await p.run(pixels(0))) !== correct);
   await p.run('document.querySelector("#putback").click()');
-  expect('and goes again', (await p.run(pixels(0))) === right);
+  expect('and goes again', (await p.run(pixels(0))) === correct);
 
   expect('eval is refused', await p.run('(() => { try { (0, eval)("1"); return false; } catch { return true; } })()'));
   expect('fetch is refused', await p.run('fetch("https://example.org/").then(() => false, () => true)'));

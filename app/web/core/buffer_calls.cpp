@@ -25,6 +25,10 @@ std::optional<AnyBuffer> derivedNamed(ShownScene& shown, const BufferName& name)
     if (shown.derivedOf != frame) shown.derived.clear(), shown.derivedOf = frame;
     const auto known = shown.derived.find(name.text());
     if (known != shown.derived.end()) return known->second.buffer;
+    if (name.id == pipeline::BufferId::ShadowVerdict) {
+        refuse("The program alone casts exact rays: open the scene in Shadescope to see the verdicts.");
+        return {};
+    }
     const auto needed = buffersFor(name, core().recipe, frame->scene());
     auto made = needed ? derive(name, core().recipe, *frame, {.threads = 1})
                        : pipeline::Result<lessons::DerivedBuffer>(needed.errors());

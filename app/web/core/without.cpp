@@ -29,9 +29,8 @@ std::vector<BuiltInScene> builtInScenes() { return {}; }
 Result<Scene> readScene(const std::filesystem::path& file, const ReadProgress&) {
     return Error{{file.string(), 0, 0}, "not in this page", {}};
 }
-std::string whyNoShadowVerdicts(const Scene&, std::size_t) {
-    return "The program alone casts exact rays: open the scene in Shadescope to see the verdicts.";
-}
+// A lesson may show them; the buffer itself says what is missing, in buffer_calls.cpp.
+std::string whyNoShadowVerdicts(const Scene&, std::size_t) { return {}; }
 bool haveSameRays(const Scene&, const Scene&) { return false; }
 std::optional<ExactShadows> exactShadows(const Scene&, std::size_t, int, Stop, const std::function<void(double)>&) {
     return {};
