@@ -130,7 +130,7 @@ void StatusLine::makeRoom(bool anew) {
     for (QLabel* label : last) {
         needed += label->sizeHint().width();
         const bool fits = needed <= width();
-        // Once and for all: a label that is shown to be hidden again may resize the window, which asks again.
+        // Set once: a label that is shown and then hidden resizes the window, which calls this function again.
         if (fits != label->isVisibleTo(this) && (anew || !fits)) label->setVisible(fits);
     }
 }

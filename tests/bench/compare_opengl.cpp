@@ -219,8 +219,8 @@ std::string driverText(const Json& row) {
 
 void printHead(const Options& options) {
     fmt::print(
-        "{}, {} processors; medians of {} rounds in turns, ms a frame (of one thread: of the "
-        "processor's time); ratio: OpenGL's time over ours; memset: how much of that time a memset of the buffers that "
+        "{}, {} processors; medians of {} rounds in turns, ms a frame (of one thread: its "
+        "CPU time); ratio: OpenGL's time over ours; memset: how much of that time a memset of the buffers that "
         "our frame keeps takes\n\n",
         processorName(), processorCount(), options.turns.rounds);
     fmt::print(
