@@ -11,6 +11,7 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/message.h"
+#include "app/cli/out_of_memory.h"
 #include "pipeline/core/printable.h"
 #include "pipeline/core/text.h"
 #include "pipeline/core/version.h"
@@ -97,8 +98,7 @@ int runCli(int argc, const char* const* argv, const CliHost& host) {
              isOfCommand ? first : "", isOfCommand ? " " : "");
         return kWrongUsage;
     } catch (const std::system_error& error) {  // say() has no other way
-        // A thread that cannot begin has no memory for its stack.
-        if (error.code() == std::errc::resource_unavailable_try_again) throw std::bad_alloc();
+        if (error.code() == std::errc::resource_unavailable_try_again) return sayOutOfThreads();
         return couldNotWrite(error.code().value());
     }
     return flushed(status);

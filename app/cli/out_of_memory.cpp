@@ -6,7 +6,9 @@
 #include <csignal>
 #include <cstdlib>
 #include <exception>
+#include <stdexcept>
 #include <string_view>
+#include <system_error>
 
 #include "app/cli/cli.h"
 #include "pipeline/core/memory.h"
@@ -18,9 +20,14 @@ namespace {
 
 std::atomic<bool> mayThrow{false}, hasThrown{false};
 
-[[noreturn]] void end() {
+int say(std::string_view sentence) {
+    [[maybe_unused]] const auto written = ::write(STDERR_FILENO, sentence.data(), sentence.size());
+    return kCouldNotWrite;
+}
+
+[[noreturn]] void end(int (*say)() = sayOutOfMemory) {
     pipeline::removeHiddenFolders();
-    ::_exit(sayOutOfMemory());
+    ::_exit(say());
 }
 
 // What a message and the way to it need.
@@ -44,13 +51,22 @@ void handleFailure() {
     throw std::bad_alloc();
 }
 
-// Of std::bad_alloc where nothing can catch it, as in a thread of a library.
+// The standard library and TBB throw these where the system gives no further thread; TBB names only the call.
+bool isForWantOfAThread(const std::runtime_error& error) {
+    const auto* const system = dynamic_cast<const std::system_error*>(&error);
+    return (system && system->code() == std::errc::resource_unavailable_try_again) ||
+           std::string_view(error.what()).starts_with("pthread_create");
+}
+
+// Where nothing can catch what was thrown, as in a thread of a library.
 [[noreturn]] void handleUncaught() {
     if (const std::exception_ptr thrown = std::current_exception()) {
         try {
             std::rethrow_exception(thrown);
         } catch (const std::bad_alloc&) {
             end();
+        } catch (const std::runtime_error& error) {
+            if (isForWantOfAThread(error)) end(sayOutOfThreads);
         } catch (...) {
         }
     }
@@ -88,10 +104,11 @@ bool hasThrownOutOfMemory() { return hasThrown; }
 void onlyThrowWhenOutOfMemory() { std::set_new_handler(nullptr); }
 
 int sayOutOfMemory() {
-    constexpr std::string_view kText =
-        "shadescope: not enough memory; a smaller picture (--size) and fewer buffers (--buffers) need less\n";
-    [[maybe_unused]] const auto written = ::write(STDERR_FILENO, kText.data(), kText.size());
-    return kCouldNotWrite;
+    return say("shadescope: not enough memory; a smaller picture (--size) and fewer buffers (--buffers) need less\n");
+}
+
+int sayOutOfThreads() {
+    return say("shadescope: the system gives no further thread; its limit on processes or memory is reached\n");
 }
 
 }  // namespace app

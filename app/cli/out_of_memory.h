@@ -24,6 +24,9 @@ void onlyThrowWhenOutOfMemory();
 // The answer to std::bad_alloc at the end of main: says so without needing any memory. Gives the program's exit status.
 int sayOutOfMemory();
 
+// The same where the system gives no further thread: a limit on processes, or no memory for a stack.
+int sayOutOfThreads();
+
 // What has been said already, with the file that it concerns.
 struct OutOfMemorySaid : std::bad_alloc {};
 

@@ -17,6 +17,9 @@ using Arguments = std::vector<std::string>;
 constexpr const char* kSentence =
     "shadescope: not enough memory; a smaller picture (--size) and fewer buffers (--buffers) need less\n";
 
+constexpr const char* kNoThread =
+    "shadescope: the system gives no further thread; its limit on processes or memory is reached\n";
+
 // Commands over scenes of several formats. With one thread, which counts the same from run to run.
 struct Case {
     const char* name;
@@ -113,7 +116,8 @@ TEST_P(AllocationFails, FromThenOnEndsWithOneSentenceAndTearsNothing) {
         const auto done = test::runWithFaults({{"FAIL_FROM", i + 1}}, arguments(folder / "whole/out"));
         if (done.status != 0) {  // at its end all was done
             EXPECT_EQ(done.status, 4) << done.err;
-            EXPECT_TRUE(done.err.ends_with(kSentence)) << done.err;
+            // Without memory for its stack a thread cannot be started either.
+            EXPECT_TRUE(done.err.ends_with(kSentence) || done.err.ends_with(kNoThread)) << done.err;
             expectNothingOrAll(folder, written);
         }
     }
@@ -125,6 +129,23 @@ TEST(AllocationFailsInALibrary, ThatAbortsWhileItStartsIsAnsweredTheSame) {
     const auto done = test::runWithFaults({{"ABORT", 1}}, {"plan", "pyramid"});
     EXPECT_EQ(done.status, 4);
     EXPECT_EQ(done.err, kSentence);
+}
+
+// The first thread waits for Ctrl+C, the next are TBB's, which throws where nothing can catch it.
+TEST(ThreadFails, EndsWithASentenceAndLeavesNothing) {
+    if (!test::kHasFaults) GTEST_SKIP() << "a sanitizer starts threads itself";
+    int refused = 0;
+    for (const std::size_t from : {1, 2, 3}) {
+        const test::TemporaryFolder folder;
+        const auto done = test::runWithFaults({{"NO_THREAD_FROM", from}}, {"export", "translucent", "--size", "16x12",
+                                                                           "--threads", "4", "-o", folder / "out"});
+        if (done.status == 0) continue;  // it needed no more
+        ++refused;
+        EXPECT_EQ(done.status, 4) << from;
+        EXPECT_EQ(done.err, kNoThread) << from;
+        EXPECT_TRUE(folder.names().empty()) << from;
+    }
+    EXPECT_GE(refused, 2);
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, AllocationFails, testing::ValuesIn(kCases),

@@ -2,11 +2,13 @@
 //   SHADESCOPE_TEST_KILL_AT=N        ends it before its N-th change of a folder, counted from 1: rename, unlink, mkdir
 //   SHADESCOPE_TEST_FAIL_AT=N        its N-th allocation fails; with SHADESCOPE_TEST_FAIL_TIMES=M so do the next, M in all
 //   SHADESCOPE_TEST_FAIL_FROM=N      its N-th allocation fails, and so do all after it
+//   SHADESCOPE_TEST_NO_THREAD_FROM=N its N-th thread cannot be started, and neither can any after it
 //   SHADESCOPE_TEST_ABORT=1          aborts before main, as a library that cannot begin
 //   SHADESCOPE_TEST_COUNTS=FILE      writes how many changes and allocations there were
 // Counts in all threads together; nothing here allocates.
 #include <dlfcn.h>
 #include <fcntl.h>
+#include <pthread.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -26,12 +28,12 @@ void* __libc_memalign(std::size_t, std::size_t);
 
 namespace {
 
-std::atomic<long> changes{0}, allocations{0};
+std::atomic<long> changes{0}, allocations{0}, threads{0};
 
 // The environment is not there yet where the loader allocates; then nothing is counted.
 struct Wanted {
     bool isRead = false;
-    long killAt = 0, failAt = 0, failTimes = 1, failFrom = 0;
+    long killAt = 0, failAt = 0, failTimes = 1, failFrom = 0, noThreadFrom = 0;
 };
 Wanted wanted;
 
@@ -45,6 +47,7 @@ bool isReady() {
     wanted.failAt = read("SHADESCOPE_TEST_FAIL_AT");
     wanted.failTimes = std::max(1L, read("SHADESCOPE_TEST_FAIL_TIMES"));
     wanted.failFrom = read("SHADESCOPE_TEST_FAIL_FROM");
+    wanted.noThreadFrom = read("SHADESCOPE_TEST_NO_THREAD_FROM");
     return wanted.isRead = true;
 }
 
@@ -109,6 +112,12 @@ int rmdir(const char* folder) noexcept {
 int mkdir(const char* folder, mode_t mode) noexcept {
     beforeChange();
     return next<int (*)(const char*, mode_t)>("mkdir")(folder, mode);
+}
+
+int pthread_create(pthread_t* thread, const pthread_attr_t* how, void* (*run)(void*), void* with) noexcept {
+    using Create = int (*)(pthread_t*, const pthread_attr_t*, void* (*)(void*), void*);
+    if (isReady() && ++threads >= wanted.noThreadFrom && wanted.noThreadFrom > 0) return EAGAIN;
+    return next<Create>("pthread_create")(thread, how, run, with);
 }
 
 void* malloc(std::size_t size) noexcept { return fails() ? none() : __libc_malloc(size); }
