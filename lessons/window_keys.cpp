@@ -49,7 +49,7 @@ bool hasPaletteRange(const pipeline::BufferInfo& info) {
     return !isOfNames(info) && !(info.palette == pipeline::Palette::Color && info.element == pipeline::Element::UInt8);
 }
 
-std::string quoted(std::string_view words) {
+std::string inTomlQuotes(std::string_view words) {
     std::string text = "\"";
     for (const char c : words) {
         if (c == '"' || c == '\\') text += '\\';
@@ -162,7 +162,7 @@ private:
     // "KEY = VALUE" as a state has it; empty where the value is none.
     std::string valueOf(const Line& value, Form form) {
         switch (form) {
-            case Form::Words: return quoted(value.text);
+            case Form::Words: return inTomlQuotes(value.text);
             case Form::Flag:
                 if (value.text == "on" || value.text == "off") return value.text == "on" ? "true" : "false";
                 m_complaints.add(value.where, "found " + inQuotes(value.text), "on or off");
@@ -170,7 +170,7 @@ private:
             case Form::List: {
                 std::vector<std::string> words;
                 for (const Line& word : separated(value))
-                    if (!word.text.empty()) words.push_back(quoted(word.text));
+                    if (!word.text.empty()) words.push_back(inTomlQuotes(word.text));
                 return fmt::format("[{}]", fmt::join(words, ", "));
             }
             case Form::Numbers: return numbers(value);
@@ -199,12 +199,12 @@ private:
         const Entry* space = find("space");
         for (const KeyForm& form : kStateForms)
             if (const Entry* entry = find(form.key)) writeKey(form, entry->line());
-        if (!find("arrangement")) add("arrangement = " + quoted(usualArrangement(buffers.size(), space)), {});
+        if (!find("arrangement")) add("arrangement = " + inTomlQuotes(usualArrangement(buffers.size(), space)), {});
         if (const Entry* entry = find("pins")) writePins(entry->line());
         if (space || find("camera") || find("options")) writeSpaces(space);
         for (std::size_t i = 0; i < buffers.size(); ++i) {
             add("[[view]]", {});
-            add("buffer = " + quoted(buffers[i]), {});
+            add("buffer = " + inTomlQuotes(buffers[i]), {});
             for (const KeyForm& form : kViewForms)
                 if (const Entry* entry = find(form.key))
                     if (const auto value = ofView(entry->line(), i, buffers.size());
@@ -276,7 +276,7 @@ private:
         if (names.empty()) names.push_back({"world", {}});
         std::vector<std::string> tables;
         for (const Line& name : names) {
-            std::string table = "space = " + quoted(name.text);
+            std::string table = "space = " + inTomlQuotes(name.text);
             if (!parseSpace(name.text))
                 m_complaints.add(name.where, "found the space " + inQuotes(name.text), kSpaceExpected);
             else if (const auto words = parseSpace(name.text);
