@@ -50,6 +50,7 @@ public:
 
 int matchQuality(const QString& typed, const QString& name) {
     if (typed.isEmpty()) return 1;
+    if (QString(name).remove(QChar(0x2026)).compare(typed, Qt::CaseInsensitive) == 0) return 2000;
     const qsizetype whole = name.indexOf(typed, 0, Qt::CaseInsensitive);
     if (whole == 0) return 1000;
     if (whole > 0) return name[whole - 1].isLetterOrNumber() ? 500 : 800;
@@ -70,9 +71,10 @@ int matchQuality(const QString& typed, const QString& name) {
 }
 
 int matchQuality(const QString& typed, const PaletteEntry& entry) {
-    constexpr int kInPlace = 300;
+    constexpr int kInPlace = 300, kByWords = 550;
     const bool inPlace = !typed.isEmpty() && matchWords(typed, entry.place + ' ' + entry.name) != WordMatch::None;
-    return std::max(matchQuality(typed, entry.name), inPlace ? kInPlace : 0);
+    const bool byWords = !typed.isEmpty() && matchWords(typed, entry.words) == WordMatch::Beginnings;
+    return std::max({matchQuality(typed, entry.name), byWords ? kByWords : 0, inPlace ? kInPlace : 0});
 }
 
 CommandPalette::CommandPalette(QWidget* window)

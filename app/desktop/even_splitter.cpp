@@ -9,9 +9,9 @@
 namespace app {
 namespace {
 
-class Handle : public QSplitterHandle {
+class EvenHandle : public QSplitterHandle {
 public:
-    explicit Handle(EvenSplitter* splitter) : QSplitterHandle(splitter->orientation(), splitter) {
+    explicit EvenHandle(EvenSplitter* splitter) : QSplitterHandle(splitter->orientation(), splitter) {
         setToolTip(EvenSplitter::tr("Drag: stops at halves and thirds. Double-click: equal parts"));
     }
 
@@ -77,6 +77,6 @@ void EvenSplitter::resizeEvent(QResizeEvent* event) {
     if (!m_shares.isEmpty()) setShares(QList<int>(m_shares));  // a copy: it is given to itself
 }
 
-QSplitterHandle* EvenSplitter::createHandle() { return new Handle(this); }
+QSplitterHandle* EvenSplitter::createHandle() { return new EvenHandle(this); }
 
 }  // namespace app

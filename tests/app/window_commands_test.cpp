@@ -21,6 +21,7 @@
 #include "app/desktop/panel_table.h"
 #include "app/desktop/view_area.h"
 #include "app/panels/buffer_canvas.h"
+#include "app/panels/buffer_compare.h"
 #include "app/panels/buffer_view.h"
 #include "app/panels/lesson_panel.h"
 #include "tests/app/window_fixture.h"
@@ -73,6 +74,52 @@ TEST_F(WindowCommands, TheMenusHaveWhatTheActiveBufferViewHasAboveItsPicture) {
     EXPECT_FALSE(mayWriteHandout()) << "of no lesson";
     window.openLesson("pyramid");
     EXPECT_TRUE(mayWriteHandout());
+}
+
+TEST_F(WindowCommands, TheFieldsWordsFindWhatTheyMean) {
+    openPyramid();
+    press("Ctrl+Shift+P");
+    auto* field = find<QLineEdit>("commandField");
+    const auto* list = find<CommandPalette>("commandPalette")->findChild<QListWidget*>();
+    constexpr std::pair<const char*, const char*> kWords[]{{"painter", "painter"},
+                                                           {"cosine", "n_dot_l"},
+                                                           {"RGB normals", "normal"},
+                                                           {"bounding boxes", "Bounding boxes"},
+                                                           {"debug camera", "Frustum of the camera"},
+                                                           {"hemisphere", "At the point"},
+                                                           {"side by side", "Side by side: all values of"},
+                                                           {"compare with file", "A file…"},
+                                                           {"double precision", "In double precision"},
+                                                           {"wipe", "Wipe between A and B"},
+                                                           {"overlays", "Polygon edges"},
+                                                           {"polygon edges", "Polygon edges"},
+                                                           {"shading phong", "Shading: phong"},
+                                                           {"cull", "Cull"}};
+    for (const auto& [typed, name] : kWords) {
+        field->setText(typed);
+        ASSERT_GT(list->count(), 0) << typed;
+        EXPECT_TRUE(list->item(0)->text().contains(name)) << typed << ": " << list->item(0)->text().toStdString();
+    }
+}
+
+TEST_F(WindowCommands, AllValuesOfASettingStandSideBySide) {
+    openPyramid();
+    press("Ctrl+Shift+P");
+    auto* field = find<QLineEdit>("commandField");
+    field->setText("side by side shading");
+    QTest::keyClick(field, Qt::Key_Return);
+    EXPECT_TRUE(waitForFrame());
+    EXPECT_EQ(window.views().arrangement(), "buffer | buffer | buffer");
+    EXPECT_TRUE(window.views().isLinked());
+    QStringList names;
+    for (BufferView* view : window.views().shownBuffers()) {
+        EXPECT_TRUE(QTest::qWaitFor([&] { return view->compare().found().has_value(); }, 20000));
+        names << view->canvas()->wipe().nameB;
+        EXPECT_EQ(view->canvas()->zoom(), window.views().first().canvas()->zoom());
+        EXPECT_EQ(view->canvas()->height(), window.views().first().canvas()->height()) << "at the same height";
+    }
+    EXPECT_TRUE(names[0].contains("flat") && names[1].contains("gouraud") && names[2].contains("phong"))
+        << names.join("; ").toStdString();
 }
 
 TEST_F(WindowCommands, ACommandThatNothingIsCalledSaysSo) {
