@@ -329,7 +329,7 @@ void MainWindow::takeLeftKey(const QKeyEvent& key) {
 void MainWindow::closeEvent(QCloseEvent* event) {
     m_presentation->end();
     if (!mayLeaveCues() || !mayLeaveScene()) return event->ignore();
-    if (m_session) m_session->end(!m_document.isChanged());
+    if (m_session) m_session->end(!wouldLoseChanges());
     keepPanels();
     saveWindowPlace(*this);
     saveTheme();

@@ -112,10 +112,18 @@ private:
     void showManual();
     void showPreferences();
     void showChecks();
+    // main_window_commands.cpp: what the palette finds
+    static constexpr std::size_t kMostSideBySide = 8;
     std::vector<PaletteEntry> commands();
+    void addActionCommands(std::vector<PaletteEntry>& all);
+    void addViewCommands(std::vector<PaletteEntry>& all);
+    void addSettingCommands(std::vector<PaletteEntry>& all);
+    void showSideBySide(const pipeline::SettingRef& setting);
     // main_window_state.cpp: what is on show, and leaving it
     bool showsScene() const;
     bool mayLeaveScene();
+    bool wouldLoseChanges() const;
+    void showPoint();
     void closeScene();
     void readAgain();
     void rememberWhere();
@@ -210,6 +218,7 @@ private:
     QMenu* m_recent;
     QList<PanelDock*> m_leftDocks, m_sideDocks, m_docks;  // each a part of the next
     CommandPalette* m_palette;
+    QMenu* m_compareMenu = nullptr;  // what the palette finds to compare with
     KeySheet* m_keys;
     PixelField* m_pixelField;
     CuePanel* m_cues;

@@ -24,6 +24,7 @@
 #include "lessons/library.h"
 #include "lessons/state/cue_list.h"
 #include "lessons/state/state_scene.h"
+#include "pipeline/formats/built_in_scenes.h"
 #include "pipeline/formats/toml_writer.h"
 
 namespace app {
@@ -45,7 +46,7 @@ void MainWindow::openScene(const QString& name, SceneOpener::Read read, std::fun
     m_cueAsked.reset();
     const auto left = m_document.sharedScene();
     m_opener->open(name, std::move(read), [this, left, take](const pipeline::Result<OpenedScene>& opened) {
-        const bool changed = left != m_document.sharedScene() && m_document.isChanged();
+        const bool changed = left != m_document.sharedScene() && wouldLoseChanges();
         if (!opened) {
             m_cueAsked.reset();
             emit m_document.failed(opened.errors());
@@ -74,11 +75,20 @@ bool MainWindow::openFile(const QString& file, const Then& then) {
     const auto read = [file](const pipeline::ReadProgress& progress) { return readSceneFile(file, progress); };
     openScene(shownName(file), read, [this, file, then](const OpenedScene& opened) {
         m_document.open(opened);
+        showPoint();
         showCarriedState(opened);
         addRecentFile(file);
         if (then) then();
     });
     return true;
+}
+
+// A scene of the program opens with what makes its point: its stage, and its buffers in the views.
+void MainWindow::showPoint() {
+    const auto scene = pipeline::builtInSceneOf(m_document.kept().file.toStdString());
+    if (!scene || scene->buffers.empty()) return;
+    m_document.setStage(scene->stage);
+    m_views->showBuffers(scene->buffers);
 }
 
 // A scene with other settings is opened like another file, and looked at as before.
@@ -139,10 +149,15 @@ void MainWindow::lookAt(const lessons::WindowState& state) {
         m_errors->report(tr("Not all of it could be shown."), errors);
 }
 
+// A moved slider in a scene of the program loses nothing: the session brings it back, and "Save as" keeps it.
+bool MainWindow::wouldLoseChanges() const {
+    return m_document.isChanged() && !pipeline::builtInSceneOf(m_document.kept().file.toStdString());
+}
+
 bool MainWindow::mayLeaveScene() {
     m_lessons->close();  // which brings the user's scene back
     if (!showsScene()) return true;
-    if (m_document.isChanged()) {
+    if (wouldLoseChanges()) {
         switch (askToKeep(this, shownName(m_document.kept().file))) {
             case KeepChanges::GoBack: return false;
             case KeepChanges::Keep:

@@ -5,6 +5,7 @@
 #include "app/core/text.h"
 #include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_compare.h"
+#include "app/panels/buffer_header.h"
 #include "app/panels/buffer_view.h"
 #include "app/panels/condition_bar.h"
 #include "app/panels/loupe.h"

@@ -15,11 +15,13 @@
 #include "app/core/session_file.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/view_area.h"
+#include "app/panels/buffer_view.h"
 #include "app/panels/check_panel.h"
 #include "app/panels/cue_panel.h"
 #include "app/panels/error_list.h"
 #include "app/panels/lesson_panel.h"
 #include "app/panels/save_dialog.h"
+#include "pipeline/formats/built_in_scenes.h"
 #include "tests/app/window_fixture.h"
 
 namespace app {
@@ -41,7 +43,7 @@ protected:
     QString reported() { return find<ErrorList>("errorList")->isVisible() ? find<ErrorList>("errorList")->text() : ""; }
     // A file that is no lesson's is open, and changed.
     void changeTwoPyramids() {
-        ASSERT_TRUE(window.openFile(resourceScene("two_pyramids.scene")));
+        ASSERT_TRUE(window.openFile(ownScene("two_pyramids.scene", folder.path())));
         ASSERT_TRUE(waitForFrame());
         document().change(*findSetting(document().scene(), "camera.theta"), 47.25);
         ASSERT_TRUE(document().isChanged());
@@ -285,8 +287,35 @@ TEST_F(WindowWithAWrongList, TheListIsToldAndNeverWrittenOver) {
     EXPECT_EQ(reported(), "");
 }
 
-TEST_F(WindowFiles, AsksBeforeChangesAreLost) {
+// Its file is the program's: nothing is lost, and "Save as" is there.
+TEST_F(WindowFiles, AMovedSliderInASceneOfTheProgramAsksNothing) {
     openPyramid();
+    document().change(*findSetting(document().scene(), "camera.theta"), 47.25);
+    EXPECT_TRUE(document().isEdited());
+    EXPECT_TRUE(window.openFile(resourceScene("two_pyramids.scene")));
+    EXPECT_EQ(document().scene().name, "two_pyramids.scene");
+    document().change(*findSetting(document().scene(), "camera.theta"), 47.25);
+    press("Ctrl+W");
+    EXPECT_FALSE(window.views().isVisible());
+}
+
+// Not always the picture: the point of two pyramids is which of them the z-buffer keeps.
+TEST_F(WindowFiles, ASceneOfTheProgramOpensWithWhatMakesItsPoint) {
+    ASSERT_TRUE(window.openFile(resourceScene("two_pyramids.scene")));
+    ASSERT_TRUE(waitForFrame());
+    EXPECT_EQ(document().stage(), pipeline::StageId::ZBuffer);
+    EXPECT_EQ(window.views().first().buffer().text(), "polygon_id");
+    for (const pipeline::BuiltInScene& scene : pipeline::builtInScenes()) {
+        EXPECT_FALSE(scene.look.empty()) << scene.name;
+        EXPECT_EQ(scene.buffers.size(), scene.name == "pyramid" ? 0u : 2u) << scene.name;
+    }
+    ASSERT_TRUE(window.openFile(ownScene("two_pyramids.scene", folder.path())));
+    EXPECT_EQ(window.views().first().buffer().text(), "z_view") << "one of the user's: the stage's own";
+}
+
+TEST_F(WindowFiles, AsksBeforeChangesAreLost) {
+    ASSERT_TRUE(window.openFile(ownScene("pyramid.scene", folder.path())));
+    ASSERT_TRUE(waitForFrame());
     document().change(*findSetting(document().scene(), "camera.theta"), 47.25);
     answer("Go back", [this] { press("Ctrl+W"); });
     EXPECT_TRUE(document().isChanged());

@@ -2,6 +2,7 @@
 
 #include <QAbstractButton>
 #include <QApplication>
+#include <QFile>
 #include <QMessageBox>
 #include <QSettings>
 #include <QTest>
@@ -18,6 +19,11 @@ namespace app {
 
 QString resourceScene(const char* name) {
     return QString::fromStdString((pipeline::resourceFolder() / "scenes" / name).string());
+}
+
+QString ownScene(const char* name, const QString& folder) {
+    for (const char* file : {name, "pyramid.des"}) QFile::copy(resourceScene(file), folder + '/' + file);
+    return folder + '/' + name;
 }
 
 WindowTest::WindowTest() {

@@ -46,5 +46,7 @@ protected:
 };
 
 QString resourceScene(const char* name);  // "pyramid.scene"
+// A scene of the program copied into a folder, with the pyramid's mesh: a file of the user's own.
+QString ownScene(const char* name, const QString& folder);
 
 }  // namespace app

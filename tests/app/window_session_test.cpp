@@ -60,7 +60,7 @@ TEST_F(WindowSession, AStateShownAgainIsTheSameState) {
     EXPECT_EQ(far->set, std::vector<std::string>{"camera.theta=47.25"});
     const QImage picture = pictureOnScreen();
 
-    answer("Drop", [this] { ASSERT_TRUE(window.openFile(resourceScene("two_pyramids.scene"))); });
+    ASSERT_TRUE(window.openFile(resourceScene("two_pyramids.scene")));
     window.views().first().autofit(true);
     document().stepper().leave();
     document().setStage(pipeline::StageId::Cull);
@@ -373,7 +373,7 @@ TEST_F(WindowSession, AnotherArrangementOfViewsAloneIsKeptSoon) {
 
 TEST_F(WindowSession, ARecentFileOpensWhereItWasLeft) {
     goFar();
-    answer("Drop", [this] { press("Ctrl+W"); });
+    press("Ctrl+W");
     const auto recent = recentFiles();
     ASSERT_EQ(recent.size(), 1u);
     EXPECT_EQ(recent[0].where, "z-buffer/polygon=2 · pixel 268, 281");
