@@ -21,6 +21,18 @@ void MixModel::set(const pipeline::TermMix& mix) {
     emit changed();
 }
 
+void MixModel::setShownAlone(const QObject* view, bool shown) {
+    const bool before = isShownAlone();
+    if (shown && m_views.insert(view).second)
+        connect(view, &QObject::destroyed, this, [this, view] {
+            // Not at once: the view would still hear of it.
+            if (m_views.erase(view) > 0 && m_views.empty())
+                QMetaObject::invokeMethod(this, &MixModel::changed, Qt::QueuedConnection);
+        });
+    if (!shown && m_views.erase(view) > 0) disconnect(view, &QObject::destroyed, this, nullptr);
+    if (isShownAlone() != before) emit changed();
+}
+
 QString MixModel::sentence() const {
     const QString why = m_document.hasScene() ? toQString(whyNoMix(m_document.scene())) : QString();
     return why.isEmpty() ? tr("Mix of terms: %1").arg(toQString(describe(m_mix))) : why;

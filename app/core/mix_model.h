@@ -1,6 +1,7 @@
 #pragma once
 #include <QObject>
 #include <QString>
+#include <set>
 
 #include "pipeline/inspect/term_mix.h"
 
@@ -18,7 +19,10 @@ public:
     const pipeline::TermMix& mix() const { return m_mix; }
     bool isPlain() const { return pipeline::isPlain(m_mix); }
     void set(const pipeline::TermMix& mix);
-    void reset();              // every term as it is
+    void reset();  // every term as it is
+    // While a view shows the buffer `mix`, the frame buffer stands beside it as it is.
+    void setShownAlone(const QObject* view, bool shown);
+    bool isShownAlone() const { return !m_views.empty(); }
     QString sentence() const;  // "Mix of terms: specular 0 alone"; or why there is no picture
 
 signals:
@@ -27,6 +31,7 @@ signals:
 private:
     Document& m_document;
     pipeline::TermMix m_mix;
+    std::set<const QObject*> m_views;  // of the buffer `mix`
 };
 
 }  // namespace app

@@ -66,6 +66,12 @@ QString nameOf(const OtherSource& source) {
     return {};
 }
 
+QString captionOf(const SettingRef& setting, double value) {
+    const auto text = toQString(formatSetting(setting, value));
+    return setting.setting->kind == SettingKind::Choice ? text.left(1).toUpper() + text.mid(1)
+                                                        : toQString(setting.setting->label) + ' ' + text;
+}
+
 std::string keyOf(const OtherSource& source) {
     switch (source.kind) {
         case Kind::Buffer: return "buffer " + source.buffer.text();

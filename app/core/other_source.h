@@ -30,6 +30,9 @@ struct OtherSource {
 // "gouraud (shading)", "before the last change", "diffuse.0", "reference.npy".
 QString nameOf(const OtherSource& source);
 
+// A value of a setting below a picture: "Phong", "Tessellation 32".
+QString captionOf(const pipeline::SettingRef& setting, double value);
+
 // As a file has it, empty for Mine: "before", "previous stage", "buffer z_view", "setting shading=gouraud", "file a.npy"; and again, for a
 // scene that has the setting.
 std::string keyOf(const OtherSource& source);

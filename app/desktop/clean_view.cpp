@@ -34,10 +34,7 @@ namespace {
 constexpr int kKeyMs = 1200, kCursorMs = 2000;
 constexpr int kFailedMs = 4000, kHintMs = 6000, kKeysMs = 20000;
 constexpr int kMomentMs = 1000;
-constexpr int kMostLines = 11;                            // of an algorithm
-constexpr double kAlgorithmWidth = 0.63;                  // of the view's
-constexpr double kAskWidth = 0.52, kAnswerWidth = 0.275;  // likewise, of the choices
-constexpr double kTitle = 31;                             // 57 px in 1080 lines
+constexpr double kTitle = 31;  // 57 px in 1080 lines
 
 }  // namespace
 
@@ -53,14 +50,9 @@ CleanView::CleanView(Document& document, CueModel& cues, const SceneOpener& open
     setAutoFillBackground(true);
     auto* column = new QVBoxLayout(this);
     m_views = new ViewArea(document, this, ViewDress::Bare);
-    m_algorithm = new AlgorithmView(this);
-    m_algorithm->setLetters(20.8, 17.6);  // 38 and 32 px in 1080 lines
-    m_algorithm->setMostLines(kMostLines);
-    m_algorithm->setShowsLoop(true);
-    m_algorithm->setFocusPolicy(Qt::NoFocus);
     auto* beside = new QHBoxLayout;
     beside->addWidget(m_views, 1);
-    beside->addWidget(m_algorithm, 0, Qt::AlignTop);
+    beside->addWidget(makeAlgorithm());
     m_ask = new AskPanel(cues, this);
     beside->addWidget(m_ask);
     m_title = new QLabel(this);
@@ -175,6 +167,7 @@ void CleanView::applyTheme() {
     static_cast<QVBoxLayout*>(layout())->setSpacing(theme.px(12));
     m_title->setFont(theme.text(kTitle, 600));
     m_value->setFont(theme.mono(13));
+    m_leftOut->setFont(theme.text(12));
     m_hint->setFont(theme.text(12));
     m_hint->setMargin(theme.px(4));
     m_swatch->setFixedSize(theme.px(64), theme.px(64));
@@ -230,67 +223,6 @@ bool CleanView::stopWork() {
 }
 
 pipeline::Errors CleanView::lookAt(const lessons::WindowState& state) { return m_views->lookAt(state); }
-
-// The lines of the equation itself: symbols, numbers, result. A lecture has no room for where they come from.
-void CleanView::showEquation() {
-    const auto& inspected = m_document.inspection().newest();
-    const bool shows = inspected && inspected->report.covered && inspected->frame->buffer({pipeline::BufferId::Color});
-    // A question has no numbers beside it.
-    const bool asks = m_ask->asks() && !m_ask->isAnswer();
-    m_equationRow->setVisible(shows && m_algorithm->isHidden() && !asks);
-    if (!shows) return;
-    const pipeline::PixelReport& report = inspected->report;
-    std::vector<pipeline::EquationLine> lines;
-    const pipeline::Scene& scene = inspected->frame->scene();
-    for (pipeline::EquationLine& line : equation(scene, report, m_document.channel(), chosenNumbers()))
-        if (lines.size() < 4 && (line.role == "symbols" || line.role == "numbers" || line.role == "result")) {
-            line.remark.clear();
-            lines.push_back(std::move(line));
-        }
-    m_math->setLines(std::move(lines), true);
-    const auto& c = report.color;
-    // A font set while the row is hidden does not outlive a style sheet that comes meanwhile.
-    m_value->setFont(Theme::current().mono(13));
-    m_value->setText(tr("frame buffer\n%1 %2 %3").arg(int(c.r)).arg(int(c.g)).arg(int(c.b)));
-    m_value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    QPixmap swatch(m_swatch->size());
-    swatch.fill(QColor(c.r, c.g, c.b));
-    m_swatch->setPixmap(swatch);
-}
-
-void CleanView::showAlgorithm() {
-    auto state =
-        m_document.stepper().showsAlgorithm() ? algorithmState(m_document.stepper(), m_document.stage()) : std::nullopt;
-    m_algorithm->setVisible(state.has_value() && !m_ask->asks());
-    m_algorithm->setState(std::move(state));
-    m_algorithm->setFixedWidth(int(kAlgorithmWidth * width()));
-}
-
-// The choices stand at the right: in place of the algorithm for a question, narrow beside the answer.
-void CleanView::showQuestion() {
-    m_title->setVisible(m_ask->asks());
-    m_title->setText(m_ask->title());
-    m_ask->setFixedWidth(int((m_ask->isAnswer() ? kAnswerWidth : kAskWidth) * width()));
-    showAlgorithm();
-    showEquation();
-}
-
-QString CleanView::caption() const { return m_caption->sentence(); }
-QString CleanView::shownKey() const { return m_caption->key(); }
-
-void CleanView::showCaption() {
-    const auto& stage = stageInfo(m_document.stage());
-    const lessons::Cue* cue = m_cues.currentCue();
-    QString sentence = cue ? toQString(cue->caption.empty() ? cue->name : cue->caption) : toQString(stage.summary);
-    if (m_ask->asks()) sentence = m_ask->remark();
-    const Stepper& stepper = m_document.stepper();
-    const bool moved = cue && stepper.place() != cue->state.place;
-    if (stepper.isInside() && (!cue || moved)) sentence = stepper.words();
-    // A cue that was never named is called after its stage.
-    const QString label = toQString(stage.label);
-    m_caption->setText(sentence.startsWith(label) ? QString() : label, sentence);
-    m_caption->setCues(m_cues.size(), m_cues.current());
-}
 
 bool CleanView::takeKey(int key) {
     using Cover = PenLayer::Cover;

@@ -50,6 +50,7 @@ protected:
     void closeEvent(QCloseEvent* event) override;
 
 private:
+    QWidget* makeAlgorithm();
     QWidget* makeEquation();
     void makeWork();
     void showEquation();
@@ -66,9 +67,11 @@ private:
     Document& m_document;
     CueModel& m_cues;
     ViewArea* m_views;
-    AlgorithmView* m_algorithm;  // beside the views
-    QLabel* m_title;             // a question, or its answer
-    AskPanel* m_ask;             // its choices, beside the views
+    QWidget* m_algorithmColumn;  // beside the views: the lines, and why some are left out
+    AlgorithmView* m_algorithm;
+    QLabel* m_leftOut;
+    QLabel* m_title;  // a question, or its answer
+    AskPanel* m_ask;  // its choices, beside the views
     QWidget* m_equationRow;
     MathView* m_math;
     QLabel *m_swatch, *m_value;

@@ -203,7 +203,8 @@ void MainWindow::addSettingCommands(std::vector<PaletteEntry>& all) {
     }
 }
 
-// The active buffer once for every value of a setting, aligned at one zoom, each with the value's name.
+// The active buffer once for every value of a setting, aligned at one zoom, each with the value's name. The panels at
+// the left give way if the views need their room.
 void MainWindow::showSideBySide(const SettingRef& setting) {
     lessons::WindowState state;
     m_views->fill(state);
@@ -224,6 +225,8 @@ void MainWindow::showSideBySide(const SettingRef& setting) {
     if (count < 4) state.arrangement = state.arrangement.substr(1, state.arrangement.size() - 2);
     state.linked = true;
     lookAt(state);
+    if (m_views->withoutRoom() > 0)
+        for (PanelDock* dock : m_leftDocks) dock->hide();
     emit m_document.said(tr("Every view shows one value of %1.").arg(labelOf(setting)));
 }
 

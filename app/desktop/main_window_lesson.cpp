@@ -181,6 +181,10 @@ void MainWindow::showLessonParts() {
     // The page has the width of its lines, whatever stood there before.
     const double width = this->width() < 1440 ? 392 : 468;
     resizeDocks({lesson}, {int(width * (0.4 + 0.6 * Theme::current().scale()))}, Qt::Horizontal);
+    // The card of a question has the settings that it is about; the panel above it shows some rows and scrolls.
+    auto* const settings = findChild<PanelDock*>("settings");
+    if (const int low = Theme::current().px(190); !settings->isHidden() && !settings->isFloating())
+        resizeDocks({settings, lesson}, {low, std::max(low, this->height() - low)}, Qt::Vertical);
     showTitle();
     enableActions();
 }

@@ -1,6 +1,7 @@
 // What a ViewArea shows; how its views stand is in view_area_layout.cpp.
 #include "app/desktop/view_area.h"
 
+#include <QLabel>
 #include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -22,6 +23,7 @@ ViewArea::ViewArea(Document& document, QWidget* parent, ViewDress dress)
     : QWidget(parent),
       m_document(document),
       m_middle(new QWidget(this)),
+      m_missing(new QLabel(this)),
       m_thumbnails(new ThumbnailStrip(document)),
       m_tree(*lessons::arrangementNamed("one")),
       m_dress(dress) {
@@ -32,10 +34,16 @@ ViewArea::ViewArea(Document& document, QWidget* parent, ViewDress dress)
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(m_middle, 1);
+    column->addWidget(m_missing);
     column->addWidget(m_thumbnails);
+    m_missing->setObjectName("missingViews");
+    m_missing->setProperty("tone", 2);
+    m_missing->setWordWrap(true);
+    m_missing->hide();
     m_thumbnails->setVisible(dress == ViewDress::Full);
     followTheme(this, [this, column] {
         column->setSpacing(gap());
+        m_missing->setFont(Theme::current().text(12));
         for (auto* splitter : findChildren<EvenSplitter*>()) splitter->setHandleWidth(gap());
         // Room for one view: the others come and go.
         m_middle->setMinimumSize(leastView().width, leastView().height);
@@ -88,6 +96,11 @@ void ViewArea::showInside() {
 void ViewArea::showBuffer(const BufferName& buffer) {
     if (activeBuffer().parentWidget()->isHidden()) setArrangement("one");
     activeBuffer().setBuffer(buffer);
+}
+
+void ViewArea::showBuffers(const std::vector<BufferName>& buffers) {
+    const auto views = inOrder();
+    for (std::size_t i = 0; i < std::min(views.size(), buffers.size()); ++i) views[i]->setBuffer(buffers[i]);
 }
 
 std::vector<BufferView*> ViewArea::shownBuffers() const {

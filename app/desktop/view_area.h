@@ -8,6 +8,7 @@
 #include "lessons/state/view_tree.h"
 #include "lessons/state/window_state.h"
 
+class QLabel;
 class QMenu;
 
 namespace app {
@@ -28,7 +29,10 @@ class ViewArea : public QWidget {
 public:
     explicit ViewArea(Document& document, QWidget* parent = nullptr, ViewDress dress = ViewDress::Full);
 
-    void showBuffer(const pipeline::BufferName& buffer);  // in the active buffer view
+    void showBuffer(const pipeline::BufferName& buffer);                 // in the active buffer view
+    void showBuffers(const std::vector<pipeline::BufferName>& buffers);  // one in each view, as far as they go
+
+    std::size_t withoutRoom() const;  // views that are not shown, because they would be too small
 
     // How the views stand; where there is no room for all of them the last ones are not shown.
     const lessons::ViewTree& tree() const { return m_tree; }
@@ -94,6 +98,7 @@ private:
     void addMenu(QMenu* menu, lessons::ViewLeaf leaf);
     void setTree(lessons::ViewTree tree);
     void layOut();
+    void tellMissing(std::size_t count);
     QWidget* build(const lessons::ViewTree& tree);
     void setShares(QWidget* part, const lessons::ViewTree& tree);
     void readShares(const QWidget* part, lessons::ViewTree& tree) const;
@@ -108,6 +113,7 @@ private:
     std::map<int, View3dPanel*> m_spaces;
     QWidget* m_middle;
     QWidget* m_root = nullptr;  // what fills it: a splitter, or the frame of a single view
+    QLabel* m_missing;          // how many views have no room
     ThumbnailStrip* m_thumbnails;
     lessons::ViewTree m_tree;   // as it was asked for
     lessons::ViewTree m_shown;  // what of it there is room for

@@ -30,6 +30,7 @@ int ViewArea::gap() const { return Theme::current().px(8); }
 // A header, a foot, and a picture to be seen between them.
 lessons::ViewSize ViewArea::leastView() const {
     const Theme& theme = Theme::current();
+    if (m_dress == ViewDress::Bare) return {theme.px(120), theme.px(90)};  // a picture and its name
     return {std::max(282, theme.px(250)), std::max(222, theme.px(100))};
 }
 
@@ -147,6 +148,7 @@ void ViewArea::layOut() {
     const bool isLaidOut = m_middle->isVisible();
     const lessons::ViewTree whole = m_alone ? lessons::ViewTree{Kind::Leaf, active()} : m_tree;
     lessons::ViewTree shown = isLaidOut ? fitted(whole, room(), leastView(), gap()) : whole;
+    tellMissing(leavesOf(whole).size() - leavesOf(shown).size());
     if (m_root && haveSameViews(shown, m_shown)) {
         m_shown = std::move(shown);
         return setShares(m_root, m_shown);
@@ -168,6 +170,17 @@ void ViewArea::layOut() {
     setShares(m_root, m_shown);
     m_middle->setUpdatesEnabled(true);
     if (focus && focus->isVisible() && m_middle->isAncestorOf(focus)) focus->setFocus();
+}
+
+std::size_t ViewArea::withoutRoom() const { return m_alone ? 0 : leavesOf(m_tree).size() - leavesOf(m_shown).size(); }
+
+// The sentence takes some of the views' height: where it stands, more of them may have no room, but never fewer.
+void ViewArea::tellMissing(std::size_t count) {
+    m_missing->setText(count == 1 ? tr("1 view has no room here.") : tr("%1 views have no room here.").arg(count));
+    m_missing->setToolTip(tr("A view needs %1 by %2 pixels. Make the window larger, or hide a panel.")
+                              .arg(leastView().width)
+                              .arg(leastView().height));
+    m_missing->setVisible(count > 0);
 }
 
 QWidget* ViewArea::build(const lessons::ViewTree& tree) {

@@ -61,7 +61,7 @@ void BufferCompare::compareWith(std::optional<OtherSource> source) {
     m_other.forget();
     m_derived.forget();
     m_goesToWorst = false;
-    m_bar->setVisible(m_source.has_value());
+    m_bar->show(m_source.has_value());
     if (!m_source)
         setMode(CompareMode::A);
     else if (m_mode == CompareMode::A)
@@ -182,8 +182,9 @@ ShownBuffer BufferCompare::show(const ShowAnswer& answer) {
     const bool hasCome = answer.other && answer.request.other->source == *source;
     if (m_why.isEmpty() && !hasCome) m_why = tr("B is being computed.");
     const ShownOther* other = m_why.isEmpty() ? &*answer.other : nullptr;
-    m_nameA = "A  " + toQString(a.buffer.name.text());
-    m_nameB = "B  ";
+    const bool isBare = m_bar->isBare();
+    m_nameA = (isBare ? QString() : "A  ") + toQString(a.buffer.name.text());
+    m_nameB = isBare ? QString() : "B  ";
     if (other && source->kind != Kind::Buffer) m_nameB += toQString(other->buffer.name.text()) + ", ";
     m_nameB += nameOf(*source);
     if (other) nameDifference(answer.request.frame->scene(), answer.request.other->frame->scene());
@@ -197,16 +198,15 @@ ShownBuffer BufferCompare::show(const ShowAnswer& answer) {
                         : toQString(other->whyNotComparable);
     }
     m_bar->setMetric(m_metric);
+    if (isBare && !m_why.isEmpty()) m_nameB += ": " + m_why;
     tell();
     if (m_found && m_goesToWorst) QMetaObject::invokeMethod(this, &BufferCompare::goToWorst, Qt::QueuedConnection);
     if (const auto difference = shownDifference(answer.request.frame)) {
-        const pipeline::MetricInfo& metric = pipeline::metricTable()[std::size_t(m_metric)];
         ShownBuffer shown = difference->shown;
         shown.notice.clear();
         shown.empty.clear();
         Wipe names;
-        names.nameA =
-            QString("%1 = %2,  %3,  %4").arg(toQString(metric.name), toQString(metric.formula), m_nameA, m_nameB);
+        names.nameA = differenceName();
         m_canvas->setOther({}, names);
         return shown;
     }

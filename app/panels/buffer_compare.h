@@ -81,6 +81,7 @@ private:
     void forgetDifference();
     std::optional<pipeline::AnyBuffer> findDerived(const pipeline::BufferName& name, bool isOwn);
     void nameDifference(const pipeline::Scene& a, const pipeline::Scene& b);
+    QString differenceName() const;
     Wipe wipe() const;
     void tell();
     QString whyNotYet() const;

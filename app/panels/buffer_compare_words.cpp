@@ -2,6 +2,7 @@
 #include "app/panels/buffer_compare.h"
 
 #include "app/core/pointed.h"
+#include "app/core/text.h"
 
 namespace app {
 
@@ -57,12 +58,25 @@ void BufferCompare::tell() {
 // Where the two scenes differ in one setting, each side says which value it has.
 void BufferCompare::nameDifference(const pipeline::Scene& a, const pipeline::Scene& b) {
     const auto differing = differingSettings(a, b);
+    const auto source = *current();
+    const bool isSetting = source.kind == OtherSource::Kind::Setting;
+    if (m_bar->isBare() && (isSetting || differing.size() == 1)) {
+        const pipeline::SettingRef setting = isSetting ? source.setting : differing[0];
+        m_nameA = captionOf(setting, setting.get(a)), m_nameB = captionOf(setting, setting.get(b));
+        return;
+    }
     if (differing.size() != 1) return;
     const auto valueIn = [&](const pipeline::Scene& scene) {
         return nameOf({.kind = OtherSource::Kind::Setting, .setting = differing[0], .value = differing[0].get(scene)});
     };
     m_nameA += ", " + valueIn(a);
     if (current()->kind == OtherSource::Kind::Before) m_nameB += ", " + valueIn(b);
+}
+
+QString BufferCompare::differenceName() const {
+    const pipeline::MetricInfo& metric = pipeline::metricTable()[std::size_t(m_metric)];
+    const QString sides = m_bar->isBare() ? tr("A  %1,  B  %2") : QStringLiteral("%1,  %2");
+    return QString("%1 = %2,  ").arg(toQString(metric.name), toQString(metric.formula)) + sides.arg(m_nameA, m_nameB);
 }
 
 QString BufferCompare::readout(QPoint pixel) const {

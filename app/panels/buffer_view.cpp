@@ -177,8 +177,7 @@ void BufferView::refresh() {
     m_stack->setCurrentWidget(m_canvas);
     if (hadKeys) m_canvas->setFocus();
     if (std::exchange(m_keysWait, false) && m_header->chooser()->hasFocus()) takeKeys();
-    m_canvas->setContent(m_shown->content);
-    m_header->setZoom(m_canvas->zoom());
+    showContent();
     m_foot->show(*m_shown, !keptRange(), kept().logCounts);
     m_notice->setText(m_shown->empty.isEmpty() ? m_shown->notice : m_shown->empty);
     m_notice->setVisible(!m_notice->text().isEmpty());

@@ -42,6 +42,7 @@ public:
     void setRange(pipeline::PaletteRange range);
     void setLogCounts(bool logarithmic);  // the axis of the histogram
     void setOverlay(OverlayId overlay, bool shown);
+    bool hasOverlay(OverlayId overlay) const { return m_overlays[index(overlay)]; }
     void setRegion(const std::optional<Region>& region);  // whose statistics stand in the corner
     void setFlipped(bool flipped);                        // row 0 at the foot
     void setShowLoupe(bool show);
@@ -118,6 +119,7 @@ private:
     void togglePin();
     void goToPin(int number);
     void showPins();
+    void showContent();
 
     Document& m_document;
     pipeline::BufferName m_name{pipeline::BufferId::Color};
@@ -125,8 +127,9 @@ private:
     ShowJob m_showing;
     pipeline::FramePtr m_frame;  // that m_shown is of
     std::optional<ShownBuffer> m_shown;
-    BackgroundJob m_marking;  // what is selected, in m_frame
-    bool m_fitsOnce = false;  // the range is to stay as the next picture fits it
+    BackgroundJob m_marking;     // what is selected, in m_frame
+    bool m_fitsOnce = false;     // the range is to stay as the next picture fits it
+    bool m_fitsPicture = false;  // to the next picture of the document's scene, of a state that has no zoom
     bool m_bare = false;
     bool m_missed = false;               // a refresh, while it was put away
     std::optional<QPoint> m_localHover;  // of a picture that is not the document's

@@ -45,6 +45,7 @@ void BufferView::wantDerived() {
     if (!isPutAway(*this) && pipeline::isDerived(m_name.id)) wanted.push_back(m_name);
     if (!isPutAway(*this) && isMixed()) wanted.push_back(kMix);
     m_document.derived().want(this, std::move(wanted));
+    m_document.mixer().setShownAlone(this, !isPutAway(*this) && m_name == kMix);
 }
 
 void BufferView::takeOffer() {
@@ -116,7 +117,10 @@ void BufferView::tellAbsent(const pipeline::Frame& frame) {
     if (!comes) showMessage(tr("This buffer was left out:\n%1").arg(why), Offer::Compute);
 }
 
-bool BufferView::isMixed() const { return m_name.id == BufferId::Color && !m_document.mixer().isPlain(); }
+bool BufferView::isMixed() const {
+    const MixModel& mixer = m_document.mixer();
+    return m_name.id == BufferId::Color && !mixer.isPlain() && !mixer.isShownAlone();
+}
 
 QString BufferView::withNotices(const QString& notice) const {
     QStringList lines;

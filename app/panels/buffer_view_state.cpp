@@ -94,9 +94,18 @@ pipeline::Errors BufferView::lookAt(const lessons::BufferShown& state) {
     const pipeline::Errors compared = m_compare->lookAt(state.compared);
     errors.insert(errors.end(), compared.begin(), compared.end());
     want();
+    m_fitsPicture = !state.zoom;
     refresh();
     m_canvas->showPart(state.zoom);
     return errors;
+}
+
+// A state is looked at before its scene's frame is there: what fits is known with that frame.
+void BufferView::showContent() {
+    m_canvas->setContent(m_shown->content);
+    if (m_fitsPicture && m_canvas->look().fits) m_canvas->fit();
+    if (m_frame->sharedScene() == m_document.sharedScene()) m_fitsPicture = false;
+    m_header->setZoom(m_canvas->zoom());
 }
 
 }  // namespace app

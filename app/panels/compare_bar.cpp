@@ -80,6 +80,8 @@ CompareBar::CompareBar(QWidget* parent)
         m_modes->setFixedSize(Segmented::widthFor(modeTexts()) + theme.px(10), theme.px(24));
         m_metric->setFont(theme.text(12));
         m_finding->setFont(theme.text(12));
+        // Compared views stand at the same height, whatever they found.
+        m_finding->setMinimumHeight(2 * m_finding->fontMetrics().lineSpacing());
         for (QPushButton* button : {m_worst, m_stages, m_offer}) button->setFont(theme.text(12, 500));
         for (QAbstractButton* button : std::initializer_list<QAbstractButton*>{m_worst, m_stages, m_close})
             button->setIconSize(QSize(1, 1) * theme.px(16));
@@ -88,13 +90,16 @@ CompareBar::CompareBar(QWidget* parent)
 
 void CompareBar::setBare(bool bare) {
     m_bare = bare;
-    m_close->setVisible(!bare);
-    if (bare) m_first->insertWidget(m_first->indexOf(m_metric) + 1, m_finding, 1);
-    arrange();
+    show(m_compares);
+}
+
+void CompareBar::show(bool compares) {
+    m_compares = compares;
+    setVisible(compares && !m_bare);
 }
 
 void CompareBar::fit(int height) {
-    m_isLow = !m_bare && height < Theme::current().px(260);
+    m_isLow = height < Theme::current().px(260);
     m_finding->setVisible(!m_isLow);
     arrange();
 }
@@ -121,10 +126,10 @@ void CompareBar::arrange() {
         part->setVisible(isWanted && (inFirst || !m_isLow));
     };
     const bool hasSigns = width() >= others + 2 * theme.px(24);
-    put(m_worst, hasSigns, m_first->indexOf(m_close), !m_bare);
-    put(m_stages, hasSigns, m_first->indexOf(m_close), !m_bare);
+    put(m_worst, hasSigns, m_first->indexOf(m_close), true);
+    put(m_stages, hasSigns, m_first->indexOf(m_close), true);
     const bool isDifference = m_modes->current() == int(CompareMode::Difference);
-    put(m_metric, m_bare || width() >= others, 1, isDifference);
+    put(m_metric, width() >= others, 1, isDifference);
     for (auto [button, sign] : {std::pair(m_worst, "pin"), std::pair(m_stages, "histogram")}) {
         button->setText(hasWords ? button->accessibleName() : QString());
         button->setIcon(hasWords ? QIcon() : icon(sign));

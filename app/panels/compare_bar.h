@@ -28,8 +28,10 @@ public:
     void setFinding(const QString& sentence, const QString& whyNoWorst);
     enum class Offer : unsigned char { Nothing, Cancel, Compute };
     void setOffer(Offer offer);
-    void fit(int height);     // of the view: in a low one without the words
-    void setBare(bool bare);  // the choices and the words, in one line
+    void fit(int height);  // of the view: in a low one without the words
+    void show(bool compares);
+    void setBare(bool bare);  // not shown at all: in a talk the pictures bear names, and the keys are the same
+    bool isBare() const { return m_bare; }
 
 signals:
     void modeChosen(CompareMode mode);
@@ -51,7 +53,7 @@ private:
     QPushButton *m_worst, *m_stages, *m_offer;
     QToolButton* m_close;
     QHBoxLayout *m_first, *m_second;
-    bool m_bare = false, m_isLow = false;
+    bool m_compares = false, m_bare = false, m_isLow = false;
 };
 
 }  // namespace app

@@ -163,6 +163,26 @@ TEST_F(DerivedBuffersTest, TheMixStandsAgainstTheFrameBuffer) {
     EXPECT_EQ(view.compare().found()->differing, differ);
 }
 
+// Two views, the frame buffer and the mix: the first one shows what the frame buffer holds.
+TEST_F(DerivedBuffersTest, TheFrameBufferIsAsItIsBesideAViewOfTheMix) {
+    const auto isMixed = [&] { return view.shown() && view.shown()->buffer.name == kMix; };
+    view.setBuffer({BufferId::Color});
+    ASSERT_TRUE(
+        QTest::qWaitFor([&] { return view.shown() && view.shown()->buffer.name.id == BufferId::Color; }, 10000));
+    const QImage plain = view.canvas()->content().image;
+    document.mixer().set(*pipeline::parseMix("ambient=solo", 1));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return view.canvas()->content().image != plain; }, 10000));
+    const QImage mixed = view.canvas()->content().image;
+    auto beside = std::make_unique<app::BufferView>(document);
+    beside->show();
+    beside->setBuffer(kMix);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return beside->shown() && beside->shown()->buffer.name == kMix; }, 10000));
+    EXPECT_FALSE(isMixed());
+    EXPECT_TRUE(QTest::qWaitFor([&] { return view.canvas()->content().image == plain; }, 10000));
+    beside.reset();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return view.canvas()->content().image == mixed; }, 10000)) << "alone again";
+}
+
 // The verdicts of the scene before the last change: rays of another frame.
 TEST_F(DerivedBuffersTest, IsComparedWithTheSceneBefore) {
     view.setBuffer(kVerdicts);

@@ -1,7 +1,6 @@
 // How a talk looks, and that the window behind it is what it was.
 #include <QFile>
 #include <QLabel>
-#include <QPushButton>
 #include <QTest>
 #include <algorithm>
 #include <array>
@@ -69,8 +68,8 @@ TEST_F(WindowTalk, AShowsTheAlgorithmWithTheLineOfTheStep) {
     EXPECT_FALSE(algorithm->isVisible());
 }
 
-// Both sides bear a name, which the buffer's own would cover; the words stand beside the choices.
-TEST_F(WindowTalk, AComparisonHasOneSetOfNamesAndOneLine) {
+// Both sides bear the value in which they differ; the bar below is the lecturer's.
+TEST_F(WindowTalk, AComparisonHasNamesAndNoBar) {
     BufferView& shown = present().views().first();
     const auto hasTitle = [&] {
         return std::ranges::any_of(shown.canvas()->findChildren<QLabel*>(),
@@ -78,15 +77,54 @@ TEST_F(WindowTalk, AComparisonHasOneSetOfNamesAndOneLine) {
     };
     EXPECT_TRUE(hasTitle());
     const auto shading = *findSetting(document().scene(), "shading");
-    shown.findChild<BufferCompare*>()->compareWith(OtherSource{.kind = OtherSource::Kind::Setting, .setting = shading});
+    shown.findChild<BufferCompare*>()->compareWith(
+        OtherSource{.kind = OtherSource::Kind::Setting, .setting = shading, .value = 1});
     EXPECT_TRUE(waitForFrame());
     EXPECT_FALSE(hasTitle());
-    const auto* bar = shown.findChild<CompareBar*>();
-    ASSERT_TRUE(bar->isVisible());
-    EXPECT_LT(bar->height(), 2 * bar->findChild<Segmented*>()->height());
-    EXPECT_TRUE(bar->findChild<QLabel*>()->isVisible());
-    for (const auto* button : bar->findChildren<QPushButton*>())
-        EXPECT_TRUE(!button->isVisible() || button->property("kind") == "segment") << button->text().toStdString();
+    EXPECT_FALSE(shown.findChild<CompareBar*>()->isVisible());
+    EXPECT_TRUE(QTest::qWaitFor([&] { return shown.canvas()->wipe().nameB == "Gouraud"; }, 10000))
+        << shown.canvas()->wipe().nameB.toStdString();
+    EXPECT_EQ(shown.canvas()->wipe().nameA, "Flat");
+}
+
+// A cue whose picture is three times as large: what fits is known with its frame, which comes after the state.
+TEST_F(WindowTalk, ACueOfAnotherScaleIsFittedToItsOwnFrame) {
+    BufferView& shown = present().views().first();
+    lessons::WindowState state = *window.state({});
+    state.set = {"camera.scale=3"};
+    state.views[0].zoom.reset();
+    window.showState(state, {}, SceneChanges::Given);
+    window.presentation().lookAt(state);
+    EXPECT_TRUE(waitForFrame());
+    const auto isFitted = [&] { return shown.canvas()->look().focus == shown.canvas()->content().focus; };
+    EXPECT_TRUE(QTest::qWaitFor(
+        [&] { return shown.shown() && isFitted() && shown.canvas()->content().focus.width() > 150; }, 10000))
+        << "drawn are some 90 columns at scale 1";
+}
+
+// Symbols, numbers, result and the frame buffer: with Gouraud shading the pixel's own, not the first vertex' symbols.
+TEST_F(WindowTalk, TheEquationEndsWithTheFrameBufferAndHasNumbersToItsSymbols) {
+    document().change(*findSetting(document().scene(), "shading"), 1);
+    document().pick(glm::ivec2(268, 281));
+    CleanView& view = present();
+    auto* math = view.findChild<MathView*>();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return math->isVisible() && math->lines().size() == 4; }, 10000));
+    const char* const roles[]{"symbols", "numbers", "result", "frame buffer"};
+    for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(math->lines()[i].role, roles[i]) << i;
+}
+
+// The painter's algorithm that splits nothing: the reason stands below its lines.
+TEST_F(WindowTalk, WhyLinesAreLeftOutStandsBelowTheAlgorithm) {
+    document().change(*findSetting(document().scene(), "visibility"), double(pipeline::Visibility::Painter));
+    document().change(*findSetting(document().scene(), "split"), 0);
+    ASSERT_TRUE(waitForFrame());
+    CleanView& view = present();
+    view.takeKey(Qt::Key_A);
+    document().setStage(pipeline::StageId::ZBuffer);
+    const auto* why = view.findChild<QLabel*>("algorithmLeftOut");
+    ASSERT_TRUE(QTest::qWaitFor([&] { return why->isVisible(); }, 30000));
+    EXPECT_TRUE(why->text().contains("left out. ")) << why->text().toStdString();
+    EXPECT_TRUE(why->text().contains("split = off")) << why->text().toStdString();
 }
 
 // Two cues: the first asks, the second is its answer.

@@ -133,9 +133,13 @@ TEST_F(WindowViews, WithoutRoomTheLastViewsComeBackWithIt) {
     EXPECT_TRUE(views().frameOf(buffer(0))->isVisible());
     EXPECT_GE(placeOf(buffer(0)).height(), 222);
     EXPECT_FALSE(views().frameOf(space(0))->isVisible());
+    const auto* missing = views().findChild<QLabel*>("missingViews");
+    EXPECT_TRUE(missing->isVisible());
+    EXPECT_EQ(missing->text(), "1 view has no room here.");
     window.resize(2000, 1500);
     QTest::qWait(50);
     EXPECT_TRUE(views().frameOf(space(0))->isVisible());
+    EXPECT_FALSE(missing->isVisible());
     EXPECT_GE(placeOf(space(0)).height(), 222);
 }
 
