@@ -11,7 +11,7 @@
 #include <optional>
 #include <utility>
 
-#include "pipeline/run/hand_over.h"
+#include "pipeline/run/happens_before.h"
 
 namespace pipeline {
 namespace {
@@ -69,7 +69,7 @@ Threads::Threads(int count, Stop stop) : m_stop(std::move(stop)) {
 Threads::~Threads() = default;
 
 void Threads::share(std::size_t pieces, const std::function<void(std::size_t, std::size_t)>& run) {
-    HandOver work, done;
+    HappensBefore work, done;
     work.give();
     m_team->arena->execute([&] {
         // Ranges of pieces, because TBB halves what it gets, and its own pieces would be no multiple of a SIMD width.

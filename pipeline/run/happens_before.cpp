@@ -1,4 +1,4 @@
-#include "pipeline/run/hand_over.h"
+#include "pipeline/run/happens_before.h"
 
 #ifdef __SANITIZE_THREAD__
 #include <sanitizer/tsan_interface.h>
@@ -9,13 +9,13 @@ extern "C" const char* __tsan_default_suppressions() { return "called_from_lib:l
 
 namespace pipeline {
 
-void HandOver::give() {
+void HappensBefore::give() {
 #ifdef __SANITIZE_THREAD__
     __tsan_release(this);
 #endif
 }
 
-void HandOver::take() {
+void HappensBefore::take() {
 #ifdef __SANITIZE_THREAD__
     __tsan_acquire(this);
 #endif
