@@ -259,7 +259,7 @@ std::size_t wordsIn(const Prose& prose) {
 }
 
 void checkHeader(const Lesson& lesson, Errors& errors) {
-    const SourceLocation where{lesson.pages.front().where.file, 1, 1};
+    const SourceLocation where{lesson.pages.back().where.file, 1, 1};  // the first may be another lesson's
     const double minutes = minutesOf(lesson);
     if (lesson.minutes > 0 && std::abs(minutes - lesson.minutes) > kOffTime * std::max(minutes, double(lesson.minutes)))
         errors.push_back({where,

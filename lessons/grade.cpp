@@ -146,11 +146,12 @@ private:
         const Lesson* const lesson = lessonNamed(name);
         std::vector<GradedAnswer> answers;
         for (const auto& [heading, progress] : pages) {
-            GradedAnswer answer{m_student, pipeline::escaped(name), 0, pipeline::escaped(heading), progress, 0, 0, {}};
+            GradedAnswer answer{m_student, pipeline::escaped(name), 0, {}, pipeline::escaped(heading), progress, 0, 0,
+                                {}};
             const Page* page = nullptr;
             for (std::size_t i = 0; lesson && i < lesson->pages.size(); ++i)
                 if (lesson->pages[i].heading == heading && lesson->pages[i].question)
-                    page = &lesson->pages[i], answer.page = i + 1;
+                    page = &lesson->pages[i], answer.place = i + 1, answer.page = pageName(*lesson, i);
             if (page) {
                 const Attempt attempt(*page->question, progress);
                 answer.points = attempt.points(), answer.full = attempt.full();
@@ -159,7 +160,7 @@ private:
             }
             answers.push_back(std::move(answer));
         }
-        std::ranges::stable_sort(answers, {}, &GradedAnswer::page);
+        std::ranges::stable_sort(answers, {}, &GradedAnswer::place);
         std::ranges::move(answers, std::back_inserter(m_graded.answers));
     }
 
@@ -184,6 +185,7 @@ private:
             GradedAnswer answer{m_student,
                                 fmt::format("sheet {}", handedIn.sheet),
                                 number + 1,
+                                pageName(*lesson, number),
                                 page.heading,
                                 {},
                                 0,
@@ -233,10 +235,10 @@ std::map<std::string, std::vector<std::string>> treatments(const std::set<std::s
     std::map<std::string, std::vector<std::string>> pages;
     for (const Lesson& lesson : allLessons().lessons)
         for (std::size_t i = 0; i < lesson.pages.size(); ++i) {
-            if (!lesson.pages[i].question) continue;
+            if (!lesson.pages[i].question || lesson.pages[i].from) continue;
             for (const std::string& id : mistakeIds(*lesson.pages[i].question))
                 if (ids.contains(id) && pages[id].size() < kMostPagesNamed)
-                    pages[id].push_back(fmt::format("{}, page {}", lesson.title, i + 1));
+                    pages[id].push_back(fmt::format("{}, page {}", lesson.title, pageName(lesson, i)));
         }
     return pages;
 }

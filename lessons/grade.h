@@ -13,9 +13,10 @@ namespace lessons {
 
 // One question of one student.
 struct GradedAnswer {
-    std::string student;   // the hand-in's name
-    std::string lesson;    // its name, or "sheet 7"
-    std::size_t page = 0;  // from 1; 0 where the lesson has no such page any more
+    std::string student;    // the hand-in's name
+    std::string lesson;     // its name, or "sheet 7"
+    std::size_t place = 0;  // of the page, from 1; 0 where the lesson has no such page any more
+    std::string page;       // what it is called (pageName), or empty
     std::string heading;
     Progress progress;
     double points = 0, full = 0;

@@ -41,8 +41,8 @@ std::string outcomeOf(const GradedAnswer& answer) {
 
 // The answers to one question, of all students.
 struct OfQuestion {
-    std::string lesson, heading;
-    std::size_t page = 0, answers = 0, right = 0, atOnce = 0;
+    std::string lesson, heading, page;
+    std::size_t place = 0, answers = 0, right = 0, atOnce = 0;
     std::map<std::string, std::size_t> mistakes;  // students, by the misconception's id
 };
 std::vector<OfQuestion> questionsOf(const Graded& graded) {
@@ -53,7 +53,7 @@ std::vector<OfQuestion> questionsOf(const Graded& graded) {
             return one.lesson == answer.lesson && one.heading == answer.heading;
         });
         if (found == questions.end())
-            found = questions.insert(found, {answer.lesson, answer.heading, answer.page, 0, 0, 0, {}});
+            found = questions.insert(found, {answer.lesson, answer.heading, answer.page, answer.place, 0, 0, 0, {}});
         const bool right = answer.progress.outcome == Progress::Outcome::Right;
         ++found->answers;
         found->right += right;
@@ -64,7 +64,7 @@ std::vector<OfQuestion> questionsOf(const Graded& graded) {
         for (const std::string& id : own) ++found->mistakes[id];
     }
     std::ranges::stable_sort(questions, [](const OfQuestion& a, const OfQuestion& b) {
-        return std::pair(a.lesson, a.page) < std::pair(b.lesson, b.page);
+        return std::pair(a.lesson, a.place) < std::pair(b.lesson, b.place);
     });
     return questions;
 }
@@ -106,7 +106,7 @@ std::string questionRows(const Graded& graded) {
         for (const auto& [students, name] : mistakes) words.push_back(fmt::format("{} ({})", name, students));
         const double share = one.answers == 0 ? 0 : 100.0 * double(one.right) / double(one.answers);
         rows += "<tr>" + element("td", one.lesson) +
-                element("td", one.page ? fmt::format("{} {}", one.page, one.heading) : one.heading) +
+                element("td", one.page.empty() ? one.heading : one.page + ' ' + one.heading) +
                 element("td class=number", std::to_string(one.answers)) +
                 fmt::format("<td><span class=bar><span style=\"width: {:.0f}%\"></span></span> {}</td>", share,
                             percent(one.right, one.answers)) +

@@ -62,8 +62,9 @@ std::string document(const Lesson& lesson, std::string_view what, const std::str
 
 std::string blank(std::string_view before) { return fmt::format("{} <span class=blank>&nbsp;</span>", before); }
 
-std::string headingOf(const Page& page, std::size_t number) {
-    return element("h2", fmt::format("{} {}", number + 1, page.heading));
+std::string headingOf(const Lesson& lesson, std::size_t index) {
+    const Page& page = lesson.pages[index];
+    return element("h2", page.from ? page.heading : pageName(lesson, index) + ' ' + page.heading);
 }
 
 // The equation that the window shows beside the half of a page: of the picked pixel, in the page's channel.
@@ -97,13 +98,14 @@ public:
 
     void add(const Page& page, std::size_t number, const PageFrames& frames) {
         m_page = &page;
+        for (Pictures* pictures : {&m_pictures, &m_answerPictures}) pictures->readFrom(folderOf(m_lesson, page));
         const Hidden hidden = hiddenOn(page, false);
-        m_pages += "<section>\n" + headingOf(page, number) + '\n';
+        m_pages += "<section>\n" + headingOf(m_lesson, number) + '\n';
         m_pages += half(page.first, frames.first, hidden, m_pictures);
         if (page.question) ask(*page.question, number, {.frame = *frames.first, .stop = m_stop});
         m_pages += "</section>\n";
         if (!page.question) return;
-        m_answers += "<section>\n" + headingOf(page, number) + '\n';
+        m_answers += "<section>\n" + headingOf(m_lesson, number) + '\n';
         answer(*page.question, {.frame = *frames.first, .stop = m_stop});
         if (page.then) m_answers += half(*page.then, frames.then, {}, m_answerPictures);
         m_answers += "</section>\n";
@@ -188,7 +190,8 @@ private:
         m_pages += element("p class=remark", pointsText(question.points)) + "</div>\n";
         std::string hints;
         for (const Prose& hint : question.hints) hints += html(hint, context);
-        if (!hints.empty()) m_hints += fmt::format("<div class=hint><b>{}</b><div>{}</div></div>\n", number + 1, hints);
+        if (!hints.empty())
+            m_hints += fmt::format("<div class=hint><b>{}</b><div>{}</div></div>\n", pageName(m_lesson, number), hints);
     }
 
     void answer(const Question& question, const Context& context) {

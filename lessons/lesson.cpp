@@ -1,5 +1,7 @@
 #include "lessons/lesson.h"
 
+#include <algorithm>
+
 #include "lessons/derived_buffer.h"
 #include "pipeline/run/runner.h"
 
@@ -23,6 +25,19 @@ pipeline::FrameRequest requestFor(const Half& half) {
 }
 
 }  // namespace
+
+std::size_t returningPages(const Lesson& lesson) {
+    return std::size_t(std::ranges::count_if(lesson.pages, [](const Page& page) { return page.from.has_value(); }));
+}
+
+std::string pageName(const Lesson& lesson, std::size_t index) {
+    if (const auto& from = lesson.pages[index].from) return from->lesson + '/' + std::to_string(from->page);
+    return std::to_string(index + 1 - returningPages(lesson));
+}
+
+const std::filesystem::path& folderOf(const Lesson& lesson, const Page& page) {
+    return page.from ? page.from->folder : lesson.folder;
+}
 
 std::vector<pipeline::BufferName> shownBuffers(const PageState& state) {
     std::vector<pipeline::BufferName> buffers;

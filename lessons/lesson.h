@@ -42,8 +42,15 @@ enum class Part : std::uint8_t { Inspector, Equation, Counts, Plan, Algorithm, T
 inline constexpr std::array<std::string_view, 8> kPartNames{"inspector", "equation", "counts", "plan",
                                                             "algorithm", "timeline", "scene",  "settings"};
 
+// Where a page comes from whose question returns at the start of another lesson.
+struct Origin {
+    std::string lesson;            // the name of its folder
+    std::size_t page = 0;          // from 1
+    std::filesystem::path folder;  // as Lesson::folder, of that lesson
+};
+
 struct Page {
-    std::string heading;
+    std::string heading;  // of a page that returns: "Again: …"
     Half first;
     std::optional<Question> question;
     // Shown and given out once the question is settled. It begins as the first half, with what it says itself changed.
@@ -55,6 +62,7 @@ struct Page {
     // `panels`: parts of the window that this page needs, in their usual place.
     std::vector<Part> panels;
     pipeline::SourceLocation where;  // of the heading
+    std::optional<Origin> from;      // of a page that returns
 };
 
 struct Lesson {
@@ -65,15 +73,37 @@ struct Lesson {
     std::vector<std::string> can;      // what a reader can do after it, each the end of "You can now"
     std::vector<std::string> notions;  // of resources/manual/lectures.md
     std::string next;                  // the name of the lesson after it; may be empty
-    std::vector<Page> pages;           // at least one
+    // "returns: back-faces/3, z-buffer/5": pages of other lessons whose questions come before the first page.
+    struct Return {
+        std::string lesson;
+        std::size_t page = 0;  // from 1
+        pipeline::SourceLocation where;
+    };
+    std::vector<Return> returns;
+    std::vector<Page> pages;  // those that return, then the lesson's own: at least one
 };
+
+// How many of its pages return.
+std::size_t returningPages(const Lesson& lesson);
+// What a page is called, by its index: "3", the number among the lesson's own; of one that returns "back-faces/3".
+std::string pageName(const Lesson& lesson, std::size_t index);
+// Where its pictures and files are.
+const std::filesystem::path& folderOf(const Lesson& lesson, const Page& page);
 
 // Reads the lesson in a folder. Up to kMaxErrors errors, FILE:LINE:COLUMN each.
 pipeline::Result<Lesson> readLesson(const std::filesystem::path& folder, const pipeline::Stop& stop = {});
 
 // The same from text: `file` is the name in messages, `sceneNamed` finds what the lesson calls its scene.
 using SceneSource = std::function<pipeline::Result<pipeline::Scene>(std::string_view name)>;
-pipeline::Result<Lesson> parseLesson(std::string_view text, const std::string& file, const SceneSource& sceneNamed);
+// Another lesson, of which pages return; without it a lesson from which some return is an error.
+struct LessonText {
+    std::string text, file;
+    std::filesystem::path folder;
+    SceneSource sceneNamed;
+};
+using LessonSource = std::function<pipeline::Result<LessonText>(std::string_view name)>;
+pipeline::Result<Lesson> parseLesson(std::string_view text, const std::string& file, const SceneSource& sceneNamed,
+                                     const LessonSource& lessonNamed = {});
 
 // What a lesson in this folder means by the name of a scene: one that comes with the program, or a file in the folder.
 pipeline::Result<pipeline::Scene> sceneOfLesson(std::string_view name, const std::filesystem::path& folder,

@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "lessons/lesson.h"
 #include "lessons/lesson_text.h"
@@ -25,15 +26,15 @@ using pipeline::Result;
 using pipeline::SourceLocation;
 using Keys = std::span<const std::string_view>;
 
-constexpr std::array<std::string_view, 10> kHeaderKeys{"title", "lecture", "minutes", "notions", "summary",
-                                                       "can",   "next",    "scene",   "set",     "let"};
+constexpr std::array<std::string_view, 11> kHeaderKeys{"title", "lecture", "minutes", "notions", "summary", "can",
+                                                       "next",  "returns", "scene",   "set",     "let"};
 constexpr std::array<std::string_view, 5> kFirstKeys{"set", "let", "scene", "hides", "panels"};
 constexpr std::array<std::string_view, 2> kSecondKeys{"set", "let"};
 constexpr std::array<std::string_view, 3> kRepeatedKeys{"set", "let", "can"};
 // Paragraphs for the window or for paper alone; the first one is no key.
 constexpr std::string_view kScreenMark = "screen: ", kPaperMark = "paper: ";
 constexpr std::array<std::string_view, 2> kMarkWords{"screen", "paper"};
-constexpr std::size_t kMaxLessonBytes = std::size_t{1} << 20;
+constexpr std::size_t kMostReturns = 9, kMostPages = 1000;
 constexpr double kMostMinutes = 600;
 
 bool isHeading(const Line& line) { return line.text.starts_with("# "); }
@@ -52,13 +53,15 @@ public:
     Reader(std::string_view text, const std::string& file, const SceneSource& sceneNamed)
         : m_lines(linesOf(text, file)), m_file(file), m_sceneNamed(sceneNamed) {}
 
-    Result<Lesson> read() {
+    // wanted: the numbers of the pages, from 1, that are read; none: all of them.
+    Result<Lesson> read(const std::set<std::size_t>& wanted = {}) {
         Lesson lesson;
         header(lesson);
         if (m_at == m_lines.size()) {
             m_complaints.add({m_file, int(m_lines.size()), 0}, "the file has no page", "a line \"# HEADING\"");
         }
-        while (m_at < m_lines.size()) lesson.pages.push_back(page());
+        for (std::size_t number = 1; m_at < m_lines.size(); ++number)
+            lesson.pages.push_back(page(wanted.empty() || wanted.contains(number)));
         if (!m_complaints.empty()) return m_complaints.take();
         return lesson;
     }
@@ -97,6 +100,8 @@ private:
             if (entry.key == "can") lesson.can.emplace_back(entry.line().text);
         if (const Entry* entry = find(m_header, "notions"))
             for (const Line& notion : separated(entry->line(), ";")) lesson.notions.emplace_back(notion.text);
+        if (const Entry* entry = find(m_header, "returns"))
+            for (const Line& page : separated(entry->line())) returning(page, lesson);
         if (const Entry* entry = find(m_header, "minutes")) {
             const auto minutes = numberIn(entry->line().text);
             if (minutes && *minutes >= 1 && *minutes <= kMostMinutes && *minutes == std::trunc(*minutes))
@@ -105,6 +110,16 @@ private:
                 m_complaints.add(entry->line().where, "found " + inQuotes(entry->line().text),
                                  "a whole number of minutes from 1 to 600");
         }
+    }
+
+    void returning(const Line& line, Lesson& lesson) {
+        const auto parts = splitAt(line, "/");
+        const auto page = parts ? numberIn(parts->second.text) : std::nullopt;
+        if (!page || !(*page >= 1) || !(*page <= double(kMostPages)) || *page != std::trunc(*page))
+            return m_complaints.add(line.where, "found " + inQuotes(line.text), "LESSON/PAGE, as back-faces/3");
+        if (lesson.returns.size() == kMostReturns)
+            return m_complaints.add(line.where, "found more pages that return", "at most 9");
+        lesson.returns.push_back({std::string(parts->first.text), std::size_t(*page), line.where});
     }
 
     // The scene that `entries` or else the header names.
@@ -150,7 +165,8 @@ private:
                 if (entry.key == "set") window.set.emplace_back(entry.line().text);
     }
 
-    Page page() {
+    // Without `isWanted` its lines alone are passed over.
+    Page page(bool isWanted) {
         Page page;
         page.where = m_lines[m_at].where;
         page.heading = trimmed({m_lines[m_at].text.substr(2), {}}).text;
@@ -173,6 +189,7 @@ private:
                                      "the next page: the question stands before \"## then\"");
         }
 
+        if (!isWanted) return page;
         auto scene = sceneOf(settings, page.where);
         if (!scene) return page;  // names can only be checked against a scene
         set(*scene, {&m_header, &settings}, page.where);
@@ -318,39 +335,62 @@ private:
 
 }  // namespace
 
-Result<Lesson> parseLesson(std::string_view text, const std::string& file, const SceneSource& sceneNamed) {
-    return Reader(text, file, sceneNamed).read();
+namespace {
+
+// A page whose question returns, as it begins another lesson.
+Page again(Page page, const Lesson& lesson, const Lesson::Return& from, const LessonText& text) {
+    page.heading = "Again: " + page.heading;
+    page.from = {from.lesson, from.page, text.folder};
+    const std::string words = "*From \"" + lesson.title + "\", page " + std::to_string(from.page) + ".*\n\n";
+    for (Prose* prose : {&page.first.text, &page.first.paper})
+        if (!prose->pieces.empty()) prose->pieces.front().insert(0, words);
+    return page;
 }
 
-Result<pipeline::Scene> sceneOfLesson(std::string_view name, const std::filesystem::path& folder,
-                                      const pipeline::Stop& stop) {
-    std::vector<std::string> names;
-    for (const pipeline::BuiltInScene& scene : pipeline::builtInScenes()) {
-        if (scene.name == name) return pipeline::readScene(scene.file, {{}, stop});
-        names.push_back(scene.name);
+Result<std::vector<Page>> readReturning(const Lesson& lesson, const LessonSource& lessonNamed) {
+    Complaints complaints;
+    std::map<std::string, std::set<std::size_t>> wanted;
+    for (const Lesson::Return& one : lesson.returns)
+        if (!wanted[one.lesson].insert(one.page).second) complaints.add(one.where, "this page returns a second time");
+    std::map<std::string, std::optional<std::pair<LessonText, Lesson>>> sources;
+    std::vector<Page> pages;
+    for (const Lesson::Return& one : lesson.returns) {
+        const auto [source, isNew] = sources.try_emplace(one.lesson);
+        if (isNew) {
+            auto text = lessonNamed ? lessonNamed(one.lesson) : Error{{}, "no page of another lesson returns here"};
+            auto read =
+                text ? Reader(text->text, text->file, text->sceneNamed).read(wanted[one.lesson]) : text.errors();
+            if (read)
+                source->second.emplace(std::move(text).value(), std::move(read).value());
+            else
+                complaints.add(one.where, read.errors());
+        }
+        if (!source->second) continue;
+        const auto& [text, from] = *source->second;
+        if (one.page > from.pages.size())
+            complaints.add(one.where, "found page " + std::to_string(one.page),
+                           "a page from 1 to " + std::to_string(from.pages.size()));
+        else if (!from.pages[one.page - 1].question)
+            complaints.add(one.where, "this page asks nothing", "a page with a question");
+        else
+            pages.push_back(again(from.pages[one.page - 1], from, one, text));
     }
-    const std::filesystem::path file = std::filesystem::path(name).filename();  // of this folder alone
-    std::error_code ignored;
-    if (file == name && std::filesystem::is_regular_file(folder / file, ignored)) {
-        const auto inside = pipeline::pathInFolder(folder, name, "lesson");
-        return inside ? pipeline::readScene(folder / file, {{}, stop}) : inside.errors();
-    }
-    return Error{{}, "no scene " + inQuotes(name) + "; " + pipeline::insteadOf(name, names), {}};
+    if (!complaints.empty()) return complaints.take();
+    return pages;
 }
 
-Result<Lesson> readLesson(const std::filesystem::path& folder, const pipeline::Stop& stop) {
-    const std::filesystem::path file = folder / "lesson.md";
-    const auto text = pipeline::readFile(file, kMaxLessonBytes);
-    if (!text) return pipeline::namedAt({file.string()}, text.errors());
-    auto lesson = parseLesson(pipeline::escapedControls(*text), file.string(),
-                              [&](std::string_view name) { return sceneOfLesson(name, folder, stop); });
-    if (!lesson) return lesson;
-    Lesson named = std::move(lesson).value();
-    std::error_code ignored;
-    const std::filesystem::path whole = std::filesystem::absolute(folder, ignored).lexically_normal();  // "." and "x/"
-    named.folder = folder;
-    named.name = (whole.has_filename() ? whole : whole.parent_path()).filename().string();
-    return named;
+}  // namespace
+
+Result<Lesson> parseLesson(std::string_view text, const std::string& file, const SceneSource& sceneNamed,
+                           const LessonSource& lessonNamed) {
+    auto lesson = Reader(text, file, sceneNamed).read();
+    if (!lesson || lesson->returns.empty()) return lesson;
+    auto returning = readReturning(*lesson, lessonNamed);
+    if (!returning) return returning.errors();
+    Lesson whole = std::move(lesson).value();
+    whole.pages.insert(whole.pages.begin(), std::make_move_iterator(returning->begin()),
+                       std::make_move_iterator(returning->end()));
+    return whole;
 }
 
 }  // namespace lessons

@@ -3,14 +3,22 @@
 #include <algorithm>
 #include <system_error>
 
+#include "pipeline/core/printable.h"
 #include "pipeline/core/text.h"
+#include "pipeline/formats/scene_folder.h"
 #include "pipeline/formats/scene_reader.h"
+#include "pipeline/scene/key_places.h"
 
 namespace lessons {
 
 namespace {
 
+using pipeline::Error;
+using pipeline::inQuotes;
+using pipeline::Result;
+
 constexpr const char* kFile = "lesson.md";
+constexpr std::size_t kMaxLessonBytes = std::size_t{1} << 20;
 
 // Each lesson before the one that it names as the next; those that no other names come first.
 std::vector<Lesson> inOrder(std::vector<Lesson> lessons) {
@@ -50,6 +58,50 @@ std::vector<std::string> lessonNames() {
         if (std::filesystem::exists(entry.path() / kFile, ignored)) names.push_back(entry.path().filename().string());
     std::ranges::sort(names);
     return names;
+}
+
+Result<pipeline::Scene> sceneOfLesson(std::string_view name, const std::filesystem::path& folder,
+                                      const pipeline::Stop& stop) {
+    std::vector<std::string> names;
+    for (const pipeline::BuiltInScene& scene : pipeline::builtInScenes()) {
+        if (scene.name == name) return pipeline::readScene(scene.file, {{}, stop});
+        names.push_back(scene.name);
+    }
+    const std::filesystem::path file = std::filesystem::path(name).filename();  // of this folder alone
+    std::error_code ignored;
+    if (file == name && std::filesystem::is_regular_file(folder / file, ignored)) {
+        const auto inside = pipeline::pathInFolder(folder, name, "lesson");
+        return inside ? pipeline::readScene(folder / file, {{}, stop}) : inside.errors();
+    }
+    return Error{{}, "no scene " + inQuotes(name) + "; " + pipeline::insteadOf(name, names), {}};
+}
+
+Result<LessonText> lessonText(const std::filesystem::path& folder, const pipeline::Stop& stop) {
+    const std::filesystem::path file = folder / kFile;
+    const auto text = pipeline::readFile(file, kMaxLessonBytes);
+    if (!text) return pipeline::namedAt({file.string()}, text.errors());
+    return LessonText{pipeline::escapedControls(*text), file.string(), folder,
+                      [folder, stop](std::string_view name) { return sceneOfLesson(name, folder, stop); }};
+}
+
+Result<LessonText> otherLesson(std::string_view name, const pipeline::Stop& stop) {
+    const std::vector<std::string> names = lessonNames();
+    if (std::ranges::find(names, name) != names.end()) return lessonText(lessonFolder() / name, stop);
+    return Error{{}, "no lesson " + inQuotes(name) + "; " + pipeline::insteadOf(name, names), {}};
+}
+
+Result<Lesson> readLesson(const std::filesystem::path& folder, const pipeline::Stop& stop) {
+    const auto text = lessonText(folder, stop);
+    if (!text) return text.errors();
+    auto lesson = parseLesson(text->text, text->file, text->sceneNamed,
+                              [&](std::string_view name) { return otherLesson(name, stop); });
+    if (!lesson) return lesson;
+    Lesson named = std::move(lesson).value();
+    std::error_code ignored;
+    const std::filesystem::path whole = std::filesystem::absolute(folder, ignored).lexically_normal();  // "." and "x/"
+    named.folder = folder;
+    named.name = (whole.has_filename() ? whole : whole.parent_path()).filename().string();
+    return named;
 }
 
 Library allLessons() {

@@ -81,44 +81,58 @@ std::string coreElement(const LiveParts& parts) {
     return "<script type=\"application/octet-stream\" id=\"core\">" + pipeline::base64(parts.core) + "</script>";
 }
 
-// lesson: read from `text` with the scenes of `sceneNamed`.
-Result<LivePage> makePage(const std::string& text, const fs::path& folder, const std::string& file,
-                          const SceneSource& sceneNamed, const LiveParts& parts, const pipeline::Stop& stop) {
+// The page of a lesson's text. folderName: of its folder; empty where it has none.
+Result<LivePage> makePage(const LessonText& from, const std::string& folderName, const LiveParts& parts,
+                          const pipeline::Stop& stop) {
     Json files = Json::object();
-    Errors errors;
-    const auto kept = [&](std::string_view name) {
-        Result<pipeline::Scene> scene = sceneNamed(name);
-        if (!scene) return scene;
-        const auto toml = pipeline::toTomlScene(*scene);
-        if (!toml) return Result<pipeline::Scene>(toml.errors());
-        files[std::string(name) + ".toml"] = *toml;
-        return scene;
+    // A lesson's scenes, put among the files of the page; those of another lesson below its name.
+    const auto keptOf = [&files](const LessonText& lesson, const std::string& below) -> SceneSource {
+        return [&files, sceneNamed = lesson.sceneNamed, below](std::string_view name) {
+            Result<pipeline::Scene> scene = sceneNamed(name);
+            if (!scene) return scene;
+            const auto toml = pipeline::toTomlScene(*scene);
+            if (!toml) return Result<pipeline::Scene>(toml.errors());
+            files[below + std::string(name) + ".toml"] = *toml;
+            return scene;
+        };
     };
-    auto read = parseLesson(text, file, kept);
+    std::string all = from.text;  // of this lesson and of those that have pages in it
+    auto read = parseLesson(from.text, from.file, keptOf(from, ""), [&](std::string_view other) {
+        auto text = otherLesson(other, stop);
+        if (!text) return text;
+        const std::string below = std::string(other) + '/';
+        files[below + "lesson.md"] = text->text;
+        all += text->text;
+        return Result<LessonText>(LessonText{text->text, text->file, text->folder, keptOf(*text, below)});
+    });
     if (!read) return read.errors();
     Lesson lesson = std::move(read).value();
-    lesson.folder = folder;
-    files["misconceptions.md"] = misconceptionRows(text);
+    lesson.name = folderName;
+    lesson.folder = from.folder;
+    files["misconceptions.md"] = misconceptionRows(all);
 
     auto handout = makeHandout(lesson, stop);
     if (!handout) return handout.errors();
     LivePage page{{}, handout->leftOut};
 
     Json texts = Json::array();
-    Pictures pictures(folder);
-    for (Prose* prose : liveTexts(lesson)) {
-        Errors leftOut;  // the handout has told of them
-        const std::string html = proseHtml(withHoleWords(*prose), pictures, leftOut);
-        if (!dress(*prose, html))
-            return Error{{file, 0, 0}, "a text has a hole inside of a link or a picture", "holes in the text alone"};
-        texts.push_back(html);
+    Pictures pictures(from.folder);
+    for (Page& one : lesson.pages) {
+        pictures.readFrom(folderOf(lesson, one));
+        for (Prose* prose : liveTexts(one)) {
+            Errors leftOut;  // the handout has told of them
+            const std::string html = proseHtml(withHoleWords(*prose), pictures, leftOut);
+            if (!dress(*prose, html))
+                return Error{one.where, "a text has a hole inside of a link or a picture", "holes in the text alone"};
+            texts.push_back(html);
+        }
     }
     const Json data{{"title", lesson.title},
                     {"lecture", lesson.lecture},
                     {"summary", lesson.summary},
                     {"name", lesson.name},
                     {"version", pipeline::programVersion()},
-                    {"lesson", text},
+                    {"lesson", from.text},
                     {"texts", texts},
                     {"files", files}};
     page.html = withHolesFilled(parts.page, {{"TITLE", pipeline::escapedHtml(lesson.title)},
@@ -235,20 +249,16 @@ Result<LiveParts> liveParts() {
 }
 
 Result<LivePage> makeLivePage(const Lesson& lesson, const LiveParts& parts, const pipeline::Stop& stop) {
-    const fs::path file = lesson.folder / "lesson.md";
-    const auto text = pipeline::readFile(file);
-    if (!text) return pipeline::namedAt({file.string()}, text.errors());
-    return makePage(
-        pipeline::escapedControls(*text), lesson.folder, file.string(),
-        [&](std::string_view name) { return sceneOfLesson(name, lesson.folder, stop); }, parts, stop);
+    const auto text = lessonText(lesson.folder, stop);
+    if (!text) return text.errors();
+    return makePage(*text, lesson.name, parts, stop);
 }
 
 Result<LivePage> makeLivePage(const pipeline::Scene& scene, std::string_view title, std::string_view look,
                               const std::optional<WindowState>& shown, const LiveParts& parts,
                               const pipeline::Stop& stop) {
-    return makePage(
-        pipeline::escapedControls(sceneLesson(scene, title, look, shown, stop)), {}, "scene",
-        [&](std::string_view) { return scene; }, parts, stop);
+    const std::string text = pipeline::escapedControls(sceneLesson(scene, title, look, shown, stop));
+    return makePage({text, "scene", {}, [&](std::string_view) { return scene; }}, {}, parts, stop);
 }
 
 }  // namespace lessons

@@ -50,14 +50,18 @@ std::string_view withoutParagraph(std::string_view html) {
 
 }  // namespace
 
+std::vector<Prose*> liveTexts(Page& page) {
+    std::vector<Prose*> texts{&page.first.text};
+    if (page.then) texts.push_back(&page.then->text);
+    if (page.question)  // const for its other readers; the lesson is not
+        for (const Prose* text : textsOf(*page.question)) texts.push_back(const_cast<Prose*>(text));
+    return texts;
+}
+
 std::vector<Prose*> liveTexts(Lesson& lesson) {
     std::vector<Prose*> texts;
-    for (Page& page : lesson.pages) {
-        texts.push_back(&page.first.text);
-        if (page.then) texts.push_back(&page.then->text);
-        if (page.question)  // const for its other readers; the lesson is not
-            for (const Prose* text : textsOf(*page.question)) texts.push_back(const_cast<Prose*>(text));
-    }
+    for (Page& page : lesson.pages)
+        for (Prose* text : liveTexts(page)) texts.push_back(text);
     return texts;
 }
 

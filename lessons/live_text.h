@@ -13,6 +13,7 @@ namespace lessons {
 
 // Every text that the window shows of a lesson, in one order: of the same lesson the same everywhere.
 std::vector<Prose*> liveTexts(Lesson& lesson);
+std::vector<Prose*> liveTexts(Page& page);  // those of one page
 
 // The Markdown of a text with a word in each hole.
 std::string withHoleWords(const Prose& prose);

@@ -27,6 +27,9 @@ public:
     // folder: the lesson's; empty where it has none, and then no picture is read.
     explicit Pictures(std::filesystem::path folder) : m_folder(std::move(folder)) {}
 
+    // From here on those of another folder; the budget stays.
+    void readFrom(std::filesystem::path folder) { m_folder = std::move(folder); }
+
     // address: of ![words](address), with %20 for a space. Read are regular files in the folder and below it; errors
     // have no place.
     pipeline::Result<Picture> read(std::string_view address);

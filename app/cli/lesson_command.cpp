@@ -39,8 +39,8 @@ int listLessons(bool json) {
         printJson(list);
     } else {
         for (const lessons::Lesson& lesson : library.lessons)
-            say("{:<16} {}. {}, {} pages. {}\n", lesson.name, lesson.title, lesson.lecture, lesson.pages.size(),
-                lesson.summary);
+            say("{:<16} {}. {}, {} pages. {}\n", lesson.name, lesson.title, lesson.lecture,
+                lesson.pages.size() - returningPages(lesson), lesson.summary);
     }
     return library.errors.empty() ? kDone : kBadInput;
 }
@@ -75,6 +75,7 @@ Json pageJson(const lessons::Page& page, const lessons::PageFrames& frames, pipe
     const lessons::Context context{.frame = *frames.first};
     Json json = halfJson(page.first, context, errors);
     json["heading"] = page.heading;
+    if (page.from) json["returns"] = {{"lesson", page.from->lesson}, {"page", page.from->page}};
     json["question"] = page.question ? questionJson(*page.question, context, errors) : Json();
     json["then"] = page.then ? halfJson(*page.then, {.frame = *frames.then}, errors) : Json();
     return json;
@@ -237,7 +238,7 @@ int showResults(bool json, bool forget) {
             pipeline::shortestText(summary.full), summary.isDone ? ", every question is settled" : "");
         for (const lessons::Summary::OwnMistake& mistake : summary.mistakes)
             say("  {} ({}), page {}\n", mistake.name, pipeline::plural(std::int64_t(mistake.times), "time"),
-                mistake.page + 1);
+                pageName(*lesson, mistake.page));
     }
     return kDone;
 }

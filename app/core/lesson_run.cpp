@@ -100,7 +100,7 @@ void LessonRun::setWindow() {
     else
         m_document.setScene(state.scene);
     lessons::WindowState window = state.window;
-    findFilesFrom(window, m_lesson->folder);
+    findFilesFrom(window, folderOf(*m_lesson, current()));
     showPlace(m_document, window);
     pipeline::BufferSet wanted = requestFor(current()).wanted;
     if (current().then && isSettled()) wanted |= requestForThen(current()).wanted;

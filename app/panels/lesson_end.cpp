@@ -34,7 +34,8 @@ QString pageText(const LessonRun& run, int page) {
         : progress.outcome == lessons::Progress::Outcome::Shown ? LessonEnd::tr("shown")
         : !right                                                ? LessonEnd::tr("not answered")
                  : LessonEnd::tr("%1 of %2").arg(pointsText(run.points(page)), pointsText(fullPoints(one)));
-    return QStringLiteral("%1 **%2** %3, %4").arg(mark).arg(page + 1).arg(toQString(one.heading), points);
+    return QStringLiteral("%1 **%2** %3, %4")
+        .arg(mark, toQString(pageName(*run.lesson(), std::size_t(page))), toQString(one.heading), points);
 }
 
 }  // namespace
@@ -87,16 +88,17 @@ void LessonEnd::addMistakes() {
     for (int i = m_run.pageCount() - 1; i >= 0; --i)
         for (const lessons::Try& one : m_run.progress(i).tries)
             if (lessons::findMisconception(one.mistake)) pages[one.mistake] = i;
+    const auto name = [this](int page) { return toQString(pageName(*m_run.lesson(), std::size_t(page))); };
     auto* view = new ProseView(m_content);
     view->setObjectName("endMistakes");
     view->setFocusPolicy(Qt::NoFocus);
     QString text = tr("**Mistakes that were yours**\n\n");
     for (const auto& [id, page] : pages)
-        text += tr("- %1 (page %2)\n").arg(toQString(lessons::findMisconception(id)->name)).arg(page + 1);
+        text += tr("- %1 (page %2)\n").arg(toQString(lessons::findMisconception(id)->name), name(page));
     view->setProse(pages.empty() ? text + tr("None that the program knows.") : text);
     m_column->addWidget(view);
     for (const auto& [id, page] : pages) {
-        auto* back = new QPushButton(tr("Back to page %1").arg(page + 1), m_content);
+        auto* back = new QPushButton(tr("Back to page %1").arg(name(page)), m_content);
         back->setProperty("kind", "link");
         connect(back, &QPushButton::clicked, this, [this, page = page] { m_run.goTo(page); });
         m_column->addWidget(back, 0, Qt::AlignLeft);

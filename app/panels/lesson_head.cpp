@@ -105,10 +105,12 @@ LessonHead::LessonHead(const LessonRun& run, QWidget* parent)
 
 void LessonHead::showRun() {
     if (!m_run.lesson()) return;
-    const int pages = m_run.pageCount();
-    m_title->setText(toQString(m_run.lesson()->title));
-    m_place->setText(m_run.isAtEnd() ? tr("%1 pages").arg(pages)
-                                     : tr("Page %1 of %2").arg(m_run.page() + 1).arg(pages));
+    const lessons::Lesson& lesson = *m_run.lesson();
+    const int returning = int(returningPages(lesson)), pages = m_run.pageCount() - returning;
+    m_title->setText(toQString(lesson.title));
+    m_place->setText(m_run.isAtEnd()        ? tr("%1 pages").arg(pages)
+                     : m_run.current().from ? tr("Question %1 of %2 that returns").arg(m_run.page() + 1).arg(returning)
+                                            : tr("Page %1 of %2").arg(m_run.page() + 1 - returning).arg(pages));
     const double of = m_run.pointsOf();
     const QString points = m_run.isAtEnd() ? tr("%1 of %2 points") : tr("%1 of %2 points so far");
     m_points->setText(of > 0 ? points.arg(pointsText(m_run.pointsSoFar()), pointsText(of)) : QString());

@@ -60,7 +60,8 @@ LessonPage::LessonPage(LessonRun& run, Document& document, QWidget* parent)
 void LessonPage::showPage() {
     delete std::exchange(m_then, nullptr);
     const lessons::Page& page = m_run.current();
-    for (ProseView* view : findChildren<ProseView*>()) view->setPictureFolder(m_run.lesson()->folder);
+    for (ProseView* view : findChildren<ProseView*>())
+        view->setPictureFolder(folderOf(*m_run.lesson(), m_run.current()));
     m_heading->setProse(toQString(page.heading), ProseView::Tone::Heading);
     m_text->setProse(toQString(withGaps(page.first.text)));
     m_card->ask();
@@ -78,7 +79,7 @@ void LessonPage::showThen() {
     m_then = new ProseView(this);
     m_then->setAccessibleName(tr("Second half of the page"));
     m_then->setObjectName("lessonThen");
-    m_then->setPictureFolder(m_run.lesson()->folder);
+    m_then->setPictureFolder(folderOf(*m_run.lesson(), m_run.current()));
     m_then->setProse(toQString(m_run.texts()->then));
     m_column->insertWidget(m_column->indexOf(m_hides), m_then);
 }

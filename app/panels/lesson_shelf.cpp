@@ -28,14 +28,15 @@ int LessonShelf::rowCount(const QModelIndex& parent) const { return parent.isVal
 QVariant LessonShelf::data(const QModelIndex& index, int role) const {
     if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return {};
     const lessons::Lesson& lesson = *m_lessons[std::size_t(index.row())];
-    const int pages = int(lesson.pages.size()), reached = page(lesson);
+    const int pages = int(lesson.pages.size()), reached = page(lesson), returning = int(returningPages(lesson));
     switch (role) {
         case Qt::DisplayRole:
         case Qt::AccessibleTextRole: return toQString(lesson.title) + '\n' + data(index, ProgressRole).toString();
         case ProgressRole:
-            return reached == 0       ? tr("Not begun, %1 pages").arg(pages)
-                   : reached == pages ? tr("Read, %1 pages").arg(pages)
-                                      : tr("Page %1 of %2").arg(reached).arg(pages);
+            return reached == 0           ? tr("Not begun, %1 pages").arg(pages - returning)
+                   : reached == pages     ? tr("Read, %1 pages").arg(pages - returning)
+                   : reached <= returning ? tr("Begun, %1 pages").arg(pages - returning)
+                                          : tr("Page %1 of %2").arg(reached - returning).arg(pages - returning);
         case Qt::ToolTipRole:
         case SummaryRole: return toQString(lesson.summary);
         case NameRole: return toQString(lesson.name);

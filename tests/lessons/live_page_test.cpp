@@ -48,10 +48,19 @@ TEST(LivePage, CarriesItsScenesAndAsManyTextsAsTheLessonHas) {
     ASSERT_TRUE(page) << format(page.errors());
     const Json data = dataOf(*page);
     ASSERT_TRUE(data.is_object());
-    const auto again = parseLesson(data["lesson"].get<std::string>(), "lesson.md", [&](std::string_view name) {
-        const std::string file = std::string(name) + ".toml";
-        return pipeline::readTomlScene({data["files"][file].get_ref<const std::string&>(), file}, nullptr);
-    });
+    const auto scenesBelow = [&](const std::string& below) -> SceneSource {
+        return [&data, below](std::string_view name) {
+            const std::string file = below + std::string(name) + ".toml";
+            return pipeline::readTomlScene({data["files"][file].get_ref<const std::string&>(), file}, nullptr);
+        };
+    };
+    // Two of its questions return from another lesson, of which the page has the text too.
+    const auto again =
+        parseLesson(data["lesson"].get<std::string>(), "lesson.md", scenesBelow(""), [&](std::string_view name) {
+            const std::string below = std::string(name) + '/';
+            return pipeline::Result<LessonText>(LessonText{
+                data["files"][below + "lesson.md"].get<std::string>(), below + "lesson.md", {}, scenesBelow(below)});
+        });
     ASSERT_TRUE(again) << format(again.errors());
     ASSERT_EQ(again->pages.size(), lesson->pages.size());
     std::size_t texts = 0;

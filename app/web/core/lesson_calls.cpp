@@ -138,7 +138,9 @@ int givePage() {
         buffers.push_back(
             {{"buffer", second->text()}, {"channel", index(lessons::ShownChannel::All)}, {"range", Json()}});
     Json json{{"number", open.page},
-              {"count", open.lesson.pages.size()},
+              {"count", open.lesson.pages.size() - returningPages(open.lesson)},
+              {"name", pageName(open.lesson, open.page)},
+              {"returns", page().from.has_value()},
               {"heading", page().heading},
               {"text", html(half.text, {.frame = *core().own.frame}, errors)},
               {"then", open.then},
@@ -179,18 +181,32 @@ lessons::Given givenIn(const Json& json) {
     return lessons::Reached{};
 }
 
+// The scenes of a lesson among the files of the page.
+lessons::SceneSource scenesBelow(const std::string& below) {
+    return [below](std::string_view name) {
+        const auto found = core().files.find(below + std::string(name) + ".toml");
+        if (found == core().files.end())
+            return pipeline::Result<pipeline::Scene>(pipeline::Error{{}, "no scene " + pipeline::inQuotes(name), {}});
+        return sceneFromText(found->first, found->second);
+    };
+}
+
 Json parsed(const char* text, int size) { return Json::parse(textAt(text, size), nullptr, false); }
 
 }  // namespace
 
-// lesson: lesson.md, whose scenes are files of the page by the names that it has for them, with ".toml". html: of each of
+// lesson: lesson.md, whose scenes are files of the page by the names that it has for them, with ".toml"; a lesson that has a page in
+// it is the file "NAME/lesson.md", with its scenes below NAME. html: of each of
 // its texts in the order of liveTexts(), a JSON array.
 WEB_CALL(lesson) int webLesson(const char* text, int size, const char* html, int htmlSize) {
-    auto lesson = lessons::parseLesson(textAt(text, size), "lesson.md", [](std::string_view name) {
-        const auto found = core().files.find(std::string(name) + ".toml");
+    auto lesson = lessons::parseLesson(textAt(text, size), "lesson.md", scenesBelow(""), [](std::string_view name) {
+        const std::string below = std::string(name) + '/';
+        const auto found = core().files.find(below + "lesson.md");
         if (found == core().files.end())
-            return pipeline::Result<pipeline::Scene>(pipeline::Error{{}, "no scene " + pipeline::inQuotes(name), {}});
-        return sceneFromText(found->first, found->second);
+            return pipeline::Result<lessons::LessonText>(
+                pipeline::Error{{}, "no lesson " + pipeline::inQuotes(name), {}});
+        return pipeline::Result<lessons::LessonText>(
+            lessons::LessonText{found->second, found->first, {}, scenesBelow(below)});
     });
     if (!lesson) return refuse(lesson.errors());
     core() = LiveCore{.files = std::move(core().files)};
@@ -202,7 +218,9 @@ WEB_CALL(lesson) int webLesson(const char* text, int size, const char* html, int
     for (std::size_t i = 0; i < prose.size(); ++i)
         if (!texts[i].is_string() || !lessons::dress(*prose[i], texts[i].get<std::string>()))
             return refuse("the texts of this page are not its lesson's");
-    return give({{"title", open.lesson.title}, {"pages", open.lesson.pages.size()}});
+    return give({{"title", open.lesson.title},
+                 {"pages", open.lesson.pages.size()},
+                 {"returning", returningPages(open.lesson)}});
 }
 
 // Opens a page, from 0; then: its second half, which the reader has reached. frame() has to follow.

@@ -4,9 +4,9 @@
 let verdict = null;
 
 function drawLesson() {
-  one('#count').textContent = page.count > 1 ? `page ${page.number + 1} of ${page.count}` : '';
-  one('#previous').hidden = one('#next').hidden = page.count === 1;
-  one('#previous').disabled = page.number === 0, one('#next').disabled = page.number + 1 === page.count;
+  one('#count').textContent = page.returns ? `question ${page.number + 1} of ${data.returning} that returns` : page.count > 1 ? `page ${page.name} of ${page.count}` : '';
+  one('#previous').hidden = one('#next').hidden = data.pages === 1;
+  one('#previous').disabled = page.number === 0, one('#next').disabled = page.number + 1 === data.pages;
   one('#heading').textContent = page.heading;
   fillHtml(one('#text'), page.text);
   document.title = page.heading + ' – ' + data.title;

@@ -42,7 +42,7 @@ function openPage(number, then = false) {
 function saveScene() {
   core.call('scene');
   const made = new Blob([core.text()], { type: 'text/plain' }), name = data.name || 'scene';
-  const link = element('a', { href: URL.createObjectURL(made), download: `${name}-${view.page + 1}.toml` });
+  const link = element('a', { href: URL.createObjectURL(made), download: `${name}-${page.name.replace('/', '-')}.toml` });
   link.click();
   URL.revokeObjectURL(link.href);
   say('The scene is saved with your settings. Open it in Shadescope.');
@@ -75,10 +75,10 @@ function startKeys() {
   addEventListener('hashchange', () => guarded(() => openPage(firstPage())));
 }
 
-/** ?page=3 or #3, from 1. */
+/** ?page=3 or #3: of the lesson's own pages, from 1. Without either, the questions that return. */
 function firstPage() {
-  const asked = parseInt(new URLSearchParams(location.search).get('page') || location.hash.slice(1), 10) || 1;
-  return Math.min(data.pages, Math.max(1, asked)) - 1;
+  const asked = parseInt(new URLSearchParams(location.search).get('page') || location.hash.slice(1), 10);
+  return asked ? Math.min(data.pages - 1, data.returning + Math.max(1, asked) - 1) : 0;
 }
 
 async function start() {
@@ -91,7 +91,7 @@ async function start() {
   core = await Core.start(await unpackedCore());
   for (const [name, text] of Object.entries(data.files)) core.ask('file', name, text);
   const lesson = core.ask('lesson', data.lesson, JSON.stringify(data.texts));
-  data.pages = lesson.pages;
+  data.pages = lesson.pages, data.returning = lesson.returning;
   one('#title').textContent = lesson.title;
   startStages(), startPictures(), startPixel(), startSettings(), startLesson(), startSpace(), startKeys();
   openPage(firstPage());
