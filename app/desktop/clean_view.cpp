@@ -49,6 +49,7 @@ CleanView::CleanView(Document& document, CueModel& cues, const SceneOpener& open
     setWindowTitle(tr("Shadescope, presentation"));
     setAutoFillBackground(true);
     auto* column = new QVBoxLayout(this);
+    column->setSizeConstraint(QLayout::SetNoConstraint);  // it fills the screen, and the views give way
     m_views = new ViewArea(document, this, ViewDress::Bare);
     auto* beside = new QHBoxLayout;
     beside->addWidget(m_views, 1);

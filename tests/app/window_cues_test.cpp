@@ -1,5 +1,6 @@
 // Cues: kept, shown again exactly, ordered; and presenting them.
 #include <QLabel>
+#include <QLayout>
 #include <QLineEdit>
 #include <QListView>
 #include <QPlainTextEdit>
@@ -253,6 +254,26 @@ TEST_F(WindowCues, PresentingShowsViewsEquationAndCaptionAndLeavesNoTrace) {
     EXPECT_FALSE(view.pen().hasLines());
     EXPECT_TRUE(isLeftByEscape(view));
     EXPECT_EQ(Theme::current().scale(), scale);
+}
+
+// On a small screen with a large equation the views give way, not the caption below the screen's edge.
+TEST_F(WindowCues, PresentingStaysAsLargeAsTheScreen) {
+    makeThree();
+    model().setCaption(0, "R leaves away from the eye.");
+    press("PgUp"), settle();
+    press("PgUp"), settle();
+    press("Ctrl+F11");
+    CleanView& view = *window.presentation().cleanView();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&view));
+    settle();
+    ASSERT_TRUE(view.findChild<MathView*>()->isVisible());
+    const QSize small(view.width(), view.layout()->totalMinimumSize().height() - 20);
+    view.showNormal();
+    view.resize(small);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return view.findChild<ViewArea*>()->geometry().bottom() < small.height(); }));
+    EXPECT_EQ(view.size(), small);
+    const auto* caption = view.findChild<CaptionLine*>();
+    EXPECT_TRUE(view.rect().contains(caption->geometry())) << caption->geometry().bottom();
 }
 
 // The views go while one of them has the focus.
