@@ -113,7 +113,7 @@ bool takeCue(ExportOptions& options, const pipeline::Stop& stop, int& status) {
     if (!named) return refuse(named.errors(), kWrongUsage);
     const auto list = lessons::readCueFile(named->file, stop);
     if (stop.stop_requested()) {
-        tell("Cancelled.\n");
+        tell("Cancelled. Nothing was written.\n");
         status = kInterrupted;
         return false;
     }

@@ -61,6 +61,22 @@ Finished start(const std::vector<std::string>& arguments, std::string out, std::
     return finished;
 }
 
+// Until the program has asked for the signals that end it, or has ended: a busy machine starts it late.
+void waitForItsSignals(pid_t program) {
+    const std::string status = "/proc/" + std::to_string(program) + "/status";
+    for (int looks = 0; looks < 3000; ++looks) {
+        std::istringstream lines(readText(status));
+        unsigned long long blocked = 0;
+        for (std::string line; std::getline(lines, line);) {
+            if (line.starts_with("State:\tZ")) return;
+            if (line.starts_with("SigBlk:")) blocked = std::stoull(line.substr(7), nullptr, 16);
+        }
+        for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+            if ((blocked >> (signal - 1) & 1) != 0) return;
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+}
+
 }  // namespace
 
 Finished run(const std::vector<std::string>& arguments) { return runInto("", arguments); }
@@ -115,6 +131,7 @@ FaultCounts countFaults(const std::vector<std::string>& arguments) {
 
 Finished runAndInterrupt(const std::vector<std::string>& arguments, int milliseconds, int signal) {
     return start(arguments, "", "", [&](pid_t program) {
+        waitForItsSignals(program);
         std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
         kill(program, signal);
     });

@@ -31,7 +31,7 @@ Finished runTellingInto(const std::string& file, const std::vector<std::string>&
 // The same, with so many bytes of memory at most, code and libraries among them.
 Finished runWithin(std::size_t bytes, const std::vector<std::string>& arguments);
 
-// The same, with Ctrl+C, or another signal, after some time.
+// The same, with Ctrl+C, or another signal, some time after the program has begun to wait for it.
 Finished runAndInterrupt(const std::vector<std::string>& arguments, int milliseconds, int signal = SIGINT);
 
 // The same; meanwhile() is called once, with the number of the process.
