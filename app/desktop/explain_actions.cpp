@@ -5,6 +5,7 @@
 
 #include "app/core/document.h"
 #include "app/desktop/view_area.h"
+#include "app/panels/buffer_copies.h"
 #include "app/panels/buffer_view.h"
 #include "app/panels/condition_bar.h"
 #include "app/panels/equation_section.h"
@@ -37,9 +38,9 @@ void connectExplainActions(Actions& actions, Document& document, InspectorPanel&
     QObject::connect(actions[A::Condition], &QAction::triggered, &views,
                      [&views] { views.activeBuffer().condition().open(); });
     QObject::connect(actions[A::CopyValue], &QAction::triggered, &views,
-                     [&views] { views.activeBuffer().copyValue(); });
+                     [&views] { views.activeBuffer().features().copies->copyValue(); });
     QObject::connect(actions[A::CopyPicture], &QAction::triggered, &views,
-                     [&views] { views.activeBuffer().copyPicture(); });
+                     [&views] { views.activeBuffer().features().copies->copyPicture(); });
     QObject::connect(actions[A::StopWhere], &QAction::triggered, &views, [&views] {
         ConditionBar& condition = views.activeBuffer().condition();
         condition.isVisible() && condition.hasCondition() ? condition.runToStop() : condition.open();

@@ -165,7 +165,7 @@ void MainWindow::connectActions() {
         const QList<QAction*> all = inspect->actions();
         inspect->insertMenu(all[all.indexOf(actions[A::RedChannel]) - 1], menu);
         connect(menu, &QMenu::aboutToShow, this,
-                [this, menu, opens] { (m_views->activeBuffer().findChild<BufferHeader*>()->*opens)(menu); });
+                [this, menu, opens] { (m_views->activeBuffer().header().*opens)(menu); });
         connect(inspect, &QMenu::aboutToShow, menu, [this, menu] { menu->setEnabled(showsScene()); });
     };
     addOwn(tr("Overlays"), &BufferHeader::overlayMenuOpens);

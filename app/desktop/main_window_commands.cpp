@@ -12,6 +12,7 @@
 #include "app/desktop/view_area.h"
 #include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_compare.h"
+#include "app/panels/buffer_overlays.h"
 #include "app/panels/buffer_view.h"
 #include "app/panels/lesson_panel.h"
 #include "app/panels/lesson_shelf.h"
@@ -136,12 +137,13 @@ void MainWindow::addViewCommands(std::vector<PaletteEntry>& all) {
                            isCosine ? tr("cosine Lambert") : QString()});
         }
     const pipeline::BufferInfo& info = bufferInfo(view.buffer().id);
+    OverlayChoice& overlays = *view.features().overlays;
     for (const OverlayInfo& overlay : overlayTable())
         all.push_back({tr(overlay.name),
                        tr("Overlay"),
                        {},
                        whyNoOverlay(overlay.id, info, view.canvas()->isFlipped()),
-                       [&view, id = overlay.id] { view.setOverlay(id, !view.hasOverlay(id)); },
+                       [&overlays, id = overlay.id] { overlays.set(id, !overlays.isOn(id)); },
                        tr("overlays")});
     delete m_compareMenu;
     m_compareMenu = new QMenu(this);

@@ -13,6 +13,7 @@
 #include "app/desktop/show_apart.h"
 #include "app/desktop/view_area.h"
 #include "app/panels/buffer_compare.h"
+#include "app/panels/buffer_overlays.h"
 #include "app/panels/buffer_view.h"
 #include "app/panels/bug_panel.h"
 #include "app/panels/contract_list.h"
@@ -125,7 +126,7 @@ void MainWindow::setViewsToRenderer() {
         views[i]->compare().compareWith(OtherSource{.kind = OtherSource::Kind::Mine});
         // The first shows mine; the others the reference, of which Shift shows mine.
         views[i]->compare().setMode(i == 0 && views.size() > 1 ? CompareMode::B : CompareMode::A);
-        views[i]->setOverlay(OverlayId::Classes, i + 1 == views.size());
+        views[i]->features().overlays->set(OverlayId::Classes, i + 1 == views.size());
     }
     enableActions();
 }
@@ -139,7 +140,7 @@ void MainWindow::showInViews(const pipeline::BufferName& buffer) {
 void MainWindow::leaveRenderer() {
     for (BufferView* view : m_views->shownBuffers()) {
         if (view->compare().isMine()) view->compare().compareWith(std::nullopt);
-        view->setOverlay(OverlayId::Classes, false);
+        view->features().overlays->set(OverlayId::Classes, false);
     }
     if (m_viewsBeforeRenderer.isEmpty()) return;
     m_views->setArrangement(std::exchange(m_viewsBeforeRenderer, QString()).toStdString());
@@ -167,7 +168,7 @@ void MainWindow::showContracts() {
                 [this](const pipeline::BufferName& buffer, std::optional<glm::ivec2> worst) {
                     BufferView& view = m_views->activeBuffer();
                     view.setBuffer(buffer);
-                    view.setOverlay(OverlayId::Violators, true);
+                    view.features().overlays->set(OverlayId::Violators, true);
                     if (worst) m_document.pick(worst);
                 });
     }

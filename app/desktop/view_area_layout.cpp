@@ -57,7 +57,7 @@ BufferView& ViewArea::bufferView(int number) {
     view = new BufferView(m_document);
     framed(view, leaf);
     view->setBare(m_dress == ViewDress::Bare);
-    if (m_dress == ViewDress::Full) addMenu(view->findChild<BufferHeader*>()->menu(), leaf);
+    if (m_dress == ViewDress::Full) addMenu(view->header().menu(), leaf);
     connect(view, &BufferView::bufferChanged, this, [this, view](const pipeline::BufferName& name) {
         if (view == &activeBuffer()) m_thumbnails->setCurrent(name);
         join(*view);

@@ -79,18 +79,6 @@ BufferHeader::BufferHeader(const Document& document, QWidget* parent)
     m_more = button("more", tr("More"), tr("Copy, pins, statistics, which way up, other views"));
     m_menu = new QMenu(m_more);
     m_menu->setToolTipsVisible(true);
-    connect(m_menu, &QMenu::aboutToShow, this, &BufferHeader::moreMenuOpens);
-    m_copyValue = m_menu->addAction(tr("Copy value\tAlt+C"), this, &BufferHeader::copyValueChosen);
-    m_menu->addAction(tr("Copy picture"), this, &BufferHeader::copyPictureChosen);
-    m_menu->addAction(tr("Copy the pinned values"), this, &BufferHeader::copyPinsChosen);
-    m_menu->addSeparator();
-    m_menu->addAction(tr("Pin the picked pixel\tP"), this, &BufferHeader::pinChosen);
-    m_menu->addAction(tr("Take all pins away\tShift+P"), this, &BufferHeader::unpinAllChosen);
-    m_menu->addAction(tr("Statistics of what is visible\tM"), this, &BufferHeader::measureChosen);
-    m_menu->addSeparator();
-    m_flip = m_menu->addAction(tr("Row 0 at the foot\tY"));
-    m_flip->setCheckable(true);
-    connect(m_flip, &QAction::triggered, this, &BufferHeader::flipChosen);
     m_more->setMenu(m_menu);
     m_more->setPopupMode(QToolButton::InstantPopup);
     for (QWidget* part :
@@ -133,9 +121,8 @@ QToolButton* BufferHeader::button(const QString& iconName, const QString& name, 
 void BufferHeader::show(const pipeline::BufferName& name, lessons::ShownChannel channel) {
     const pipeline::BufferInfo& info = bufferInfo(name.id);
     m_chooser->setName(name);
-    m_caption->setText(
-        captionOf(info, channel)
-            .replace("row 0 on top", m_flip->isChecked() ? tr("row 0 at the foot") : QStringLiteral("row 0 on top")));
+    m_words = captionOf(info, channel);
+    showCaption();
     const QStringList names = channelNames(info);
     m_channelCount = info.channels;
     for (int c = 0; c < names.size(); ++c) {
@@ -154,12 +141,18 @@ void BufferHeader::setZoom(double zoom) {
     m_zoom->setAccessibleName(tr("Zoom %1").arg(m_zoom->text()));
 }
 
-void BufferHeader::setFlipped(bool flipped) { m_flip->setChecked(flipped); }
-
-void BufferHeader::setToggles(bool overlays, bool loupe) {
-    m_overlays->setChecked(overlays);
-    m_loupe->setChecked(loupe);
+void BufferHeader::setFlipped(bool flipped) {
+    m_isFlipped = flipped;
+    showCaption();
 }
+
+void BufferHeader::showCaption() {
+    QString words = m_words;
+    m_caption->setText(m_isFlipped ? words.replace("row 0 on top", tr("row 0 at the foot")) : words);
+}
+
+void BufferHeader::setOverlays(bool on) { m_overlays->setChecked(on); }
+void BufferHeader::setLoupe(bool on) { m_loupe->setChecked(on); }
 
 // What a narrow view can do without, by key too: the channels first.
 void BufferHeader::arrange() {
@@ -173,11 +166,6 @@ void BufferHeader::arrange() {
 void BufferHeader::openCompareMenu() { m_compare->showMenu(); }
 
 void BufferHeader::openMoreMenu(const QPoint& at) { m_more->menu()->popup(at); }
-
-void BufferHeader::setValueToCopy(const QString& whyNot) {
-    m_copyValue->setEnabled(whyNot.isEmpty());
-    m_copyValue->setToolTip(whyNot.isEmpty() ? tr("The picked pixel's value, with its name and place") : whyNot);
-}
 
 void BufferHeader::resizeEvent(QResizeEvent*) { arrange(); }
 

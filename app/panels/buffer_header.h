@@ -20,13 +20,13 @@ public:
 
     void show(const pipeline::BufferName& name, lessons::ShownChannel channel);
     void setZoom(double zoom);  // screen pixels per picture pixel; 0: there is no picture
-    void setToggles(bool overlays, bool loupe);
+    void setOverlays(bool on);  // as the two buttons show it
+    void setLoupe(bool on);
     void setFlipped(bool flipped);
     BufferChooser* chooser() { return m_chooser; }
     void openCompareMenu();
-    void openMoreMenu(const QPoint& at);         // of the screen
-    void setValueToCopy(const QString& whyNot);  // empty: there is one
-    QMenu* menu() { return m_menu; }             // of the last button; the window adds what it can do with the view
+    void openMoreMenu(const QPoint& at);  // of the screen
+    QMenu* menu() { return m_menu; }      // of the last button, for the entries of features and of the window
 
 signals:
     void channelChosen(lessons::ShownChannel channel);
@@ -35,14 +35,6 @@ signals:
     void overlayMenuOpens(QMenu* menu);  // it is to be filled
     void loupeToggled(bool on);
     void compareMenuOpens(QMenu* menu);  // it is to be filled
-    void moreMenuOpens();
-    void copyValueChosen();
-    void copyPictureChosen();
-    void copyPinsChosen();
-    void pinChosen();
-    void unpinAllChosen();
-    void measureChosen();
-    void flipChosen(bool flipped);
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -50,13 +42,15 @@ protected:
 private:
     QToolButton* button(const QString& iconName, const QString& name, const QString& tip);
     void arrange();
+    void showCaption();
 
     BufferChooser* m_chooser;
     ElidedLabel* m_caption;
     QToolButton *m_channels[3], *m_luminance, *m_fit, *m_original, *m_overlays, *m_loupe, *m_compare, *m_more;
     QLabel* m_zoom;
     QMenu* m_menu;
-    QAction *m_flip, *m_copyValue;
+    QString m_words;  // of the caption, with row 0 on top
+    bool m_isFlipped = false;
     int m_channelCount = 1;
     bool m_hasLuminance = false;
 };

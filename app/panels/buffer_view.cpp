@@ -1,84 +1,76 @@
 #include "app/panels/buffer_view.h"
 
+#include <QKeyEvent>
 #include <QLabel>
-#include <QPushButton>
 #include <QStackedLayout>
 #include <QStyle>
+#include <QVBoxLayout>
+#include <algorithm>
 #include <utility>
 
-#include "app/core/luminance.h"
 #include "app/core/number_format.h"
+#include "app/core/press_watch.h"
 #include "app/core/put_away.h"
-#include "app/core/shadow_texel.h"
 #include "app/core/text.h"
 #include "app/core/working_bar.h"
 #include "app/panels/buffer_canvas.h"
+#include "app/panels/buffer_captions.h"
+#include "app/panels/buffer_channels.h"
 #include "app/panels/buffer_compare.h"
+#include "app/panels/buffer_compare_choice.h"
+#include "app/panels/buffer_condition.h"
 #include "app/panels/buffer_header.h"
-#include "app/panels/loupe.h"
+#include "app/panels/buffer_overlays.h"
+#include "app/panels/buffer_page.h"
+#include "app/panels/buffer_range.h"
+#include "app/panels/buffer_source.h"
+#include "app/panels/buffer_zoom.h"
+#include "app/panels/compare_bar.h"
+#include "app/panels/condition_bar.h"
+#include "app/panels/follow_theme.h"
 #include "app/panels/range_foot.h"
-#include "app/panels/stage_differences.h"
-#include "pipeline/plan/needs.h"
+#include "app/panels/shadow_overlay.h"
 
 namespace app {
-
-using pipeline::BufferName;
-using pipeline::Domain;
-
-namespace {
-
-std::optional<QPoint> toPoint(std::optional<glm::ivec2> p) {
-    if (!p) return {};
-    return QPoint(p->x, p->y);
-}
-
-std::optional<glm::ivec2> toVector(std::optional<QPoint> p) {
-    if (!p) return {};
-    return glm::ivec2(p->x(), p->y());
-}
-
-}  // namespace
 
 BufferView::BufferView(Document& document, QWidget* parent) : QWidget(parent), m_document(document) {
     build();
     observe();
+    observeWork();
     setBuffer(m_name);
+}
+
+void BufferView::build() {
+    setMinimumSize(280, 220);
+    m_header = new BufferHeader(m_document, this);
+    new PressWatch(*m_header, [this] { takeKeys(); });  // a click there gives the keys to the view
+    auto* middle = new QWidget(this);
+    m_stack = new QStackedLayout(middle);
+    m_canvas = new BufferCanvas(middle);
+    m_page = new BufferPage(middle);
+    m_stack->addWidget(m_canvas);
+    m_stack->addWidget(m_page);
+    m_features = makeFeatures(*this);
+    m_working = new WorkingBar(m_canvas);
+    auto* all = new QVBoxLayout(this);
+    all->setContentsMargins(0, 0, 0, 0);
+    all->setSpacing(0);
+    all->addWidget(m_header);
+    all->addWidget(middle, 1);
+    all->addWidget(&condition());
+    all->addWidget(compare().bar());
+    all->addWidget(&m_features.range->foot());
+    followTheme(this, [this] { place(); });
 }
 
 void BufferView::observe() {
     connect(m_header->chooser(), &BufferChooser::chosen, this, &BufferView::setBuffer);
-    connect(m_header, &BufferHeader::channelChosen, this, &BufferView::setChannel);
-    connect(m_header, &BufferHeader::fitChosen, m_canvas, &BufferCanvas::toggleFit);
-    connect(m_header, &BufferHeader::originalChosen, m_canvas, [this] { m_canvas->setZoom(1); });
-    observeOverlays();
-    observeDerived();
-    observeMarks();
-    connect(m_header, &BufferHeader::loupeToggled, this, &BufferView::setShowLoupe);
-    observeCopies();
-    connect(m_foot, &RangeFoot::rangeChosen, this, &BufferView::setRange);
-    connect(m_foot, &RangeFoot::autofit, this, &BufferView::autofit);
-    connect(m_foot, &RangeFoot::logarithmicChosen, this, &BufferView::setLogCounts);
-    connect(m_header, &BufferHeader::compareMenuOpens, this,
-            [this](QMenu* menu) { m_compare->fillMenu(*menu, m_name); });
-    connect(m_compare, &BufferCompare::changed, this, &BufferView::refresh);
-    connect(m_compare, &BufferCompare::stagesChosen, this,
-            [this] { m_stages->open(m_compare->bar()->mapToGlobal(m_compare->bar()->rect().bottomRight())); });
-    connect(m_stages, &StageDifferences::chosen, this, [this](const pipeline::StageDifference& difference) {
-        setBuffer(difference.buffer);
-        m_compare->goToWorst();
-    });
-    connect(m_compute, &QPushButton::clicked, this, &BufferView::takeOffer);
-
-    connect(m_canvas, &BufferCanvas::zoomChanged, m_header, &BufferHeader::setZoom);
-    connect(m_canvas, &BufferCanvas::picked, this, [this](QPoint pixel) {
-        if (standsOnPicture()) m_document.pick(toVector(pixel));
-    });
-    connect(m_canvas, &BufferCanvas::nudged, this, &BufferView::nudge);
-    connect(m_canvas, &BufferCanvas::hovered, this, [this](std::optional<QPoint> pixel) {
-        m_localHover = pixel;
-        if (standsOnPicture()) m_document.hover(toVector(pixel));
-        showPixels();
-    });
+    connect(m_canvas, &BufferCanvas::menuAsked, m_header, &BufferHeader::openMoreMenu);
+    // Where views change places the canvas may get its size long after the view.
+    connect(m_canvas, &BufferCanvas::sizeChanged, this, &BufferView::place);
+    connect(m_page, &BufferPage::offerTaken, m_features.source, &BufferSource::takeOffer);
+    connect(&m_features.captions->notices(), &QLabel::linkActivated, &m_features.overlays->shadows(),
+            &ShadowOverlay::cancel);
 
     connect(&m_document, &Document::frameReady, this, &BufferView::refresh);
     connect(&m_document, &Document::busyChanged, this, [this] {
@@ -86,7 +78,6 @@ void BufferView::observe() {
     });
     connect(&NumberStyle::current(), &NumberStyle::changed, this, &BufferView::refresh);
     connect(&m_document, &Document::sceneOpened, this, [this] {
-        m_kept.clear();
         m_shown.reset();
         m_frame.reset();
         m_showing.forget();
@@ -95,27 +86,56 @@ void BufferView::observe() {
         setBuffer(m_name);
     });
     connect(&m_document, &Document::sceneChanged, this, &BufferView::want);
-    connect(&m_document, &Document::pixelChanged, this, &BufferView::showPixels);
-    connect(&m_document, &Document::hoverChanged, this, &BufferView::showPixels);
-    connect(&m_document, &Document::selectionChanged, this, &BufferView::markSelection);
-    observeWork();
     connect(&m_showing, &ShowJob::ready, this, &BufferView::refresh);
-    // The frame that a view stands in shows which view the keys go to.
+    // The frame around a view shows which view the keys go to.
     m_focus.begin([this](QWidget* now) {
         QWidget* frame = parentWidget();
         const bool active = now && isAncestorOf(now);
         if (!frame || frame->property("active").toBool() == active) return;
-        if (!active) m_compare->holdOther(false), m_compare->holdPrevious(false);
+        if (!active) m_features.compare->letGo();
         frame->setProperty("active", active);
         frame->style()->polish(frame);
     });
 }
 
-void BufferView::setBuffer(const BufferName& name) {
+// The work that the view waits for. It can be stopped.
+void BufferView::observeWork() {
+    WorkList& work = m_document.work();
+    const auto tell = [this, &work] {
+        const bool busy = m_showing.busy() || m_canvas->isPainting() ||
+                          std::ranges::any_of(m_features.all, [](const BufferFeature* f) { return f->busy(); });
+        work.setBusy(this, busy);
+        m_working->setWorking(m_document.busy() || busy || compare().waitsForB());
+        m_working->setStopped(work.isStopped(this) || work.isStopped(&compare()) || work.isStopped(&m_document));
+    };
+    work.add(
+        this, tr("a buffer's picture"),
+        [this] {
+            m_showing.cancel(), m_canvas->cancelPainting();
+            for (BufferFeature* feature : m_features.all) feature->cancel();
+        },
+        [this] {
+            m_showing.retry(), m_canvas->retryPainting();
+            for (BufferFeature* feature : m_features.all) feature->retry();
+            refresh();
+        });
+    connect(&m_document, &Document::busyChanged, &m_watch, tell);
+    connect(&work, &WorkList::changed, &m_watch, tell);
+    connect(&m_showing, &ShowJob::busyChanged, &m_watch, tell);
+    for (BufferFeature* feature : m_features.all) connect(feature, &BufferFeature::busyChanged, &m_watch, tell);
+    connect(m_canvas, &BufferCanvas::paintingChanged, &m_watch, tell);
+}
+
+BufferCompare& BufferView::compare() const { return m_features.compare->compare(); }
+ConditionBar& BufferView::condition() const { return m_features.condition->bar(); }
+bool BufferView::isOfPixels() const { return bufferInfo(m_name.id).domain != pipeline::Domain::Texel; }
+QString BufferView::message() const { return m_stack->currentWidget() == m_page ? m_page->text() : QString(); }
+
+void BufferView::setBuffer(const pipeline::BufferName& name) {
     const bool isOther = !(name == m_name);
     m_name = name;
-    m_header->show(name, kept().channel);
-    m_title->setText(toQString(name.text()));
+    m_header->show(name, m_features.channel->channel());
+    m_features.captions->setTitle(toQString(name.text()));
     setAccessibleName(tr("Buffer view: %1").arg(toQString(name.text())));
     m_canvas->setAccessibleName(toQString(name.text()));
     want();
@@ -123,32 +143,39 @@ void BufferView::setBuffer(const BufferName& name) {
     if (isOther) emit bufferChanged(name);
 }
 
-lessons::ShownChannel BufferView::channel() const {
-    const auto found = m_kept.find(m_name.text());
-    return found == m_kept.end() ? lessons::ShownChannel::All : found->second.channel;
+void BufferView::setBare(bool bare) {
+    m_header->setVisible(!bare);
+    m_features.captions->setBare(bare);
+    compare().bar()->setBare(bare);
+    m_features.range->foot().setBare(bare);
+    place();
 }
 
-void BufferView::setChannel(lessons::ShownChannel channel) {
-    const pipeline::BufferInfo& info = bufferInfo(m_name.id);
-    if (info.channels == 1 || (channel == lessons::ShownChannel::Luminance && !hasLuminance(info))) return;
-    kept().channel = channel;
-    kept().range.reset();  // that of another channel means nothing
-    m_header->show(m_name, channel);
-    refresh();
+lessons::BufferShown BufferView::state() const {
+    lessons::BufferShown state{m_name.text()};
+    for (const BufferFeature* feature : m_features.all) feature->write(state);
+    return state;
 }
 
-// A buffer that the scene has no use for is computed only when the user insists.
+pipeline::Errors BufferView::lookAt(const lessons::BufferShown& state) {
+    const auto name = pipeline::findAnyBuffer(state.buffer);
+    if (!name) return {{{}, "there is no buffer \"" + state.buffer + '"'}};
+    setBuffer(*name);
+    pipeline::Errors errors;
+    for (BufferFeature* feature : m_features.all) {
+        const pipeline::Errors found = feature->read(state);
+        errors.insert(errors.end(), found.begin(), found.end());
+    }
+    want();
+    m_features.zoom->showPart(state.zoom);
+    return errors;
+}
+
 void BufferView::want() {
-    wantDerived();
-    if (isPutAway(*this)) return m_document.want(this, {});
-    const bool isOwn = !pipeline::isDerived(m_name.id);
-    const bool useful = isOwn && m_document.hasScene() && whyUseless(m_document.scene(), m_name.id).empty();
-    const bool hasOverlays = whyNoOverlays(bufferInfo(m_name.id)).isEmpty();
-    m_document.want(this, (useful || kept().forced ? pipeline::setOf({m_name.id}) : pipeline::BufferSet()) |
-                              (hasOverlays ? buffersOf(m_overlays, m_name.id) : pipeline::BufferSet()));
+    pipeline::BufferSet wanted;
+    for (BufferFeature* feature : m_features.all) wanted |= feature->want();
+    m_document.want(this, isPutAway(*this) ? pipeline::BufferSet() : wanted);
 }
-
-bool BufferView::standsOnPicture() const { return bufferInfo(m_name.id).domain != Domain::Texel; }
 
 void BufferView::refresh() {
     m_missed = isPutAway(*this);
@@ -156,94 +183,113 @@ void BufferView::refresh() {
         m_frame.reset();
         return m_showing.forget();
     }
-    if (!m_document.hasScene())
-        return showMessage(tr("No scene yet. Open a file, or begin with the pyramid."), Offer::Nothing);
+    if (!m_document.hasScene()) return showMessage({tr("No scene yet. Open a file, or begin with the pyramid.")});
     const pipeline::FramePtr& frame = m_document.frame();
     if (!frame) {
         if (!m_shown)
-            showMessage(m_document.busy() ? tr("The first picture is being computed.") : tr("There is no picture yet."),
-                        Offer::Nothing);
+            showMessage(
+                {m_document.busy() ? tr("The first picture is being computed.") : tr("There is no picture yet.")});
         return;
     }
     const auto asked = request(frame);
     if (!asked) return;
     const auto answer = m_showing.answer(*asked);
-    if (!answer || answer->request.buffer.name != m_name) return;  // the first one is on its way
-    // All that stands in the view is of one frame, which may lag behind.
-    m_frame = answer->request.frame;
-    m_shown = m_compare->show(*answer);
-    if (!isDifference(*m_shown->buffer.info)) m_shown->notice = withNotices(m_shown->notice);
+    if (answer && answer->request.buffer.name == m_name) take(*answer);  // else the first one is on its way
+}
+
+std::optional<ShowRequest> BufferView::request(const pipeline::FramePtr& frame) {
+    const BufferSource& source = *m_features.source;
+    if (source.isHidden()) {
+        m_frame.reset();
+        m_canvas->setContent({});
+        m_canvas->setAccessibleDescription({});
+        showMessage({tr("%1\nafter your answer").arg(toQString(m_name.text()))});
+        return {};
+    }
+    auto buffer = source.find(*frame);
+    if (!buffer) {
+        if (const auto absence = source.whyNot(*frame)) showMessage(*absence);
+        return {};
+    }
+    ShowRequest request{.frame = frame, .buffer = *std::move(buffer)};
+    for (BufferFeature* feature : m_features.all) feature->addTo(request);
+    return request;
+}
+
+// The whole view is of one frame, which may lag behind.
+void BufferView::take(const ShowAnswer& answer) {
+    m_frame = answer.request.frame;
+    m_shown = compare().show(answer);
+    if (!isDifference(*m_shown->buffer.info)) {
+        QStringList lines;
+        for (const BufferFeature* feature : m_features.all) lines << feature->notice();
+        lines << m_shown->notice;
+        lines.removeAll(QString());
+        m_shown->notice = lines.join("<br>");
+    }
     const bool hadKeys = m_page->hasFocus();
     m_stack->setCurrentWidget(m_canvas);
     if (hadKeys) m_canvas->setFocus();
     if (std::exchange(m_keysWait, false) && m_header->chooser()->hasFocus()) takeKeys();
-    showContent();
-    m_foot->show(*m_shown, !keptRange(), kept().logCounts);
-    m_notice->setText(m_shown->empty.isEmpty() ? m_shown->notice : m_shown->empty);
-    m_notice->setVisible(!m_notice->text().isEmpty());
-    m_notice->setAttribute(Qt::WA_TransparentForMouseEvents, !m_notice->text().contains("href"));
+    m_canvas->setContent(m_shown->content);
     setAccessibleDescription(m_shown->description);
-    markSelection();
-    showPixels();
-    showPins();
-    showRegion();
-    if (!m_showing.busy() && !m_compare->busy() && std::exchange(m_fitsOnce, false)) setRange(m_shown->look.range);
+    for (BufferFeature* feature : m_features.all) feature->show();
+    place();
 }
 
-QString BufferView::message() const { return m_stack->currentWidget() == m_page ? m_message->text() : QString(); }
-
-void BufferView::showMessage(const QString& text, Offer offer) {
+void BufferView::showMessage(const Absence& absence) {
     m_shown.reset();
     m_showing.forget();
-    m_message->setText(text);
-    m_offer = offer;
-    m_compute->setText(offer == Offer::Cancel           ? tr("Cancel")
-                       : pipeline::isDerived(m_name.id) ? tr("Compute")
-                                                        : tr("Compute anyway"));
-    m_compute->setVisible(offer != Offer::Nothing);
-    m_foot->hide();
-    setAccessibleDescription(text);
+    m_page->show(absence);
+    m_features.range->foot().hide();
+    setAccessibleDescription(absence.why);
     if (m_canvas->hasFocus()) m_page->setFocus();  // else the button would have it, and Space press it
     m_stack->setCurrentWidget(m_page);
     m_header->setZoom(0);  // of no picture
 }
 
-void BufferView::showPixels() {
-    const bool isPicture = standsOnPicture();
-    m_canvas->setPicked(isPicture ? toPoint(m_document.pixel()) : texelOf(m_document.pixel()));
-    m_canvas->setHovered(isPicture      ? toPoint(m_document.hovered())
-                         : m_localHover ? m_localHover
-                                        : texelOf(m_document.hovered()));
-    showEdgeFunctions();
-    const std::optional<QPoint> at =
-        m_canvas->content().hovered ? m_canvas->content().hovered : m_canvas->content().picked;
-    m_readout->setText(at && m_shown ? readout(*at) : QString());
-    m_readout->setVisible(!m_readout->text().isEmpty());
-    // The canvas has the focus: what is picked is told first, and again with every nudge.
-    if (m_shown)
-        m_canvas->setAccessibleDescription(m_readout->text().isEmpty()
-                                               ? m_shown->description
-                                               : m_readout->text() + QStringLiteral(". ") + m_shown->description);
-    placeOverlays();
+void BufferView::place() {
+    CanvasRoom room;
+    room.size = m_canvas->size();
+    room.bottom = m_canvas->height();
+    for (BufferFeature* feature : m_features.all) feature->place(room);
 }
 
-std::optional<QPoint> BufferView::texelOf(std::optional<glm::ivec2> pixel) const {
-    if (!pixel || !m_frame) return {};
-    return toPoint(shadowTexel(*m_frame, std::size_t(m_name.light), *pixel));
+void BufferView::takeKeys() {
+    m_keysWait = !message().isEmpty();
+    if (m_keysWait)
+        m_header->chooser()->setFocus(Qt::ShortcutFocusReason);
+    else
+        m_canvas->setFocus(Qt::ShortcutFocusReason);
 }
 
-QString BufferView::readout(QPoint pixel) const {
-    const QString place = QString("x %1 y %2").arg(pixel.x()).arg(pixel.y());
-    if (!QRect(QPoint(0, 0), m_shown->content.size).contains(pixel)) return {};
-    if (!m_shown->content.shapes) {
-        const QString value =
-            elementText(m_shown->buffer, std::size_t(pixel.x()), std::size_t(pixel.y()), m_shown->look.channel)
-                .join(' ');
-        return place + " → " + (m_shown->hasValue(pixel) ? value : tr("no value, %1 is stored").arg(value)) +
-               m_compare->readout(pixel);
-    }
-    const int polygon = nearestPolygonAt(*m_shown->content.shapes, QPointF(pixel) + QPointF(0.5, 0.5));
-    return polygon < 0 ? place : place + QString(" → polygon %1").arg(polygon);
+void BufferView::keyPressEvent(QKeyEvent* event) {
+    if (!(event->modifiers() & (Qt::ControlModifier | Qt::AltModifier)))
+        for (BufferFeature* feature : m_features.all)
+            if (feature->press(*event)) return;
+    QWidget::keyPressEvent(event);
+}
+
+void BufferView::keyReleaseEvent(QKeyEvent* event) {
+    if (event->isAutoRepeat()) return;
+    for (BufferFeature* feature : m_features.all) feature->release(*event);
+    QWidget::keyReleaseEvent(event);
+}
+
+void BufferView::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    compare().bar()->fit(height());
+}
+
+void BufferView::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    want();
+    if (m_missed) refresh();
+}
+
+void BufferView::hideEvent(QHideEvent* event) {
+    QWidget::hideEvent(event);
+    want();
 }
 
 }  // namespace app

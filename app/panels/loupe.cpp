@@ -9,7 +9,7 @@ namespace app {
 
 namespace {
 
-constexpr int kPixels = 9, kZoom = 12, kMargin = 8;
+constexpr int kPixels = 9, kZoom = 12, kLoupeMargin = 8;
 
 }  // namespace
 
@@ -25,13 +25,13 @@ Loupe::Loupe(BufferCanvas* canvas) : QWidget(canvas), m_canvas(canvas) {
 }
 
 void Loupe::follow() {
-    const int right = m_canvas->width() - width() - kMargin;
+    const int right = m_canvas->width() - width() - kLoupeMargin;
     const QPoint cursor = m_canvas->mapFromGlobal(QCursor::pos());
     const auto isNear = [&](int x) {
-        return QRect(x, kMargin, width(), height()).adjusted(-24, -24, 24, 24).contains(cursor);
+        return QRect(x, kLoupeMargin, width(), height()).adjusted(-24, -24, 24, 24).contains(cursor);
     };
-    if (isNear(m_onLeft ? kMargin : right)) m_onLeft = !m_onLeft;
-    move(m_onLeft ? kMargin : right, kMargin);
+    if (isNear(m_onLeft ? kLoupeMargin : right)) m_onLeft = !m_onLeft;
+    move(m_onLeft ? kLoupeMargin : right, kLoupeMargin);
     update();
 }
 

@@ -14,6 +14,7 @@
 #include "app/core/luminance.h"
 #include "app/core/picture_file.h"
 #include "app/panels/buffer_canvas.h"
+#include "app/panels/buffer_channels.h"
 #include "app/panels/buffer_view.h"
 #include "app/panels/stage_differences.h"
 #include "pipeline/export/exr_file.h"
@@ -121,7 +122,7 @@ TEST_F(BufferCompareTest, EachSideSaysWhichValueItHas) {
 TEST_F(BufferCompareTest, LuminanceIsComparedWithLuminance) {
     compareWith(setting("shading", kPhong));
     compare.setMode(CompareMode::Difference);
-    view.setChannel(lessons::ShownChannel::Luminance);
+    view.features().channel->set(lessons::ShownChannel::Luminance);
     ASSERT_TRUE(found());
     const auto a = app::luminanceOf(*test::frameOf(ball(pipeline::Shading::Gouraud))->buffer({BufferId::Color}));
     const auto b = app::luminanceOf(*test::frameOf(ball(pipeline::Shading::Phong))->buffer({BufferId::Color}));

@@ -11,6 +11,11 @@
 #include "app/core/pinned_pixels.h"
 #include "app/core/region_statistics.h"
 #include "app/panels/buffer_canvas.h"
+#include "app/panels/buffer_copies.h"
+#include "app/panels/buffer_flip.h"
+#include "app/panels/buffer_loupe.h"
+#include "app/panels/buffer_overlays.h"
+#include "app/panels/buffer_region.h"
 #include "app/panels/buffer_view.h"
 #include "app/panels/canvas_flip.h"
 #include "app/panels/loupe.h"
@@ -80,7 +85,7 @@ TEST_F(BufferMarksTest, WhereNothingWasDrawnThereIsNoValue) {
                std::ranges::any_of(labels, [&](const QLabel* label) { return label->text() == words; });
     };
     EXPECT_TRUE(says("x 5 y 5 → no value, 1.0000 is stored"));
-    view.copyValue();
+    view.features().copies->copyValue();
     EXPECT_EQ(QApplication::clipboard()->text(), "shadow.0 at 5, 5: no value, 1 is stored");
     document.pick(glm::ivec2(268, 281));
     EXPECT_TRUE(says("x 268 y 281 → 1.0000"));
@@ -187,7 +192,7 @@ TEST_F(BufferMarksTest, TheStatisticsOfALargeRegionComeLater) {
     document.replace(scene, "size");
     ASSERT_TRUE(QTest::qWaitFor([&] { return view.shown() && view.shown()->buffer.columns() == 1200; }, 10000));
     const auto* panel = view.findChild<app::RegionPanel*>();
-    view.setRegion(app::Region{{0, 0}, {1199, 999}});
+    view.features().region->set(app::Region{{0, 0}, {1199, 999}});
     EXPECT_TRUE(panel->text().isEmpty());
     ASSERT_TRUE(QTest::qWaitFor([&] { return panel->text().contains("1200 × 1000 from 0, 0"); }, 10000));
     EXPECT_EQ(panel->text(),
@@ -232,14 +237,14 @@ TEST_F(BufferMarksTest, TurnedOverThePictureKeepsItsNumbers) {
 }
 
 TEST_F(BufferMarksTest, TheLoupeEnlargesThePickedPixelAlsoTurnedOver) {
-    view.setShowLoupe(true);
+    view.features().loupe->set(true);
     document.pick(kOnPolygon2);
     auto* loupe = view.canvas()->findChild<app::Loupe*>();
     // Between the dot in the pixel's centre and the frame around it, which is 12 wide.
     const auto inside = [&] { return loupe->grab().toImage().pixelColor(loupe->rect().center() + QPoint(3, 0)); };
     const QColor expected = view.canvas()->content().image.pixelColor(kOnPolygon2.x, kOnPolygon2.y);
     EXPECT_EQ(inside(), expected);
-    view.setFlipped(true);
+    view.features().flip->set(true);
     EXPECT_EQ(inside(), expected);
     view.setBuffer({BufferId::Color});
     ASSERT_TRUE(QTest::qWaitFor([&] { return view.shown()->buffer.name == view.buffer(); }, 10000));
@@ -268,7 +273,7 @@ TEST_F(BufferMarksTest, APolygonInAPictureHoldsNoMemoryOfItsOwn) {
 TEST_F(BufferMarksTest, TurnedOverItFitsTheSamePart) {
     BufferCanvas& canvas = *view.canvas();
     canvas.fit(true);
-    view.setFlipped(true);
+    view.features().flip->set(true);
     canvas.toggleFit();
     const QRectF focus = canvas.content().focus;
     ASSERT_FALSE(focus.isEmpty());
@@ -298,11 +303,11 @@ TEST_F(BufferMarksTest, WordsStandAtTheCornersOfAPictureThatGrewUnseen) {
 // The one that marks NaN is on from the start, and stays off once it is off.
 TEST_F(BufferMarksTest, AnOverlayThatWasSwitchedOffStaysOff) {
     EXPECT_EQ(view.state().overlays, std::vector<std::string>{"strange"});
-    view.setOverlay(app::OverlayId::Strange, false);
-    view.setOverlay(app::OverlayId::Verdict, true);
+    view.features().overlays->set(app::OverlayId::Strange, false);
+    view.features().overlays->set(app::OverlayId::Verdict, true);
     const auto state = view.state();
     ASSERT_EQ(state.overlays.size(), 1u);
-    view.setOverlay(app::OverlayId::Strange, true);
+    view.features().overlays->set(app::OverlayId::Strange, true);
     EXPECT_TRUE(view.lookAt(state).empty());
     EXPECT_EQ(view.state(), state);
 }

@@ -1,4 +1,9 @@
 #include "app/panels/buffer_view.h"
+#include "app/panels/buffer_channels.h"
+#include "app/panels/buffer_flip.h"
+#include "app/panels/buffer_overlays.h"
+#include "app/panels/buffer_range.h"
+#include "app/panels/buffer_region.h"
 
 #include <gtest/gtest.h>
 
@@ -213,23 +218,23 @@ TEST_F(BufferViewTest, ALeftOutBufferTellsWhyAndIsComputedWhenAskedFor) {
 }
 
 TEST_F(BufferViewTest, RangeAndChannelAreKeptPerBuffer) {
-    view.setRange({600, 700});
+    view.features().range->set({600, 700});
     show({BufferId::Specular, 0});
-    view.setChannel(lessons::ShownChannel::Third);
+    view.features().channel->set(lessons::ShownChannel::Third);
     show({BufferId::ZView});
     EXPECT_EQ(view.shown()->look.range, (pipeline::PaletteRange{600, 700}));
     show({BufferId::Specular, 0});
-    EXPECT_EQ(view.channel(), lessons::ShownChannel::Third);
+    EXPECT_EQ(view.features().channel->channel(), lessons::ShownChannel::Third);
     // Blue of the specular term alone: 3 polygons are seen, with 3 values.
     EXPECT_TRUE(view.shown()->notice.contains("3 distinct values")) << view.shown()->notice.toStdString();
     show({BufferId::ZView});
-    view.autofit(true);  // the range follows every frame again
+    view.features().range->fit(true);  // the range follows every frame again
     EXPECT_NE(view.shown()->look.range, (pipeline::PaletteRange{600, 700}));
 }
 
 TEST_F(BufferViewTest, TheChoiceOfRangeNeverChangesTheValueThatIsRead) {
     const QStringList before = canvas().content().text(268, 281);
-    view.setRange({0, 1});
+    view.features().range->set({0, 1});
     EXPECT_EQ(canvas().content().text(268, 281), before);
 }
 
@@ -272,8 +277,8 @@ TEST_F(BufferViewTest, TheOldPictureStaysUntilTheNewFrameIsThere) {
 TEST_F(BufferViewTest, OverlaysLieOverThePictureAndSayWhatTheyStandFor) {
     show({BufferId::Color});
     const auto legend = [&] { return view.shown()->notice; };
-    view.setOverlay(app::OverlayId::Fragments, true);
-    view.setOverlay(app::OverlayId::DepthTest, true);
+    view.features().overlays->set(app::OverlayId::Fragments, true);
+    view.features().overlays->set(app::OverlayId::DepthTest, true);
     ASSERT_TRUE(QTest::qWaitFor([&] { return canvas().content().overlays.size() == 2; }, 10000));
     for (const QImage& overlay : canvas().content().overlays) {
         EXPECT_NE(qAlpha(overlay.pixel(kOnPolygon2)), 0);
@@ -281,9 +286,9 @@ TEST_F(BufferViewTest, OverlaysLieOverThePictureAndSayWhatTheyStandFor) {
     }
     EXPECT_TRUE(legend().contains("×1"));
     EXPECT_TRUE(legend().contains("one came"));
-    view.setOverlay(app::OverlayId::Fragments, false);
+    view.features().overlays->set(app::OverlayId::Fragments, false);
     EXPECT_EQ(canvas().content().overlays.size(), 1u);
-    view.setOverlay(app::OverlayId::Verdict, true);
+    view.features().overlays->set(app::OverlayId::Verdict, true);
     ASSERT_TRUE(QTest::qWaitFor([&] { return canvas().content().verdicts != nullptr; }, 10000));
     EXPECT_EQ(canvas().content().verdicts->shapes.size(), 5u);  // the pyramid's polygons
     EXPECT_TRUE(legend().contains("K kept, 3")) << legend().toStdString();
@@ -292,7 +297,7 @@ TEST_F(BufferViewTest, OverlaysLieOverThePictureAndSayWhatTheyStandFor) {
 
 TEST_F(BufferViewTest, EdgeFunctionsAreThoseOfThePickedPixelsTriangle) {
     show({BufferId::Color});
-    view.setOverlay(app::OverlayId::EdgeFunctions, true);
+    view.features().overlays->set(app::OverlayId::EdgeFunctions, true);
     EXPECT_FALSE(canvas().content().edgeView);
     document.pick(glm::ivec2(kOnPolygon2.x(), kOnPolygon2.y()));
     ASSERT_TRUE(canvas().content().edgeView);
@@ -318,13 +323,13 @@ TEST_F(BufferViewTest, TheAxisOfTheCountsIsKeptPerBuffer) {
 }
 
 TEST_F(BufferViewTest, FlipAndRegionAreKeptInItsState) {
-    view.setFlipped(true);
-    view.setRegion(app::Region{{200, 300}, {260, 290}});
+    view.features().flip->set(true);
+    view.features().region->set(app::Region{{200, 300}, {260, 290}});
     const lessons::BufferShown state = view.state();
     EXPECT_TRUE(state.flipped);
     EXPECT_EQ(state.region, (std::array<int, 4>{200, 290, 260, 300}));
-    view.setFlipped(false);
-    view.setRegion({});
+    view.features().flip->set(false);
+    view.features().region->set({});
     EXPECT_TRUE(view.lookAt(state).empty());
     EXPECT_EQ(view.state(), state);
     EXPECT_TRUE(canvas().isFlipped());

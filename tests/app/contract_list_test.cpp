@@ -8,6 +8,7 @@
 #include <QTest>
 #include <QTreeWidget>
 
+#include "app/panels/buffer_overlays.h"
 #include "app/panels/buffer_view.h"
 #include "tests/app/renderer_files.h"
 
@@ -68,7 +69,7 @@ TEST_F(ContractListTest, TheOverlayMasksTheViolators) {
     view.resize(400, 300);
     view.show();
     view.setBuffer({BufferId::Normal});
-    view.setOverlay(OverlayId::Violators, true);
+    view.features().overlays->set(OverlayId::Violators, true);
     ASSERT_TRUE(QTest::qWaitFor(
         [&] {
             return view.shown() && view.shown()->buffer.name.id == BufferId::Normal &&

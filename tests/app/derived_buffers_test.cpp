@@ -16,6 +16,7 @@
 #include "app/core/own_file.h"
 #include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_compare.h"
+#include "app/panels/buffer_copies.h"
 #include "app/panels/buffer_view.h"
 #include "app/panels/condition_bar.h"
 #include "app/panels/state_picture.h"
@@ -234,19 +235,19 @@ TEST_F(DerivedBuffersTest, APictureOfAStateShowsIt) {
 }
 
 TEST_F(DerivedBuffersTest, CopiesAValueWithAllItsDigits) {
-    EXPECT_EQ(view.whyNoValue(), "Pick a pixel first.");
+    EXPECT_EQ(view.features().copies->whyNoValue(), "Pick a pixel first.");
     document.pick(glm::ivec2(80, 60));
     view.setBuffer({BufferId::ZView});
     ASSERT_TRUE(shows({BufferId::ZView}));
-    ASSERT_EQ(view.whyNoValue(), "");
-    view.copyValue();
+    ASSERT_EQ(view.features().copies->whyNoValue(), "");
+    view.features().copies->copyValue();
     const QString copied = QApplication::clipboard()->text();
     ASSERT_TRUE(copied.startsWith("z_view at 80, 60: ")) << copied.toStdString();
     const auto z = of({BufferId::ZView});
     const double value = z.value(80, 60);
     EXPECT_EQ(copied.section(": ", 1).toFloat(), float(value)) << "gives back the very number";
     view.setBuffer({BufferId::PolygonsVerdict});
-    EXPECT_TRUE(QTest::qWaitFor([&] { return view.whyNoValue().contains("has no pixels"); }, 10000));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return view.features().copies->whyNoValue().contains("has no pixels"); }, 10000));
 }
 
 // The scene is ahead of its frame, by as long as that takes to compute.
@@ -256,10 +257,10 @@ TEST_F(DerivedBuffersTest, CopiesNoValueOfAPixelThatThePictureDoesNotHave) {
     document.change(*findSetting(document.scene(), "width"), 200);
     document.pick(glm::ivec2(180, 60));
     QApplication::clipboard()->setText("mine");
-    EXPECT_EQ(view.whyNoValue(), "The picture on show does not have this pixel yet.");
-    view.copyValue();
+    EXPECT_EQ(view.features().copies->whyNoValue(), "The picture on show does not have this pixel yet.");
+    view.features().copies->copyValue();
     EXPECT_EQ(QApplication::clipboard()->text(), "mine");
-    EXPECT_TRUE(QTest::qWaitFor([&] { return view.whyNoValue().isEmpty(); }, 10000)) << "now it has";
+    EXPECT_TRUE(QTest::qWaitFor([&] { return view.features().copies->whyNoValue().isEmpty(); }, 10000)) << "now it has";
 }
 
 TEST(CopiedValue, HasEveryChannelInTheFewestDigits) {

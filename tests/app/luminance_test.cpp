@@ -5,6 +5,7 @@
 #include <QTest>
 
 #include "app/panels/buffer_canvas.h"
+#include "app/panels/buffer_channels.h"
 #include "app/panels/buffer_view.h"
 #include "pipeline/buffers/palette.h"
 #include "tests/support/scenes.h"
@@ -53,7 +54,7 @@ TEST_F(LuminanceTest, LuminanceIsOneNumberInPlaceOfThree) {
     EXPECT_EQ(view.shown()->buffer.shape, diffuse.shape);
     show({BufferId::Normal});
     QTest::keyClick(view.canvas(), Qt::Key_L);
-    EXPECT_EQ(view.channel(), lessons::ShownChannel::All) << "a direction has no luminance";
+    EXPECT_EQ(view.features().channel->channel(), lessons::ShownChannel::All) << "a direction has no luminance";
 }
 
 TEST_F(LuminanceTest, EveryPixelOfLightHasTheColourThatAnExportGivesIt) {

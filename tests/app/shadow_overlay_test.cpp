@@ -6,6 +6,7 @@
 #include <QTest>
 
 #include "app/panels/buffer_canvas.h"
+#include "app/panels/buffer_overlays.h"
 #include "app/panels/buffer_view.h"
 #include "pipeline/scene/settings_table.h"
 #include "tests/support/scenes.h"
@@ -38,32 +39,34 @@ struct ShadowOverlayTest : testing::Test {
 };
 
 TEST_F(ShadowOverlayTest, LaysTheVerdictsOverThePictureAndFollowsTheBias) {
-    view.shadows().setLight(0);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return view.shadows().verdicts() != nullptr; }, 20000));
-    EXPECT_GT(view.shadows().verdicts()->counts[std::size_t(pipeline::ShadowVerdict::Acne)], 100u) << "no bias";
+    view.features().overlays->shadows().setLight(0);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return view.features().overlays->shadows().verdicts() != nullptr; }, 20000));
+    EXPECT_GT(view.features().overlays->shadows().verdicts()->counts[std::size_t(pipeline::ShadowVerdict::Acne)], 100u)
+        << "no bias";
     ASSERT_FALSE(view.canvas()->content().overlays.empty());
     EXPECT_EQ(view.canvas()->content().overlays[0].size(), QSize(160, 120));
     EXPECT_TRUE(view.shown()->notice.contains("acne"));
     document.change(*pipeline::findSetting(document.scene(), "shadow.bias_value"), 50);
     ASSERT_TRUE(QTest::qWaitFor(
         [&] {
-            return view.shadows().verdicts() &&
-                   view.shadows().verdicts()->counts[std::size_t(pipeline::ShadowVerdict::Leak)] > 100;
+            return view.features().overlays->shadows().verdicts() &&
+                   view.features().overlays->shadows().verdicts()->counts[std::size_t(pipeline::ShadowVerdict::Leak)] >
+                       100;
         },
         20000))
         << "a bias larger than the scene lets all light through";
-    view.shadows().setLight(std::nullopt);
+    view.features().overlays->shadows().setLight(std::nullopt);
     EXPECT_TRUE(view.canvas()->content().overlays.empty());
 }
 
 TEST_F(ShadowOverlayTest, AMenuOffersEveryLightOrSaysWhyNot) {
     QMenu menu;
-    view.shadows().fillMenu(menu, {});
+    view.features().overlays->shadows().fillMenu(menu, {});
     ASSERT_EQ(menu.actions().size(), 1);
     EXPECT_TRUE(menu.actions()[0]->isEnabled());
     document.change(*pipeline::findSetting(document.scene(), "light.0.shadow"), 0);
     QMenu other;
-    view.shadows().fillMenu(other, {});
+    view.features().overlays->shadows().fillMenu(other, {});
     EXPECT_FALSE(other.actions()[0]->isEnabled());
     EXPECT_EQ(other.actions()[0]->toolTip(), "Light 0 casts no shadow.");
 }

@@ -10,6 +10,7 @@
 #include "app/core/large_frame.h"
 #include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_compare.h"
+#include "app/panels/buffer_range.h"
 #include "app/panels/buffer_view.h"
 #include "app/panels/canvas_base.h"
 #include "tests/app/large_scene.h"
@@ -187,9 +188,9 @@ TEST_F(DepthView, TheDifferenceOfALargeFrameIsShownWithItsFittingRange) {
     ASSERT_TRUE(QTest::qWaitFor([&] { return showsDifference() && !view.compare().busy(); }, 20000));
     EXPECT_EQ(view.shown()->numbers.max, view.compare().found()->largest) << "z_view - depth is nowhere negative";
     const auto whole = view.shown()->look.range;
-    view.setRange({1, 2});
+    view.features().range->set({1, 2});
     ASSERT_TRUE(QTest::qWaitFor([&] { return view.shown()->look.range == pipeline::PaletteRange{1, 2}; }, 10000));
-    view.autofit(false);
+    view.features().range->fit(false);
     ASSERT_TRUE(QTest::qWaitFor([&] { return view.compare().range() && view.shown()->look.range == whole; }, 10000));
     EXPECT_EQ(*view.compare().range(), whole);
     view.compare().setMode(app::CompareMode::A);
@@ -200,9 +201,9 @@ TEST_F(DepthView, FittingOnceKeepsTheRangeOfTheNextPicture) {
     document.setScene(test::manyPolygons());
     ASSERT_TRUE(QTest::qWaitFor([&] { return !document.busy() && view.shown(); }, 20000));
     const auto whole = view.shown()->look.range;
-    view.setRange({600, 700});
+    view.features().range->set({600, 700});
     ASSERT_TRUE(QTest::qWaitFor([&] { return view.shown()->look.range == pipeline::PaletteRange{600, 700}; }, 10000));
-    view.autofit(false);
+    view.features().range->fit(false);
     ASSERT_TRUE(
         QTest::qWaitFor([&] { return view.state().range.has_value() && view.shown()->look.range == whole; }, 10000));
     EXPECT_EQ((*view.state().range)[0], double(whole.first));
@@ -226,7 +227,7 @@ TEST_F(DepthView, AViewToldToStopShowsWhatItHadUntilItIsToGoOn) {
     document.setScene(test::manyPolygons());
     ASSERT_TRUE(QTest::qWaitFor([&] { return !document.busy() && view.shown(); }, 20000));
     const auto before = view.shown()->look.range;
-    view.setRange({1, 2});
+    view.features().range->set({1, 2});
     document.work().cancel();
     EXPECT_TRUE(document.work().stopped().contains("a buffer's picture"));
     QTest::qWait(300);

@@ -11,6 +11,8 @@
 #include "app/desktop/actions.h"
 #include "app/desktop/view_area.h"
 #include "app/panels/buffer_canvas.h"
+#include "app/panels/buffer_overlays.h"
+#include "app/panels/buffer_range.h"
 #include "app/panels/buffer_view.h"
 #include "app/panels/error_list.h"
 #include "app/view3d/view3d_panel.h"
@@ -33,8 +35,8 @@ protected:
         window.views().setSecond(true);
         BufferView& first = window.views().first();
         first.setBuffer({pipeline::BufferId::ZView});
-        first.setRange({700, 600});
-        first.setOverlay(OverlayId::Edges, true);
+        first.features().range->set({700, 600});
+        first.features().overlays->set(OverlayId::Edges, true);
         first.canvas()->setZoom(8, QPointF(100, 100));
         OrbitCamera camera = window.views().view3d().view().camera();
         orbit(camera, 31, 7);
@@ -61,7 +63,7 @@ TEST_F(WindowSession, AStateShownAgainIsTheSameState) {
     const QImage picture = pictureOnScreen();
 
     ASSERT_TRUE(window.openFile(resourceScene("two_pyramids.scene")));
-    window.views().first().autofit(true);
+    window.views().first().features().range->fit(true);
     document().stepper().leave();
     document().setStage(pipeline::StageId::Cull);
     EXPECT_TRUE(waitForFrame());

@@ -19,6 +19,7 @@
 #include "app/desktop/view_area.h"
 #include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_compare.h"
+#include "app/panels/buffer_flip.h"
 #include "app/panels/buffer_view.h"
 #include "app/panels/film_dialog.h"
 #include "app/view3d/view3d_panel.h"
@@ -174,7 +175,7 @@ TEST_F(WindowSlide, AViewThatStandsUpsideDownIsPicturedSo) {
     BufferView& view = window.views().first();
     const SlideRequest request{What::Buffer, {800, 600}, true, false, false};
     const QImage upright = picture(request);
-    view.setFlipped(true);
+    view.features().flip->set(true);
     EXPECT_EQ(picture(request), upright.mirrored());
 }
 

@@ -18,6 +18,8 @@
 #include "app/desktop/window_main.h"
 #include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_compare.h"
+#include "app/panels/buffer_loupe.h"
+#include "app/panels/buffer_region.h"
 #include "app/panels/buffer_view.h"
 #include "app/view3d/scene_view.h"
 #include "app/view3d/view3d_panel.h"
@@ -163,14 +165,14 @@ int main(int argc, char** argv) {
             act(qPrintable(QString("the view shows %1").arg(name)), [&] { window.views().showBuffer(*buffer); });
     act("the pointer moves over its polygons", [&] { drag(canvas, Qt::NoButton, {}); });
     act("... under the loupe", [&] {
-        window.views().first().setShowLoupe(true);
+        window.views().first().features().loupe->set(true);
         drag(canvas, Qt::NoButton, {});
     });
     act("the loupe is over the frame buffer", [&] {
         window.views().showBuffer({pipeline::BufferId::Color});
         drag(canvas, Qt::NoButton, {});
     });
-    window.views().first().setShowLoupe(false);
+    window.views().first().features().loupe->set(false);
     app::BufferView& view = window.views().first();
     act("it is compared with the stage before", [&] {
         view.compare().compareWith(app::OtherSource{.kind = app::OtherSource::Kind::PreviousStage});
@@ -184,9 +186,9 @@ int main(int argc, char** argv) {
     });
     act("... which is left", [&] { window.views().showBuffer({pipeline::BufferId::Color}); });
     view.compare().compareWith({});
-    act("the whole picture is a region", [&] { view.setRegion(app::Region{{0, 0}, {1919, 1079}}); });
+    act("the whole picture is a region", [&] { view.features().region->set(app::Region{{0, 0}, {1919, 1079}}); });
     act("... and the camera's angle dragged", [&] { changeLive(document, "camera.fov"); });
-    view.setRegion({});
+    view.features().region->set({});
     act("all panels are open", [&] {
         for (auto* dock : window.findChildren<app::PanelDock*>()) dock->show(), dock->raise();
     });

@@ -187,14 +187,12 @@ Breaches printingPastMessages(const SourceTree& tree) {
 }
 
 Breaches markupInNewPlaces(const SourceTree& tree) {
-    static const std::set<std::string> known{"app/core/application.h",         "app/core/application.cpp",
-                                             "app/core/style_sheet.cpp",       "app/panels/why_section.cpp",
-                                             "app/panels/terms_section.cpp",   "app/panels/region_panel.cpp",
-                                             "app/panels/inspector_panel.cpp", "app/panels/setting_row.cpp",
-                                             "app/panels/settings_panel.cpp",  "app/panels/buffer_view_layout.cpp",
-                                             "app/desktop/status_line.cpp",    "app/panels/prose_view.cpp",
-                                             "app/panels/prose_view.h",        "app/desktop/manual_window.cpp",
-                                             "app/desktop/manual_window.h"};
+    static const std::set<std::string> known{
+        "app/core/application.h",         "app/core/application.cpp",      "app/core/style_sheet.cpp",
+        "app/panels/why_section.cpp",     "app/panels/terms_section.cpp",  "app/panels/region_panel.cpp",
+        "app/panels/inspector_panel.cpp", "app/panels/setting_row.cpp",    "app/panels/settings_panel.cpp",
+        "app/panels/buffer_captions.cpp", "app/desktop/status_line.cpp",   "app/panels/prose_view.cpp",
+        "app/panels/prose_view.h",        "app/desktop/manual_window.cpp", "app/desktop/manual_window.h"};
     static const std::regex markup(
         R"(Qt::(RichText|MarkdownText|AutoText)|\b(setHtml|insertHtml|fromHtml|setMarkdown|fromMarkdown)\b|\bQ(TextBrowser|StaticText)\b)");
     Breaches breaches;
@@ -257,7 +255,6 @@ Breaches longFiles(const SourceTree& tree) {
         if (!isSource(file) && !script) continue;
         if (file.path.starts_with("tests/student/")) continue;  // a renderer is handed in as one file
         std::size_t limit = 400;
-        if (file.path.starts_with("app/panels/")) limit = 250;
         if (file.path.starts_with("pipeline/stages/") && file.path.ends_with(".cpp")) limit = 200;
         if (file.lines.size() > limit)
             breaches.push_back(breach(file, file.lines.size(), std::to_string(file.lines.size()) + " lines",

@@ -155,7 +155,6 @@ TEST(Architecture, FilesAreShort) {
         return SourceTree{{std::move(path), std::vector<std::string>(lines)}};
     };
     expectOne(longFiles(file("app/core/document.cpp", 401)), "app/core/document.cpp:401:");
-    expectOne(longFiles(file("app/panels/plan_panel.cpp", 251)), "app/panels/plan_panel.cpp:251:");
     expectOne(longFiles(file("pipeline/stages/cull.cpp", 201)), "pipeline/stages/cull.cpp:201:");
     expectKept(longFiles(file("app/core/document.cpp", 400)));
     expectKept(longFiles(file("lessons/pyramid/lesson.md", 1000)));

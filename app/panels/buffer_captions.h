@@ -1,0 +1,26 @@
+#pragma once
+#include "app/panels/buffer_feature.h"
+
+namespace app {
+
+class BufferCompare;
+
+// What a buffer view says over its picture: notices, and the buffer's name if the view is bare.
+class BufferCaptions : public BufferFeature {
+public:
+    BufferCaptions(BufferView& view, const BufferCompare& compare);
+
+    void setTitle(const QString& name);
+    void setBare(bool bare) { m_bare = bare; }
+    QLabel& notices() { return *m_notice; }
+
+    void show() override;
+    void place(CanvasRoom& room) override;
+
+private:
+    const BufferCompare& m_compare;  // whose pictures have names of their own
+    QLabel *m_notice, *m_title;
+    bool m_bare = false;
+};
+
+}  // namespace app

@@ -1,0 +1,76 @@
+#include "app/panels/buffer_compare_choice.h"
+
+#include <QKeyEvent>
+
+#include "app/core/renderer_check.h"
+#include "app/panels/buffer_canvas.h"
+#include "app/panels/buffer_compare.h"
+#include "app/panels/buffer_header.h"
+#include "app/panels/buffer_overlays.h"
+#include "app/panels/buffer_view.h"
+#include "app/panels/compare_bar.h"
+#include "app/panels/stage_differences.h"
+
+namespace app {
+
+CompareChoice::CompareChoice(BufferView& view)
+    : BufferFeature(view),
+      m_compare(new BufferCompare(view.document(), view.canvas(), &view)),
+      m_stages(new StageDifferences(view.document(), *m_compare, &view)) {
+    connect(&view.header(), &BufferHeader::compareMenuOpens, this,
+            [this](QMenu* menu) { m_compare->fillMenu(*menu, this->view().buffer()); });
+    connect(m_compare, &BufferCompare::changed, &view, &BufferView::refresh);
+    connect(m_compare, &BufferCompare::chosen, &view, &BufferView::takeKeys);
+    connect(m_compare, &BufferCompare::busyChanged, this, &CompareChoice::busyChanged);
+    connect(m_compare, &BufferCompare::stagesChosen, this, [this] {
+        const CompareBar& bar = *m_compare->bar();
+        m_stages->open(bar.mapToGlobal(bar.rect().bottomRight()));
+    });
+    connect(m_stages, &StageDifferences::chosen, this, [this](const pipeline::StageDifference& difference) {
+        this->view().setBuffer(difference.buffer);
+        m_compare->goToWorst();
+    });
+}
+
+void CompareChoice::letGo() {
+    m_compare->holdOther(false);
+    m_compare->holdPrevious(false);
+}
+
+void CompareChoice::compareBy(CompareMode mode) {
+    m_compare->source() ? m_compare->setMode(mode) : view().header().openCompareMenu();
+}
+
+bool CompareChoice::press(const QKeyEvent& key) {
+    switch (key.key()) {
+        case Qt::Key_Shift: return m_compare->holdOther(true), true;
+        case Qt::Key_QuoteLeft:
+            if (!key.isAutoRepeat()) m_compare->holdPrevious(true);
+            return true;
+        case Qt::Key_T: return compareBy(CompareMode::Blink), true;
+        case Qt::Key_W: return compareBy(CompareMode::Wipe), true;
+        case Qt::Key_D: return compareBy(CompareMode::Difference), true;
+        default: return false;
+    }
+}
+
+void CompareChoice::release(const QKeyEvent& key) {
+    if (key.key() == Qt::Key_Shift) m_compare->holdOther(false);
+    if (key.key() == Qt::Key_QuoteLeft) m_compare->holdPrevious(false);
+}
+
+// After the mix, which stands in the buffer's place.
+void CompareChoice::addTo(ShowRequest& request) {
+    if (m_compare->isMine() && takesOverlays(*request.buffer.info))
+        request.mine = view().document().renderer().report();
+    m_compare->addOther(request);
+}
+
+void CompareChoice::write(lessons::BufferShown& state) const { state.compared = m_compare->state(); }
+pipeline::Errors CompareChoice::read(const lessons::BufferShown& state) { return m_compare->lookAt(state.compared); }
+
+bool CompareChoice::busy() const { return m_compare->busy(); }
+void CompareChoice::cancel() { m_compare->cancel(); }
+void CompareChoice::retry() { m_compare->retry(); }
+
+}  // namespace app

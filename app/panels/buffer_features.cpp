@@ -1,0 +1,46 @@
+#include "app/panels/buffer_features.h"
+
+#include "app/panels/buffer_captions.h"
+#include "app/panels/buffer_channels.h"
+#include "app/panels/buffer_compare_choice.h"
+#include "app/panels/buffer_condition.h"
+#include "app/panels/buffer_copies.h"
+#include "app/panels/buffer_flip.h"
+#include "app/panels/buffer_loupe.h"
+#include "app/panels/buffer_overlays.h"
+#include "app/panels/buffer_pins.h"
+#include "app/panels/buffer_range.h"
+#include "app/panels/buffer_readout.h"
+#include "app/panels/buffer_region.h"
+#include "app/panels/buffer_selection.h"
+#include "app/panels/buffer_source.h"
+#include "app/panels/buffer_zoom.h"
+
+namespace app {
+
+// The entries of the menu stand in the order in which the features are made, as do the labels that overlap.
+BufferFeatures makeFeatures(BufferView& view) {
+    BufferFeatures f{};
+    f.zoom = new PictureZoom(view);
+    f.compare = new CompareChoice(view);
+    BufferCompare& compare = f.compare->compare();
+    f.channel = new ChannelChoice(view);
+    f.overlays = new OverlayChoice(view);
+    f.condition = new ConditionVeil(view);
+    f.source = new BufferSource(view, compare);
+    f.loupe = new LoupeToggle(view);
+    f.selection = new SelectionMark(view);
+    f.readout = new PixelReadout(view, compare);
+    f.captions = new BufferCaptions(view, compare);
+    f.copies = new BufferCopies(view);
+    f.pins = new PinMarks(view, *f.readout);
+    f.region = new RegionMark(view);
+    f.flip = new FlipToggle(view);
+    f.range = new RangeChoice(view, compare, *f.channel);
+    // A comparison is of what the source gives, and a range of what the comparison shows.
+    f.all = {f.zoom,   f.channel, f.overlays, f.condition, f.source,  f.loupe,    f.selection, f.readout,
+             f.copies, f.pins,    f.region,   f.flip,      f.compare, f.captions, f.range};
+    return f;
+}
+
+}  // namespace app

@@ -1,0 +1,40 @@
+#include "app/panels/buffer_flip.h"
+
+#include <QKeyEvent>
+#include <QMenu>
+
+#include "app/panels/buffer_canvas.h"
+#include "app/panels/buffer_header.h"
+#include "app/panels/buffer_view.h"
+
+namespace app {
+
+FlipToggle::FlipToggle(BufferView& view) : BufferFeature(view) {
+    QMenu& more = *view.header().menu();
+    more.addSeparator();
+    m_action = more.addAction(tr("Row 0 at the foot\tY"));
+    m_action->setCheckable(true);
+    connect(m_action, &QAction::triggered, this, &FlipToggle::set);
+}
+
+void FlipToggle::set(bool flipped) {
+    m_action->setChecked(flipped);
+    view().canvas()->setFlipped(flipped);
+    view().header().setFlipped(flipped);
+    view().place();
+}
+
+bool FlipToggle::press(const QKeyEvent& key) {
+    if (key.key() != Qt::Key_Y) return false;
+    set(!view().canvas()->isFlipped());
+    return true;
+}
+
+void FlipToggle::write(lessons::BufferShown& state) const { state.flipped = view().canvas()->isFlipped(); }
+
+pipeline::Errors FlipToggle::read(const lessons::BufferShown& state) {
+    set(state.flipped);
+    return {};
+}
+
+}  // namespace app

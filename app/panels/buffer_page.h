@@ -1,0 +1,34 @@
+#pragma once
+#include <QString>
+#include <QWidget>
+
+class QLabel;
+class QPushButton;
+
+namespace app {
+
+// Why there is no picture, and what a button below that offers.
+struct Absence {
+    enum class Offer : unsigned char { Nothing, Compute, ComputeAnyway, Cancel };
+    QString why;
+    Offer offer = Offer::Nothing;
+};
+
+// The page in place of a buffer's picture.
+class BufferPage : public QWidget {
+    Q_OBJECT
+public:
+    explicit BufferPage(QWidget* parent);
+
+    void show(const Absence& absence);
+    QString text() const;
+
+signals:
+    void offerTaken();
+
+private:
+    QLabel* m_message;
+    QPushButton* m_offer;
+};
+
+}  // namespace app

@@ -1,0 +1,108 @@
+#include "app/panels/buffer_readout.h"
+
+#include <QLabel>
+
+#include "app/core/shadow_texel.h"
+#include "app/core/theme.h"
+#include "app/panels/buffer_canvas.h"
+#include "app/panels/buffer_compare.h"
+#include "app/panels/buffer_view.h"
+
+namespace app {
+
+namespace {
+
+std::optional<QPoint> toPoint(std::optional<glm::ivec2> p) {
+    if (!p) return {};
+    return QPoint(p->x, p->y);
+}
+
+std::optional<glm::ivec2> toVector(std::optional<QPoint> p) {
+    if (!p) return {};
+    return glm::ivec2(p->x(), p->y());
+}
+
+}  // namespace
+
+PixelReadout::PixelReadout(BufferView& view, const BufferCompare& compare)
+    : BufferFeature(view), m_compare(compare), m_label(labelOver(view.canvas())) {
+    Document& document = view.document();
+    connect(view.canvas(), &BufferCanvas::picked, this, [this, &document](QPoint pixel) {
+        if (this->view().isOfPixels()) document.pick(toVector(pixel));
+    });
+    connect(view.canvas(), &BufferCanvas::nudged, this, &PixelReadout::nudge);
+    connect(view.canvas(), &BufferCanvas::hovered, this, &PixelReadout::hover);
+    const auto follow = [this] {
+        show();
+        this->view().place();
+    };
+    connect(&document, &Document::pixelChanged, this, follow);
+    connect(&document, &Document::hoverChanged, this, follow);
+}
+
+void PixelReadout::hover(std::optional<QPoint> pixel) {
+    m_localHover = pixel;
+    if (view().isOfPixels()) view().document().hover(toVector(pixel));
+    show();
+    view().place();
+}
+
+void PixelReadout::nudge(QPoint by) {
+    Document& document = view().document();
+    if (!view().isOfPixels() || !document.hasScene()) return;
+    const pipeline::Settings& settings = document.scene().settings;
+    const auto from = document.pixel().value_or(glm::ivec2(settings.width, settings.height) / 2);
+    document.pick(from + glm::ivec2(by.x(), by.y()));
+}
+
+void PixelReadout::show() {
+    const Document& document = view().document();
+    BufferCanvas& canvas = *view().canvas();
+    const bool isOfPixels = view().isOfPixels();
+    canvas.setPicked(isOfPixels ? toPoint(document.pixel()) : texelOf(document.pixel()));
+    canvas.setHovered(isOfPixels     ? toPoint(document.hovered())
+                      : m_localHover ? m_localHover
+                                     : texelOf(document.hovered()));
+    const CanvasContent& content = canvas.content();
+    const std::optional<QPoint> pixel = content.hovered ? content.hovered : content.picked;
+    m_label->setText(pixel && view().shown() ? at(*pixel) : QString());
+    m_label->setVisible(!m_label->text().isEmpty());
+    if (!view().shown()) return;
+    // The canvas has the focus: a screen reader reads the value first, and again with every nudge.
+    const QString& description = view().shown()->description;
+    canvas.setAccessibleDescription(m_label->text().isEmpty() ? description
+                                                              : m_label->text() + QStringLiteral(". ") + description);
+}
+
+void PixelReadout::place(CanvasRoom& room) {
+    const Theme& theme = Theme::current();
+    m_label->setFont(theme.mono(12));
+    if (m_label->sizeHint().width() > room.size.width() - 2 * CanvasRoom::kMargin)  // A, B and their difference
+        m_label->setText(m_label->text().replace("   ", "\n"));
+    m_label->adjustSize();
+    // Above "0, 0", where the canvas marks it.
+    const int origin = view().canvas()->isFlipped() ? QFontMetrics(theme.mono(12)).height() + 4 : 0;
+    m_label->move(CanvasRoom::kMargin, room.bottom - m_label->height() - CanvasRoom::kMargin - origin);
+    if (m_label->isVisibleTo(view().canvas())) room.bottom = m_label->y();
+}
+
+std::optional<QPoint> PixelReadout::texelOf(std::optional<glm::ivec2> pixel) const {
+    if (!pixel || !view().frame()) return {};
+    return toPoint(shadowTexel(*view().frame(), std::size_t(view().buffer().light), *pixel));
+}
+
+QString PixelReadout::at(QPoint pixel) const {
+    const ShownBuffer& shown = *view().shown();
+    const QString place = QString("x %1 y %2").arg(pixel.x()).arg(pixel.y());
+    if (!QRect(QPoint(0, 0), shown.content.size).contains(pixel)) return {};
+    if (!shown.content.shapes) {
+        const QString value =
+            elementText(shown.buffer, std::size_t(pixel.x()), std::size_t(pixel.y()), shown.look.channel).join(' ');
+        return place + " → " + (shown.hasValue(pixel) ? value : tr("no value, %1 is stored").arg(value)) +
+               m_compare.readout(pixel);
+    }
+    const int polygon = nearestPolygonAt(*shown.content.shapes, QPointF(pixel) + QPointF(0.5, 0.5));
+    return polygon < 0 ? place : place + QString(" → polygon %1").arg(polygon);
+}
+
+}  // namespace app

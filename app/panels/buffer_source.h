@@ -1,0 +1,38 @@
+#pragma once
+#include <set>
+#include <string>
+
+#include "app/panels/buffer_feature.h"
+#include "app/panels/buffer_page.h"
+
+namespace app {
+
+class BufferCompare;
+
+// The buffer with the view's name: the frame's own, or one that is derived from it; else why there is none. In place of the
+// frame buffer it shows the picture that the mixed terms make.
+class BufferSource : public BufferFeature {
+public:
+    BufferSource(BufferView& view, const BufferCompare& compare);
+
+    // Whether a question hides the buffer, or the buffer that it is compared with, until it is answered.
+    bool isHidden() const;
+    std::optional<pipeline::AnyBuffer> find(const pipeline::Frame& frame) const;
+    std::optional<Absence> whyNot(const pipeline::Frame& frame) const;  // nothing: the buffer is on its way
+    void takeOffer();                                                   // that whyNot() has made
+
+    pipeline::BufferSet want() override;
+    void addTo(ShowRequest& request) override;
+    QString notice() const override;
+
+private:
+    bool isDerived() const;
+    bool isForced() const;  // computed although the scene has no use for it
+    bool isMixed() const;
+    Absence whyNotDerived() const;
+
+    const BufferCompare& m_compare;
+    std::set<std::string> m_forced;  // names
+};
+
+}  // namespace app
