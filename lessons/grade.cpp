@@ -23,6 +23,8 @@ using pipeline::Json;
 using pipeline::Result;
 
 constexpr std::size_t kMostHandInBytes = std::size_t{8} << 20, kMostPagesNamed = 3, kMostAnswers = 200;
+constexpr std::size_t kMostQuestions = 5000, kMostGiven = 200, kMostName = 255;
+constexpr std::size_t kMostSaid = 300;  // bytes of what a parser says, which may quote the file
 
 // The answers to a sheet, by the number of the question.
 struct SheetAnswers {
@@ -44,11 +46,18 @@ Result<std::optional<SheetAnswers>> sheetAnswersIn(const std::string& text, cons
                 return Error{{file, 0, 0},
                              "found the answer " + pipeline::inQuotes(question),
                              "the number of a question, from 1"};
+            if (!given.is_primitive() || given.is_null())  // a list may be nested deeper than anybody can print
+                return Error{{file, 0, 0},
+                             "found no text and no number as the answer " + pipeline::inQuotes(question),
+                             "\"0.77\" or 0.77"};
             answers.given[std::size_t(*number)] =
-                given.is_string() ? pipeline::escapedControls(given.get<std::string>()) : given.dump();
+                given.is_string() ? pipeline::escapedControls(given.get<std::string>().substr(0, kMostGiven))
+                                  : given.dump();
         }
     } catch (const std::exception& error) {
-        return Error{{file, 0, 0}, std::string("this is no hand-in: ") + pipeline::escapedControls(error.what())};
+        return Error{
+            {file, 0, 0},
+            "this is no hand-in: " + pipeline::escapedControls(std::string_view(error.what()).substr(0, kMostSaid))};
     }
     return std::optional(std::move(answers));
 }
@@ -92,9 +101,11 @@ class Grader {
 public:
     Grader(const SheetKeys* sheets, const pipeline::Stop& stop) : m_sheets(sheets), m_stop(stop) {}
 
-    Result<Graded> grade(std::span<const std::filesystem::path> files) {
+    Result<Graded> grade(std::span<const std::filesystem::path> files,
+                         const std::function<void(std::size_t)>& progress) {
         nameStudents(files);
         for (std::size_t i = 0; i < files.size(); ++i) {
+            if (progress) progress(i);
             if (m_stop.stop_requested()) return Error{{}, "stopped", {}};
             m_student = m_names[i];
             const std::size_t before = m_graded.answers.size();
@@ -116,13 +127,17 @@ private:
     // "anna" of anna.json; where another file has this name too, "group 2/anna".
     void nameStudents(std::span<const std::filesystem::path> files) {
         for (const std::filesystem::path& file : files) m_names.push_back(pipeline::escaped(file.stem().string()));
-        const std::vector<std::string> plain = m_names;
+        std::map<std::string, std::size_t> count;
+        for (const std::string& name : m_names) ++count[name];
         for (std::size_t i = 0; i < files.size(); ++i)
-            if (std::ranges::count(plain, plain[i]) > 1)
+            if (count[m_names[i]] > 1)
                 m_names[i] = pipeline::escaped((files[i].parent_path().filename() / files[i].stem()).string());
     }
 
     Errors add(const std::filesystem::path& file) {
+        std::error_code ignored;
+        if (std::filesystem::is_symlink(file, ignored))
+            return {{{file.string(), 0, 0}, "this is a link to another file", "a file of its own"}};
         const auto text = pipeline::readFile(file, kMostHandInBytes);
         if (!text) return pipeline::namedAt({file.string()}, text.errors());
         const auto sheet = sheetAnswersIn(*text, file.string());
@@ -131,11 +146,22 @@ private:
         const auto results = parseResults(*text, file.string());
         if (!results) return results.errors();
         if (results->empty()) return {{{file.string(), 0, 0}, "found no answer in it", "a hand-in with answers"}};
-        for (const auto& [lesson, pages] : results->lessons()) addLesson(lesson, pages);
+        std::size_t questions = 0;
+        for (const auto& [lesson, pages] : results->lessons()) questions += pages.size();
+        if (questions > kMostQuestions || results->lessons().size() > kMostAnswers)
+            return {{{file.string(), 0, 0},
+                     fmt::format("found {} questions of {} lessons", questions, results->lessons().size()),
+                     fmt::format("at most {} of {}", kMostQuestions, kMostAnswers)}};
+        for (const auto& [lesson, pages] : results->lessons()) {
+            addLesson(lesson, pages);
+            if (m_stop.stop_requested()) return {{{}, "stopped", {}}};
+        }
         return {};
     }
 
+    // A name of a hand-in leads to no other folder.
     const Lesson* lessonNamed(const std::string& name) {
+        if (name.size() > kMostName || name.find('/') != name.npos || name.starts_with('.')) return nullptr;
         const auto [known, isNew] = m_lessons.try_emplace(name);
         if (isNew)
             if (auto lesson = findLesson(name, m_stop)) known->second = std::move(lesson).value();
@@ -146,8 +172,8 @@ private:
         const Lesson* const lesson = lessonNamed(name);
         std::vector<GradedAnswer> answers;
         for (const auto& [heading, progress] : pages) {
-            GradedAnswer answer{m_student, pipeline::escaped(name), 0, {}, pipeline::escaped(heading), progress, 0, 0,
-                                {}};
+            GradedAnswer answer{
+                m_student, pipeline::escaped(name), 0, {}, pipeline::escaped(heading), progress, 0, 0, {}, false};
             const Page* page = nullptr;
             for (std::size_t i = 0; lesson && i < lesson->pages.size(); ++i)
                 if (lesson->pages[i].heading == heading && lesson->pages[i].question)
@@ -190,8 +216,9 @@ private:
                                 {},
                                 0,
                                 page.question->points,
-                                {}};
-            if (given == handedIn.given.end())
+                                {},
+                                true};
+            if (given == handedIn.given.end() || given->second.empty())
                 answer.note = "not answered";
             else
                 judgeInto(answer, *page.question, given->second, {.frame = *frames.first, .stop = m_stop}, errors);
@@ -220,6 +247,10 @@ private:
             answer.note = "not counted: " + verdict->said;
         answer.progress = attempt.progress();
         answer.points = attempt.points();
+        const auto* const order = std::get_if<OrderQuestion>(&question.kind);
+        if (!order || !verdict || verdict->mark == Mark::Right || verdict->mark == Mark::Again) return;
+        if (const auto right = rightOrder(*order, context))
+            answer.points = question.points * shareInOrder(*right, std::get<Ordered>(*given).items);
     }
 
     const SheetKeys* m_sheets;
@@ -245,9 +276,26 @@ std::map<std::string, std::vector<std::string>> treatments(const std::set<std::s
 
 }  // namespace
 
-Result<Graded> grade(std::span<const std::filesystem::path> files, const SheetKeys* sheets,
-                     const pipeline::Stop& stop) {
-    return Grader(sheets, stop).grade(files);
+Result<Graded> grade(std::span<const std::filesystem::path> files, const SheetKeys* sheets, const pipeline::Stop& stop,
+                     const std::function<void(std::size_t)>& progress) {
+    return Grader(sheets, stop).grade(files, progress);
+}
+
+std::vector<std::filesystem::path> handInsOf(std::span<const std::filesystem::path> paths) {
+    std::vector<std::filesystem::path> files;
+    for (const std::filesystem::path& path : paths) {
+        std::error_code error;
+        if (!std::filesystem::is_directory(path, error)) {
+            files.push_back(path);
+            continue;
+        }
+        const std::size_t before = files.size();
+        for (const auto& entry : std::filesystem::directory_iterator(path, error))
+            if (entry.path().extension() == ".json") files.push_back(entry.path());
+        if (files.size() == before) files.push_back(path);  // refused by its name, as what holds no hand-in
+        std::sort(files.begin() + std::ptrdiff_t(before), files.end());
+    }
+    return files;
 }
 
 std::vector<SharedMistake> mistakesOf(const Graded& graded) {

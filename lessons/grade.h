@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -20,7 +21,8 @@ struct GradedAnswer {
     std::string heading;
     Progress progress;
     double points = 0, full = 0;
-    std::string note;  // why it could not be counted; may be empty
+    std::string note;      // why it could not be counted; may be empty
+    bool onSheet = false;  // one of several, which ask the same with other numbers
 };
 
 struct Graded {
@@ -36,9 +38,15 @@ struct Graded {
 
 // Grades hand-ins: results as the window and the pages write them (lessons/results.h), or the answers to a sheet,
 // {"version": 1, "sheet": 7, "answers": {"1": "0.77", "2": "B"}}, where sheets were given. Two hand-ins of one name are
-// told apart by their folders. "stopped" is the only error.
+// told apart by their folders. An order that is partly right has its share of the points on a sheet (shareInOrder in
+// judge.h): it is handed in once. A link is refused: what it leads to is another one's. progress: of the hand-in that is
+// read, from 0. "stopped" is the only error.
 pipeline::Result<Graded> grade(std::span<const std::filesystem::path> files, const SheetKeys* sheets,
-                               const pipeline::Stop& stop = {});
+                               const pipeline::Stop& stop = {},
+                               const std::function<void(std::size_t handIn)>& progress = {});
+
+// Of each folder its files *.json in the order of their names, without those of folders in it; of anything else the path.
+std::vector<std::filesystem::path> handInsOf(std::span<const std::filesystem::path> paths);
 
 // How often a misconception was met.
 struct SharedMistake {

@@ -22,7 +22,6 @@ using pipeline::element;
 using pipeline::Json;
 
 constexpr std::size_t kMostShown = 3;  // misconceptions of the class
-constexpr std::array<std::string_view, 3> kOutcomes{"open", "right", "shown"};
 constexpr std::string_view kClassStyle = R"(
 section { margin-top: 2rem; padding-top: 1.25rem; border-top: 1px solid #D0D5DC; }
 .number { text-align: right; } .remark, footer { color: #4A525D; font-size: .875rem; }
@@ -36,7 +35,7 @@ footer { margin-top: 3rem; }
 std::string plain(double value) { return pipeline::shortestText(value); }
 
 std::string outcomeOf(const GradedAnswer& answer) {
-    return std::string(kOutcomes[std::size_t(answer.progress.outcome)]);
+    return std::string(kOutcomeNames[std::size_t(answer.progress.outcome)]);
 }
 
 // The answers to one question, of all students.
@@ -49,11 +48,11 @@ std::vector<OfQuestion> questionsOf(const Graded& graded) {
     std::vector<OfQuestion> questions;
     for (const GradedAnswer& answer : graded.answers) {
         if (answer.progress.tries.empty() && answer.progress.outcome == Progress::Outcome::Open) continue;
-        auto found = std::ranges::find_if(questions, [&](const OfQuestion& one) {
-            return one.lesson == answer.lesson && one.heading == answer.heading;
-        });
+        const std::string lesson = answer.onSheet ? "all sheets" : answer.lesson;
+        auto found = std::ranges::find_if(
+            questions, [&](const OfQuestion& one) { return one.lesson == lesson && one.heading == answer.heading; });
         if (found == questions.end())
-            found = questions.insert(found, {answer.lesson, answer.heading, answer.page, answer.place, 0, 0, 0, {}});
+            found = questions.insert(found, {lesson, answer.heading, answer.page, answer.place, 0, 0, 0, {}});
         const bool right = answer.progress.outcome == Progress::Outcome::Right;
         ++found->answers;
         found->right += right;

@@ -264,6 +264,14 @@ Result<std::vector<std::size_t>> rightOrder(const OrderQuestion& order, const Co
     return sorted;
 }
 
+double shareInOrder(std::span<const std::size_t> right, std::span<const std::size_t> given) {
+    const auto place = [&](std::size_t item) { return std::ranges::find(right, item) - right.begin(); };
+    int apart = 0, pairs = 0;
+    for (std::size_t i = 0; i < given.size(); ++i)
+        for (std::size_t k = i + 1; k < given.size(); ++k, ++pairs) apart += place(given[i]) < place(given[k]) ? 1 : -1;
+    return pairs == 0 ? 0 : std::max(0.0, double(apart) / pairs);
+}
+
 Result<std::optional<Gauge>> gaugeOf(const UntilQuestion& until, const Context& context) {
     const Node& root = until.holds.root;
     const bool compares = root.kind == Kind::Less || root.kind == Kind::LessEqual || root.kind == Kind::Greater ||

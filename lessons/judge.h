@@ -1,5 +1,6 @@
 #pragma once
 #include <optional>
+#include <span>
 #include <string>
 #include <variant>
 #include <vector>
@@ -51,6 +52,11 @@ pipeline::Result<std::vector<std::size_t>> holdingOptions(std::span<const Option
 
 // The right order of the items. An error where two have the same key.
 pipeline::Result<std::vector<std::size_t>> rightOrder(const OrderQuestion& order, const Context& context);
+
+// What an order is worth where it may be handed in once: the share of pairs that stand the right way round less the share
+// of those that do not (Kendall's τ), at least 0. Both have the same items, at least two. 1: all of them; what is drawn by
+// lot has a τ of 0 on average.
+double shareInOrder(std::span<const std::size_t> right, std::span<const std::size_t> given);
 
 // How far a question of kind until is from its condition, where that compares two numbers.
 struct Gauge {

@@ -20,26 +20,15 @@ using pipeline::Json;
 using pipeline::Result;
 
 constexpr std::size_t kMaxResultsBytes = std::size_t{8} << 20, kMostTriesKept = 1000;
-constexpr std::array<std::string_view, 3> kOutcomes{"open", "right", "shown"};
-
-Json toJson(const Progress& progress) {
-    Json tries = Json::array();
-    for (const Try& one : progress.tries)
-        tries.push_back({{"given", one.given},
-                         {"right", one.right},
-                         {"mistake", one.mistake},
-                         {"hints", one.hints},
-                         {"seconds", one.seconds}});
-    return {{"outcome", kOutcomes[std::size_t(progress.outcome)]}, {"hints", progress.hints}, {"tries", tries}};
-}
+constexpr std::size_t kMostSaid = 300;  // bytes of what a parser says, which may quote the file
 
 // A value of a file that somebody may have changed; throws Json's own exceptions where it is of another kind.
 Progress progressFrom(const Json& json) {
     Progress progress;
     const std::string outcome = json.at("outcome").get<std::string>();
-    const auto found = std::ranges::find(kOutcomes, outcome);
-    if (found == kOutcomes.end()) throw std::invalid_argument("no outcome " + outcome);
-    progress.outcome = Progress::Outcome(found - kOutcomes.begin());
+    const auto found = std::ranges::find(kOutcomeNames, outcome);
+    if (found == kOutcomeNames.end()) throw std::invalid_argument("no outcome " + outcome);
+    progress.outcome = Progress::Outcome(found - kOutcomeNames.begin());
     progress.hints = json.at("hints").get<std::size_t>();
     for (const Json& one : json.at("tries")) {
         if (progress.tries.size() == kMostTriesKept) break;
@@ -54,24 +43,6 @@ Progress progressFrom(const Json& json) {
 
 }  // namespace
 
-const Progress* Results::find(const Lesson& lesson, const Page& page) const {
-    const auto pages = m_lessons.find(lesson.name);
-    if (pages == m_lessons.end()) return nullptr;
-    const auto found = pages->second.find(page.heading);
-    return found == pages->second.end() ? nullptr : &found->second;
-}
-
-void Results::put(const Lesson& lesson, const Page& page, Progress progress) {
-    m_lessons[lesson.name].insert_or_assign(page.heading, std::move(progress));
-}
-
-std::string toText(const Results& results) {
-    Json json{{"version", 1}, {"lessons", Json::object()}};
-    for (const auto& [lesson, pages] : results.lessons())
-        for (const auto& [heading, progress] : pages) json["lessons"][lesson][heading] = toJson(progress);
-    return json.dump(1, ' ', false, Json::error_handler_t::replace) + '\n';
-}
-
 Result<Results> parseResults(std::string_view text, const std::string& file) {
     Results results;
     try {
@@ -81,7 +52,9 @@ Result<Results> parseResults(std::string_view text, const std::string& file) {
             for (const auto& [heading, progress] : pages.items())
                 results.m_lessons[lesson][heading] = progressFrom(progress);
     } catch (const std::exception& error) {
-        return Error{{file, 0, 0}, std::string("these are no results: ") + pipeline::escapedControls(error.what())};
+        return Error{
+            {file, 0, 0},
+            "these are no results: " + pipeline::escapedControls(std::string_view(error.what()).substr(0, kMostSaid))};
     }
     return results;
 }

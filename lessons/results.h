@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -11,6 +12,9 @@
 // What somebody has answered: kept in one file on this machine, and nowhere else.
 
 namespace lessons {
+
+// As files and tables have the outcomes of Progress.
+inline constexpr std::array<std::string_view, 3> kOutcomeNames{"open", "right", "shown"};
 
 class Results {
 public:

@@ -71,7 +71,7 @@ pipeline::Result<Sheets> makeSheets(const SheetTemplate& made, const SheetOption
                                     const pipeline::Stop& stop = {},
                                     const std::function<void(std::size_t sheet)>& progress = {});
 
-// sheet-01.html … into `folder`, and sheet-01-key.html …, sheets.csv and sheets.json into its folder "keys"; the keys
+// sheet-01.html … and sheet-01-answers.json …, to be filled in, into `folder`, and sheet-01-key.html …, sheets.csv and sheets.json into its folder "keys"; the keys
 // first. Gives the number of files.
 pipeline::Result<std::size_t> writeSheets(const Sheets& sheets, const SheetTemplate& made, const SheetOptions& options,
                                           const std::filesystem::path& folder);

@@ -55,6 +55,13 @@ std::string jsonOf(const Sheets& sheets, const SheetTemplate& made, const SheetO
     return json.dump(1, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
+// What a student fills in and hands in.
+std::string emptyAnswers(const Sheet& sheet) {
+    Json json{{"version", 1}, {"sheet", sheet.number}, {"answers", Json::object()}};
+    for (std::size_t i = 1; i <= sheet.answers.size(); ++i) json["answers"][std::to_string(i)] = "";
+    return json.dump(1) + '\n';
+}
+
 }  // namespace
 
 Result<std::size_t> writeSheets(const Sheets& sheets, const SheetTemplate& made, const SheetOptions& options,
@@ -64,6 +71,7 @@ Result<std::size_t> writeSheets(const Sheets& sheets, const SheetTemplate& made,
     for (std::size_t i = 0; i < sheets.pages.size(); ++i) {
         const std::string name = fmt::format("sheet-{:0{}}", i + 1, std::max(2, digits));
         pages.emplace_back(name + ".html", sheets.pages[i].sheet);
+        pages.emplace_back(name + "-answers.json", emptyAnswers(sheets.sheets[i]));
         keys.emplace_back(name + "-key.html", sheets.pages[i].key);
     }
     keys.emplace_back("sheets.csv", csvOf(sheets));

@@ -6,6 +6,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/message.h"
+#include "app/cli/progress_printer.h"
 #include "app/cli/scene_argument.h"
 #include "lessons/grade.h"
 #include "pipeline/core/text.h"
@@ -22,6 +23,7 @@ struct GradeRequest {
 
 // Hand-ins that cannot be read outweigh students below the mark: they have not been looked at.
 int runGrade(const GradeRequest& request) {
+    const Interrupt interrupt;
     std::optional<lessons::SheetKeys> keys;
     if (!request.sheets.empty()) {
         auto read = lessons::readSheetKeys(request.sheets);
@@ -31,9 +33,13 @@ int runGrade(const GradeRequest& request) {
         }
         keys = std::move(read).value();
     }
-    const Interrupt interrupt;
-    const std::vector<std::filesystem::path> files(request.files.begin(), request.files.end());
-    const auto graded = lessons::grade(files, keys ? &*keys : nullptr, interrupt.token());
+    const std::vector<std::filesystem::path> named(request.files.begin(), request.files.end());
+    const std::vector<std::filesystem::path> files = lessons::handInsOf(named);
+    const auto graded = [&] {
+        ProgressPrinter progress("grade");
+        return lessons::grade(files, keys ? &*keys : nullptr, interrupt.token(),
+                              [&](std::size_t handIn) { progress.show(handIn, files.size(), "hand-ins"); });
+    }();
     if (interrupt.asked() || !graded) {
         tell("Cancelled. Nothing was written.\n");
         return kInterrupted;
@@ -65,7 +71,8 @@ void declareGrade(CLI::App& program, const CliHost&, int& status) {
     const auto request = std::make_shared<GradeRequest>();
     command
         ->add_option("FILES", request->files,
-                     "Results of lessons, or answers to sheets, one file a student; its name is the student's")
+                     "Results of lessons, or answers to sheets, one file a student; its name is the student's. Of a "
+                     "folder its files *.json")
         ->required();
     command->add_option("-o,--output", request->folder, "The folder to write into, made when it is missing")
         ->required()

@@ -18,11 +18,18 @@ TEST(Class, HomeworkIsMadeHandedInAndGraded) {
     const std::string light = std::string(SHADESCOPE_SCENES) + "/../sheets/light";
     const auto made = run({"sheet", light, "--variants", "2", "--seed", "7", "--blank", "1", "-o", folder / "sheets"});
     ASSERT_EQ(made.status, 0) << made.err;
-    for (const char* file : {"sheet-01.html", "sheet-02.html", "keys/sheet-01-key.html", "keys/sheets.csv"})
+    for (const char* file : {"sheet-01.html", "sheet-02.html", "keys/sheet-01-key.html", "keys/sheets.csv",
+                             "sheet-01-answers.json", "sheet-02-answers.json"})
         EXPECT_TRUE(fs::exists(folder / "sheets" / file)) << file;
     const auto keys = nlohmann::json::parse(test::readText(folder / "sheets/keys/sheets.json"));
     const std::string sheet = test::readText(folder / "sheets/sheet-01.html");
     EXPECT_NE(sheet.find("class=gap"), std::string::npos);
+
+    // Handed in as it was given out, a sheet is no answer to any question, and counts.
+    const auto empty = run({"grade", folder / "sheets/sheet-01-answers.json", "--sheets",
+                            folder / "sheets/keys/sheets.json", "-o", folder / "empty"});
+    EXPECT_EQ(empty.status, 0) << empty.err;
+    EXPECT_NE(test::readText(folder / "empty/class.csv").find("not answered"), std::string::npos);
 
     const std::string first = keys["sheets"][0]["answers"][0];
     test::writeText(folder / "anna.json",

@@ -126,5 +126,98 @@ TEST_F(GradeTest, AnswersToASheetAreJudgedHere) {
     EXPECT_EQ(all.refused.size(), 2u) << "no such sheet; no such question";
 }
 
+// Four items in order but for two neighbours: of 6 pairs 5 stand the right way round and 1 does not, (5 − 1) / 6 = 2/3.
+// The opposite order has 0, and so has one of which as many pairs stand wrong as right: 3 and 3 of B, D, A, C.
+TEST_F(GradeTest, AnOrderOnASheetHasTheShareOfItsPairs) {
+    SheetKeys keys;
+    keys.texts[1] =
+        "title: T\nlecture: L\nsummary: S\nscene: pyramid\n# Order\nText.\nquestion: Upwards?\norder: a | by 1\n"
+        "order: b | by 2\norder: c | by 3\norder: d | by 4\npoints: 3\nmistake draw-order: opposite\n  No.\n";
+    const std::vector<std::pair<std::string, double>> cases{{"A, B, C, D", 3}, {"A, C, B, D", 2}, {"D, C, B, A", 0},
+                                                            {"B, D, A, C", 0}, {"A, B", 0},       {"A, A, B, C", 0}};
+    for (std::size_t i = 0; i < cases.size(); ++i)
+        handIn(std::string(1, char('a' + i)) + ".json",
+               R"({"version": 1, "sheet": 1, "answers": {"1": ")" + cases[i].first + R"("}})");
+    const Graded all = graded(&keys);
+    ASSERT_EQ(all.students.size(), cases.size());
+    for (std::size_t i = 0; i < cases.size(); ++i) EXPECT_EQ(all.students[i].points, cases[i].second) << cases[i].first;
+    EXPECT_EQ(all.answers[2].progress.tries.at(0).mistake, "draw-order") << "and the mistake has its name all the same";
+}
+
+// Each of these lost the hand-ins of the whole class, or led out of the folder that they came in.
+TEST_F(GradeTest, AHostileHandInCostsNobodyElseTheirPoints) {
+    SheetKeys keys;
+    keys.texts[1] = "title: T\nlecture: L\nsummary: S\nscene: pyramid\n# Sum\nText.\nquestion: 2 + 3?\nanswer: 5\n";
+    const std::string deep(100000, '['), end(100000, ']');
+    handIn("deep.json", R"({"version": 1, "sheet": 1, "answers": {"1": )" + deep + end + "}}");
+    handIn("deep2.json", deep);
+    handIn("deep3.json", R"({"version": 1, "lessons": {"pyramid": {"x": )" + deep + end + "}}}");
+    handIn("long.json", '"' + std::string(1 << 20, 'x'));  // a parser's message quotes what it has read
+    const fs::path anna = handIn("anna.json", R"({"version": 1, "sheet": 1, "answers": {"1": "5"}})");
+    fs::create_symlink(anna, m_folder / "link.json");
+    fs::create_directories(m_folder / "folder.json");
+    m_files.insert(m_files.end(), {m_folder / "link.json", m_folder / "folder.json"});
+    const Graded all = graded(&keys);
+    ASSERT_EQ(all.students.size(), 1u);
+    EXPECT_EQ(all.students[0].points, 1);
+    EXPECT_EQ(all.refused.size(), 6u);
+    EXPECT_LT(toHtml(all).size(), 10000u);
+}
+
+TEST_F(GradeTest, ANameInAHandInLeadsToNoOtherFolder) {
+    const fs::path own = m_folder / "own";
+    fs::create_directories(own);
+    fs::copy_file(lessonFolder() / "pyramid" / "lesson.md", own / "lesson.md");
+    handIn("anna.json", R"({"version": 1, "lessons": {")" + own.string() +
+                            R"(": {"Where one vertex goes": {"outcome": "right", "hints": 0, "tries": []}}}})");
+    const Graded all = graded();
+    ASSERT_EQ(all.answers.size(), 1u);
+    EXPECT_EQ(all.answers[0].note, "no such lesson here");
+}
+
+// Sheets ask the same with other numbers: of three students on three sheets one row says how many were right.
+TEST_F(GradeTest, TheTeachersPageCountsAQuestionOverAllSheets) {
+    SheetKeys keys;
+    for (const std::size_t sheet : {1, 2, 3}) {
+        const std::string n = std::to_string(sheet);
+        keys.texts[sheet] =
+            "title: T\nlecture: L\nsummary: S\nscene: pyramid\n# Sum\nText.\nquestion: 2?\nanswer: " + n + "\n";
+        handIn(n + ".json", R"({"version": 1, "sheet": )" + n + R"(, "answers": {"1": "1"}})");
+    }
+    const std::string html = toHtml(graded(&keys));
+    const std::size_t row = html.find("all sheets");
+    ASSERT_NE(row, std::string::npos);
+    EXPECT_EQ(html.find("all sheets", row + 1), std::string::npos);
+    EXPECT_NE(html.find("33 %", row), std::string::npos);
+}
+
+TEST_F(GradeTest, AnAnswerThatIsLeftEmptyIsNotAnswered) {
+    SheetKeys keys;
+    keys.texts[1] = "title: T\nlecture: L\nsummary: S\nscene: pyramid\n# Sum\nText.\nquestion: 2 + 3?\nanswer: 5\n";
+    handIn("anna.json", R"({"version": 1, "sheet": 1, "answers": {"1": ""}})");
+    EXPECT_EQ(graded(&keys).answers.at(0).note, "not answered");
+}
+
+TEST_F(GradeTest, AFolderStandsForItsFiles) {
+    answered("class/b.json", "open", "1", "");
+    answered("class/a.json", "open", "1", "");
+    answered("class/below/c.json", "open", "1", "");
+    handIn("class/notes.txt", "no hand-in");
+    const std::vector<fs::path> paths{m_folder / "class", m_folder / "other.json"};
+    EXPECT_EQ(handInsOf(paths), (std::vector<fs::path>{m_folder / "class" / "a.json", m_folder / "class" / "b.json",
+                                                       m_folder / "other.json"}));
+}
+
+TEST_F(GradeTest, TellsOfEachHandInAndStopsBetweenThem) {
+    for (const char* name : {"a.json", "b.json", "c.json"}) answered(name, "open", "1", "");
+    std::stop_source source;
+    std::size_t told = 0;
+    const auto done = grade(m_files, nullptr, source.get_token(), [&](std::size_t) {
+        if (++told == 2) source.request_stop();
+    });
+    ASSERT_FALSE(done);
+    EXPECT_EQ(told, 2u);
+}
+
 }  // namespace
 }  // namespace lessons

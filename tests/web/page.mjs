@@ -201,6 +201,25 @@ try {
   expect('a hint is shown', hints > 0 && (await r.run('document.querySelectorAll(".hint").length')) === 1);
   const solution = await r.run(`(() => { core.ask('show'); readAgain(); const text = document.querySelector('#solved').textContent; openPage(${number}); return text; })()`);
   expect('the answer has a number', /\d/.test(solution), solution);
+
+  // The file that Save answers writes is graded: the class has the tries that were made here.
+  expect('answers can be saved after the first', await r.run('!document.querySelector("#saveanswers").hidden'));
+  const saved = await r.run(`(() => { const made = []; const own = saveFile; saveFile = (...all) => made.push(all); document.querySelector('#saveanswers').click(); saveFile = own; return made[0]; })()`);
+  expect('the file is named after the lesson', saved[2] === 'pyramid-answers.json', saved[2]);
+  fs.writeFileSync(path.join(folder, 'anna.json'), saved[0]);
+  execFileSync(program, ['grade', path.join(folder, 'anna.json'), '-o', path.join(folder, 'class')], { stdio: 'ignore' });
+  const { answers: [graded] } = JSON.parse(fs.readFileSync(path.join(folder, 'class', 'class.json'), 'utf8'));
+  expect('grade reads it', graded.student === 'anna' && graded.lesson === 'pyramid' && graded.outcome === 'shown' && graded.tries[0].given === '123456' && graded.hints === 1, graded);
+
+  // Two questions of an earlier lesson return before the first page, and move no number.
+  const c = await browser.open('file://' + write('camera.html', 'lesson', 'export', 'camera'));
+  expect('the first question returns', (await c.run('document.querySelector("#count").textContent')) === 'question 1 of 2 that returns');
+  await c.run('openPage(2)');
+  expect('the first page is page 1', /^page 1 of 9$/.test(await c.run('document.querySelector("#count").textContent')));
+  await c.close();
+  const d = await browser.open('file://' + path.join(folder, 'camera.html') + '?page=3');
+  expect('?page=3 opens page 3', (await d.run('page.name')) === '3', await d.run('page.name'));
+  await d.close();
   await r.close();
 
   // Text of a scene is text.

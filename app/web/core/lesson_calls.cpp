@@ -4,6 +4,7 @@
 #include "app/web/core/scene_text.h"
 #include "lessons/hidden.h"
 #include "lessons/live_text.h"
+#include "lessons/results.h"
 #include "pipeline/core/text.h"
 
 // The lesson's pages and their questions, judged by the engine of the program.
@@ -141,6 +142,7 @@ int givePage() {
               {"count", open.lesson.pages.size() - returningPages(open.lesson)},
               {"name", pageName(open.lesson, open.page)},
               {"returns", page().from.has_value()},
+              {"answered", std::ranges::any_of(open.progress, [](const auto& one) { return !one.tries.empty(); })},
               {"heading", page().heading},
               {"text", html(half.text, {.frame = *core().own.frame}, errors)},
               {"then", open.then},
@@ -272,6 +274,17 @@ WEB_CALL(hint) int webHint() {
     if (!hint) return refuse(hint.errors());
     opened().progress[opened().page] = attempt.progress();
     return give(lessons::liveHtml(*hint));
+}
+
+// What was answered so far, as a hand-in that the program grades. name: of the lesson.
+WEB_CALL(answers) int webAnswers(const char* name, int size) {
+    lessons::Results results;
+    lessons::Lesson named;
+    named.name = textAt(name, size);
+    const OpenLesson& open = opened();
+    for (std::size_t i = 0; i < open.lesson.pages.size(); ++i)
+        if (open.progress[i] != lessons::Progress()) results.put(named, open.lesson.pages[i], open.progress[i]);
+    return give(toText(results));
 }
 
 // Gives up.

@@ -18,6 +18,7 @@ function drawLesson() {
 
 function drawQuestion() {
   const box = one('#question'), question = page.question;
+  one('#saveanswers').hidden = !page.answered;
   box.hidden = !question;
   if (!question) return;
   box.className = 'question ' + question.state.replace(' ', '-');

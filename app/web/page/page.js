@@ -39,13 +39,23 @@ function openPage(number, then = false) {
   say(`${page.heading}. ${one('#count').textContent}`);
 }
 
-function saveScene() {
-  core.call('scene');
-  const made = new Blob([core.text()], { type: 'text/plain' }), name = data.name || 'scene';
-  const link = element('a', { href: URL.createObjectURL(made), download: `${name}-${page.name.replace('/', '-')}.toml` });
+/** @param {string} text @param {string} type @param {string} name */
+function saveFile(text, type, name) {
+  const link = element('a', { href: URL.createObjectURL(new Blob([text], { type })), download: name });
   link.click();
   URL.revokeObjectURL(link.href);
+}
+
+function saveScene() {
+  core.call('scene');
+  saveFile(core.text(), 'text/plain', `${data.name || 'scene'}-${page.name.replace('/', '-')}.toml`);
   say('The scene is saved with your settings. Open it in Shadescope.');
+}
+
+/** A hand-in for shadescope grade. */
+function saveAnswers() {
+  saveFile(core.ask('answers', data.name), 'application/json', `${data.name}-answers.json`);
+  say('Your answers are saved. Give the file your name before you hand it in.');
 }
 
 const kKeys = {
@@ -69,6 +79,7 @@ function startKeys() {
   one('#keys').addEventListener('click', () => one('#help').showModal());
   one('#close').addEventListener('click', () => one('#help').close());
   one('#save').addEventListener('click', () => guarded(saveScene));
+  one('#saveanswers').addEventListener('click', () => guarded(saveAnswers));
   addEventListener('resize', () => soon('draw', () => { drawPictures(), drawSpace(); }));
   matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => guarded(drawSpace));
   // The address names a page, nothing else.

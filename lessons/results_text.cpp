@@ -1,0 +1,44 @@
+// Results as text: the part of results.h that a live page needs too, which has no files.
+#include <array>
+
+#include "lessons/results.h"
+#include "pipeline/export/json.h"
+
+namespace lessons {
+
+using pipeline::Json;
+
+namespace {
+
+Json toJson(const Progress& progress) {
+    Json tries = Json::array();
+    for (const Try& one : progress.tries)
+        tries.push_back({{"given", one.given},
+                         {"right", one.right},
+                         {"mistake", one.mistake},
+                         {"hints", one.hints},
+                         {"seconds", one.seconds}});
+    return {{"outcome", kOutcomeNames[std::size_t(progress.outcome)]}, {"hints", progress.hints}, {"tries", tries}};
+}
+
+}  // namespace
+
+const Progress* Results::find(const Lesson& lesson, const Page& page) const {
+    const auto pages = m_lessons.find(lesson.name);
+    if (pages == m_lessons.end()) return nullptr;
+    const auto found = pages->second.find(page.heading);
+    return found == pages->second.end() ? nullptr : &found->second;
+}
+
+void Results::put(const Lesson& lesson, const Page& page, Progress progress) {
+    m_lessons[lesson.name].insert_or_assign(page.heading, std::move(progress));
+}
+
+std::string toText(const Results& results) {
+    Json json{{"version", 1}, {"lessons", Json::object()}};
+    for (const auto& [lesson, pages] : results.lessons())
+        for (const auto& [heading, progress] : pages) json["lessons"][lesson][heading] = toJson(progress);
+    return json.dump(1, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+}  // namespace lessons
