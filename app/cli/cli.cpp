@@ -25,7 +25,7 @@ constexpr std::array kCommands{
     Command{"study", declareStudy},     Command{"check", declareCheck},     Command{"bench", declareBench},
     Command{"film", declareFilm},       Command{"lesson", declareLesson},   Command{"bug", declareBug},
     Command{"compare", declareCompare}, Command{"present", declarePresent}, Command{"site", declareSite},
-    Command{"sheet", declareSheet},     Command{"grade", declareGrade},
+    Command{"sheet", declareSheet},     Command{"grade", declareGrade},     Command{"drill", declareDrill},
 };
 
 constexpr std::array<std::string_view, 4> kOptions{"-h", "--help", "--version", "--help-all"};
