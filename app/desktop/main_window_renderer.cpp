@@ -53,8 +53,8 @@ void MainWindow::connectRenderer() {
     findChild<PanelDock*>("renderer")->hide();
     connect(m_renderer, &RendererPanel::folderAsked, this, [this] { chooseRenderer(true); });
     connect(m_renderer, &RendererPanel::filesAsked, this, [this] { chooseRenderer(false); });
-    connect(m_renderer, &RendererPanel::begun, this, &MainWindow::setViewsToRenderer);
-    connect(m_renderer, &RendererPanel::showAsked, this, &MainWindow::showInViews);
+    connect(&m_renderer->finding(), &RendererFinding::begun, this, &MainWindow::setViewsToRenderer);
+    connect(&m_renderer->finding(), &RendererFinding::showAsked, this, &MainWindow::showInViews);
     connect(m_renderer, &RendererPanel::lessonAsked, this, &MainWindow::goToLessonPage);
     connect(&m_document.renderer(), &RendererCheck::compared, this, [this] {
         enableActions();
@@ -62,7 +62,8 @@ void MainWindow::connectRenderer() {
     });
     connect((*m_actions)[ActionId::WrongPicture], &QAction::triggered, this, &MainWindow::showWrongPicture);
     connect((*m_actions)[ActionId::Contracts], &QAction::triggered, this, &MainWindow::showContracts);
-    connect((*m_actions)[ActionId::WorstPixel], &QAction::triggered, m_renderer, &RendererPanel::goToWorst);
+    connect((*m_actions)[ActionId::WorstPixel], &QAction::triggered, &m_renderer->finding(),
+            &RendererFinding::goToWorst);
 }
 
 void MainWindow::chooseRenderer(bool folder) {

@@ -20,7 +20,7 @@ using pipeline::BufferId;
 class BugPanelTest : public testing::Test {
 protected:
     BugPanelTest() {
-        panel.begin(kSeed);
+        panel.round().begin(kSeed);
         panel.resize(1366, 720);
         panel.show();
         QApplication::setActiveWindow(&panel);
@@ -28,7 +28,7 @@ protected:
     }
     // Until the picture is there, or what was asked of the game is answered.
     bool wait() {
-        return QTest::qWaitFor([this] { return panel.game() && !panel.busy(); }, 60000);
+        return QTest::qWaitFor([this] { return panel.round().game() && !panel.round().busy(); }, 60000);
     }
     void press(Qt::Key key, Qt::KeyboardModifiers with = Qt::NoModifier) {
         QWidget* target = panel.focusWidget() ? panel.focusWidget() : &panel;
@@ -37,29 +37,29 @@ protected:
     }
     BugBox& box(int number) { return *panel.findChild<BugBox*>(QString("bugBox:%1").arg(number)); }
     BufferCanvas& picture() { return *panel.findChild<BufferCanvas*>("bugPicture"); }
-    int blamed() { return lessons::boxOf(panel.game()->row()); }
+    int blamed() { return lessons::boxOf(panel.round().game()->row()); }
     int rightCause() {
-        const auto& causes = panel.game()->riddle().causes;
-        return int(std::ranges::find(causes, panel.game()->row().id) - causes.begin());
+        const auto& causes = panel.round().game()->riddle().causes;
+        return int(std::ranges::find(causes, panel.round().game()->row().id) - causes.begin());
     }
-    std::size_t looks() { return panel.game()->looks().size(); }
+    std::size_t looks() { return panel.round().game()->looks().size(); }
 
     static constexpr std::uint64_t kSeed = 2026;
     BugPanel panel;
 };
 
 TEST_F(BugPanelTest, TheSameSeedGivesThePicturesOfTheCommand) {
-    EXPECT_EQ(panel.game()->riddle().defect, lessons::makeRiddle(kSeed, 0)->defect);
-    EXPECT_EQ(panel.game()->riddle().causes, lessons::makeRiddle(kSeed, 0)->causes);
+    EXPECT_EQ(panel.round().game()->riddle().defect, lessons::makeRiddle(kSeed, 0)->defect);
+    EXPECT_EQ(panel.round().game()->riddle().causes, lessons::makeRiddle(kSeed, 0)->causes);
 }
 
 TEST_F(BugPanelTest, ThePictureIsFreeAndABufferIsALookOnce) {
     EXPECT_EQ(looks(), 0u);
-    EXPECT_TRUE(panel.said().startsWith("color: ")) << panel.said().toStdString();
+    EXPECT_TRUE(panel.round().text().startsWith("color: ")) << panel.round().text().toStdString();
     for (int i = 0; i < 2; ++i) {
-        panel.look(pipeline::BufferName{BufferId::PolygonsVerdict});
+        panel.round().look(pipeline::BufferName{BufferId::PolygonsVerdict});
         ASSERT_TRUE(wait());
-        EXPECT_TRUE(panel.said().startsWith("polygons.verdict: "));
+        EXPECT_TRUE(panel.round().text().startsWith("polygons.verdict: "));
         EXPECT_EQ(looks(), 1u);
     }
     EXPECT_EQ(box(1 + int(index(pipeline::StageId::Cull))).says(), "1 look");
@@ -73,8 +73,8 @@ TEST_F(BugPanelTest, APixelIsLookedAtByTheKeys) {
     EXPECT_EQ(looks(), 0u);
     press(Qt::Key_Space);
     ASSERT_EQ(looks(), 1u);
-    const pipeline::Settings& settings = panel.game()->wrong()->scene().settings;
-    EXPECT_EQ(panel.game()->looks()[0],
+    const pipeline::Settings& settings = panel.round().game()->wrong()->scene().settings;
+    EXPECT_EQ(panel.round().game()->looks()[0],
               std::to_string(settings.width / 2 + 1) + ", " + std::to_string(settings.height / 2 + 1));
     EXPECT_EQ(*picture().content().picked, QPoint(settings.width / 2 + 1, settings.height / 2 + 1));
 }
@@ -92,38 +92,39 @@ TEST_F(BugPanelTest, AStageThatIsAccusedWronglyIsShownToHaveDoneWhatItShould) {
     press(Qt::Key_Return);
     EXPECT_EQ(box(wrong).state(), BugBox::State::Cleared);
     EXPECT_FALSE(box(wrong).isEnabled());
-    EXPECT_TRUE(panel.said().contains("did what it should with what it got")) << panel.said().toStdString();
-    EXPECT_EQ(panel.game()->points(), 80);
-    EXPECT_EQ(panel.game()->phase(), Phase::Stage);
+    EXPECT_TRUE(panel.round().text().contains("did what it should with what it got"))
+        << panel.round().text().toStdString();
+    EXPECT_EQ(panel.round().game()->points(), 80);
+    EXPECT_EQ(panel.round().game()->phase(), Phase::Stage);
 }
 
 TEST_F(BugPanelTest, AHintCostsTenPoints) {
     press(Qt::Key_H);
-    EXPECT_TRUE(panel.said().startsWith("What can be seen: "));
-    EXPECT_EQ(panel.game()->points(), 90);
+    EXPECT_TRUE(panel.round().text().startsWith("What can be seen: "));
+    EXPECT_EQ(panel.round().game()->points(), 90);
 }
 
 TEST_F(BugPanelTest, AWholeRoundIsPlayedByTheKeysAlone) {
     press(Qt::Key(Qt::Key_0 + blamed()));
     press(Qt::Key_Return);
-    ASSERT_EQ(panel.game()->phase(), Phase::Cause);
+    ASSERT_EQ(panel.round().game()->phase(), Phase::Cause);
     EXPECT_EQ(box(blamed()).state(), BugBox::State::Wrong);
     press(Qt::Key(Qt::Key_1 + (rightCause() + 1) % 5));
     press(Qt::Key_Return);
-    ASSERT_EQ(panel.game()->phase(), Phase::Cause) << "another cause is not taken";
-    EXPECT_EQ(panel.game()->points(), 80);
+    ASSERT_EQ(panel.round().game()->phase(), Phase::Cause) << "another cause is not taken";
+    EXPECT_EQ(panel.round().game()->points(), 80);
     press(Qt::Key(Qt::Key_1 + rightCause()));
     press(Qt::Key_Return);
-    ASSERT_EQ(panel.game()->phase(), Phase::Over);
-    const std::string fix(panel.game()->row().fix);
-    EXPECT_TRUE(panel.said().contains(QString::fromStdString("Right: " + fix)));
+    ASSERT_EQ(panel.round().game()->phase(), Phase::Over);
+    const std::string fix(panel.round().game()->row().fix);
+    EXPECT_TRUE(panel.round().text().contains(QString::fromStdString("Right: " + fix)));
     EXPECT_TRUE(picture().wipe().hasHandle) << "right beside wrong";
     press(Qt::Key_Right);
     EXPECT_DOUBLE_EQ(picture().wipe().share, 0.52);
-    const pipeline::Defect before = panel.game()->row().id;
+    const pipeline::Defect before = panel.round().game()->row().id;
     press(Qt::Key_Return);
-    EXPECT_EQ(panel.number(), 1u);
-    EXPECT_NE(panel.game()->row().id, before) << "none comes twice before all have come";
+    EXPECT_EQ(panel.round().score().number, 1u);
+    EXPECT_NE(panel.round().game()->row().id, before) << "none comes twice before all have come";
 }
 
 TEST_F(BugPanelTest, ItFitsASmallScreen) {

@@ -85,7 +85,7 @@ TEST_F(RendererPanelTest, PicksTheWorstPixelAndGoesToTheNext) {
     const auto worst = worstPixels(*renderer().report());
     ASSERT_GT(worst.size(), 1u);
     EXPECT_EQ(*document.pixel(), worst[0]);
-    panel.goToWorst();
+    panel.finding().goToWorst();
     EXPECT_EQ(*document.pixel(), worst[1]);
     for (std::size_t i = 0; i < worst.size(); ++i)
         for (std::size_t j = 0; j < i; ++j) {
@@ -197,7 +197,7 @@ TEST_F(RendererPanelTest, AConventionCanBeChangedAndPutBack) {
 }
 
 TEST_F(RendererPanelTest, HintsGiveAwayOneThingAfterTheOther) {
-    panel.setHints(0);
+    panel.finding().setHints(0);
     open(Defect::NormalMatrix);
     auto& next = part<QPushButton>("nextHint");
     const QString name = QString::fromStdString(std::string(defectInfo(Defect::NormalMatrix).name));
@@ -219,9 +219,9 @@ TEST_F(RendererPanelTest, TheStripSaysHowTheStagesStandWhileThePanelIsShown) {
     open(Defect::NormalMatrix);
     StageCard& card = strip.card(StageId::Normals);
     EXPECT_TRUE(card.accessibleName().contains("wrong here")) << card.accessibleName().toStdString();
-    panel.setHints(0);
+    panel.finding().setHints(0);
     EXPECT_FALSE(card.accessibleName().contains("wrong here")) << "the stage is not given away";
-    panel.setHints(3);
+    panel.finding().setHints(3);
     EXPECT_TRUE(card.accessibleName().contains("wrong here"));
     panel.hide();
     EXPECT_FALSE(card.accessibleName().contains("wrong here"));

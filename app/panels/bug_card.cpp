@@ -1,0 +1,150 @@
+#include "app/panels/bug_card.h"
+
+#include <QAccessible>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QVBoxLayout>
+
+#include "app/core/text.h"
+#include "app/panels/bug_parts.h"
+#include "app/panels/bug_round.h"
+#include "app/panels/follow_theme.h"
+
+namespace app {
+
+using Phase = BugRound::Phase;
+
+BugCard::BugCard(BugRound& round, QWidget* parent) : QWidget(parent), m_round(round) {
+    m_heading = bugLabel("bugHeading", 15, 600, this);
+    m_what = bugLabel("bugWhat", 13, 400, this);
+    m_count = bugLabel("bugCount", 13, 600, this);
+    makeFields();
+    m_stage = new BugStagePart(round, this);
+    m_hint = bugButton(tr("Hint  H"), "bugHint", this);
+    m_hint->setToolTip(tr("Costs 10 points"));
+    connect(m_hint, &QPushButton::clicked, &round, &BugRound::giveHint);
+    m_causes = new BugCausePart(round, this);
+    m_end = new BugEndPart(round, this);
+    connect(m_end, &BugEndPart::lessonAsked, this, &BugCard::lessonAsked);
+    m_foot = bugLabel("bugFoot", 12, 400, this);
+    layOut();
+    connect(&round, &BugRound::said, this, &BugCard::say);
+    connect(&round, &BugRound::changed, this, &BugCard::showState);
+    showState();
+}
+
+void BugCard::makeFields() {
+    m_looks = new QListWidget(this);
+    m_looks->setObjectName("bugLooks");
+    m_looks->setAccessibleName(tr("Looks"));
+    m_text = new QPlainTextEdit(this);
+    m_text->setObjectName("bugText");
+    m_text->setReadOnly(true);
+    m_text->setTabChangesFocus(true);
+    m_text->setAccessibleName(tr("What was seen and said last"));
+    m_pixel = new QLineEdit(this);
+    m_pixel->setObjectName("bugPixel");
+    m_pixel->setPlaceholderText(tr("Look at a pixel: column, row"));
+    m_pixel->setAccessibleName(m_pixel->placeholderText());
+    connect(m_pixel, &QLineEdit::returnPressed, this, [this] {
+        if (m_round.lookAt(m_pixel->text())) m_pixel->clear();
+    });
+    m_seed = new QLineEdit(this);
+    m_seed->setObjectName("bugSeed");
+    m_seed->setPlaceholderText(tr("Seed: the same number, the same pictures"));
+    m_seed->setAccessibleName(m_seed->placeholderText());
+    connect(m_seed, &QLineEdit::returnPressed, this, &BugCard::begin);
+}
+
+void BugCard::layOut() {
+    auto* scrolled = new QWidget(this);
+    auto* column = new QVBoxLayout(scrolled);
+    for (QWidget* part : std::initializer_list<QWidget*>{m_heading, m_what, m_stage, m_causes, m_end, m_hint, m_count,
+                                                         m_looks, m_pixel, m_text})
+        column->addWidget(part);
+    auto* scroll = new QScrollArea(this);
+    scroll->setWidget(scrolled);
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setFocusPolicy(Qt::NoFocus);
+    auto* rows = new QVBoxLayout(this);
+    rows->addWidget(scroll, 1);
+    rows->addWidget(m_foot);
+    rows->addWidget(m_seed);
+    followTheme(this, [this, column, rows] {
+        const Theme& theme = Theme::current();
+        column->setContentsMargins(0, 0, 0, 0);
+        column->setSpacing(theme.px(7));
+        rows->setContentsMargins(theme.px(12), theme.px(10), theme.px(12), theme.px(10));
+        rows->setSpacing(theme.px(6));
+        setMinimumWidth(theme.px(280));
+        m_looks->setFont(theme.mono(12));
+        m_looks->setFixedHeight(theme.px(84));
+        m_text->setFont(theme.mono(12));
+        m_text->setMinimumHeight(theme.px(120));
+    });
+}
+
+void BugCard::begin() {
+    bool isNumber = false;
+    const qulonglong seed = m_seed->text().trimmed().toULongLong(&isNumber);
+    if (!isNumber) return m_round.say(tr("A seed is a whole number, such as 2026."));
+    m_seed->clear();
+    m_round.begin(seed);
+}
+
+void BugCard::say(const QString& text) {
+    m_text->setPlainText(text);
+    QAccessibleEvent alert(m_text, QAccessible::Alert);
+    QAccessible::updateAccessibility(&alert);
+}
+
+void BugCard::showCursor(QPoint pixel) {
+    m_what->setText(tr("At %1, %2. Space looks at this pixel.").arg(pixel.x()).arg(pixel.y()));
+}
+
+void BugCard::showState() {
+    const lessons::WrongPicture* game = m_round.game();
+    const BugRound::Turn& turn = m_round.turn();
+    const BugRound::Score& score = m_round.score();
+    for (QWidget* part : std::initializer_list<QWidget*>{m_count, m_looks, m_text}) part->setVisible(game);
+    for (QWidget* part : std::initializer_list<QWidget*>{m_hint, m_pixel})
+        part->setVisible(game && !m_round.isIn(Phase::Over));
+    if (!game) {
+        m_heading->setText(turn.error.isEmpty() ? tr("A picture is being computed") : tr("There is no picture"));
+        m_what->setText(turn.error);
+        m_foot->setText(tr("Seed %1, level B").arg(score.seed));
+        return;
+    }
+    const pipeline::DefectRow& row = game->row();
+    m_heading->setText(m_round.isIn(Phase::Stage)   ? tr("Something is wrong")
+                       : m_round.isIn(Phase::Cause) ? tr("What is the cause?")
+                                                    : toQString(row.name));
+    m_what->setText(
+        m_round.isIn(Phase::Stage)
+            ? tr("This is %1. Which stage is the first that leaves something wrong?").arg(toQString(row.scene))
+        : m_round.isIn(Phase::Cause) ? turn.verdict
+                                     : toQString(row.symptom));
+    m_hint->setEnabled(!m_round.busy() && game->hints() < 3);
+    showLooks();
+    QString foot =
+        tr("%1 points; picture %2, seed %3, level B").arg(game->points()).arg(score.number + 1).arg(score.seed);
+    if (score.solved > 0) foot += tr("\n%1 points in %2 pictures so far").arg(score.total).arg(score.solved);
+    m_foot->setText(foot);
+}
+
+void BugCard::showLooks() {
+    const std::vector<std::string>& looks = m_round.game()->looks();
+    m_count->setText(tr("Looks: %1 of %2 free").arg(looks.size()).arg(m_round.game()->riddle().par));
+    m_looks->clear();
+    for (std::size_t i = 0; i < looks.size(); ++i)
+        m_looks->addItem(QStringLiteral("%1  %2").arg(i + 1).arg(toQString(looks[i])));
+    m_looks->scrollToBottom();
+}
+
+}  // namespace app

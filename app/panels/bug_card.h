@@ -1,0 +1,49 @@
+#pragma once
+#include <QPoint>
+#include <QWidget>
+
+class QLabel;
+class QLineEdit;
+class QListWidget;
+class QPlainTextEdit;
+class QPushButton;
+
+namespace app {
+
+class BugCausePart;
+class BugEndPart;
+class BugRound;
+class BugStagePart;
+
+// The words of the game: what is asked, the looks, what was said last, the points; and the part of its phase.
+class BugCard : public QWidget {
+    Q_OBJECT
+public:
+    BugCard(BugRound& round, QWidget* parent);
+
+    BugCausePart& causes() { return *m_causes; }
+    void showCursor(QPoint pixel);
+
+signals:
+    void lessonAsked(const QString& lesson, const QString& heading);
+
+private:
+    void makeFields();
+    void layOut();
+    void showState();
+    void showLooks();
+    void say(const QString& text);
+    void begin();  // with the seed that was typed
+
+    BugRound& m_round;
+    BugStagePart* m_stage;
+    BugCausePart* m_causes;
+    BugEndPart* m_end;
+    QLabel *m_heading, *m_what, *m_count, *m_foot;
+    QListWidget* m_looks;
+    QPlainTextEdit* m_text;
+    QLineEdit *m_pixel, *m_seed;
+    QPushButton* m_hint;
+};
+
+}  // namespace app
