@@ -64,14 +64,19 @@ std::string difference(const NormalsInputs& a, const NormalsInputs& b) {
         return b.vertexNormals ? "Vertex normals are needed now." : "Vertex normals are not needed any more.";
     if (a.form != b.form || a.angle != b.angle || a.unit != b.unit) return "The form of a formula changed.";
     if (a.weight != b.weight) return "The weights of the normals changed.";
-    if (a.asGiven == b.asGiven) return "";  // sums that nobody reads change no bit
-    return b.asGiven ? "The mesh's own normals serve now." : "The mesh's own normals do not serve any more.";
+    if (a.asGiven != b.asGiven)
+        return b.asGiven ? "The mesh's own normals serve now." : "The mesh's own normals do not serve any more.";
+    NormalsInputs same = a;
+    same.polygonNormals = b.polygonNormals;
+    same.ownNormals = b.ownNormals;  // sums that nobody reads change no bit
+    return same == b ? "" : "The settings of the normals changed.";
 }
 
 std::string difference(const ShadowBufferInputs& a, const ShadowBufferInputs& b) {
     if (a.size != b.size) return "The size of the shadow buffers changed.";
     if (a.cull != b.cull) return "The setting shadow.cull changed.";
-    return firstDifferent(a.casters, b.casters, "Light", "The lights");
+    if (auto text = firstDifferent(a.casters, b.casters, "Light", "The lights"); !text.empty()) return text;
+    return a == b ? "" : "The settings of the shadow buffers changed.";
 }
 
 std::string difference(const ZBufferInputs& a, const ZBufferInputs& b) {
@@ -81,7 +86,10 @@ std::string difference(const ZBufferInputs& a, const ZBufferInputs& b) {
     if (a.split != b.split) return "The setting split changed.";
     for (const Part part : {Part::SeenPolygons, Part::FragmentCounts, Part::Weights})
         if (b.parts[part] && !a.parts[part]) return "Other buffers are asked for.";
-    return a.parts[Part::Clipping] == b.parts[Part::Clipping] ? "" : "The rule of clipping was switched.";
+    if (a.parts[Part::Clipping] != b.parts[Part::Clipping]) return "The rule of clipping was switched.";
+    ZBufferInputs same = a;
+    same.parts = b.parts;  // what more parts leave serves as well
+    return same == b ? "" : "The settings of the z-buffer changed.";
 }
 
 std::string difference(const ShadingInputs& a, const ShadingInputs& b) {
