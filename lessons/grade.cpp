@@ -74,19 +74,22 @@ std::optional<std::vector<std::size_t>> lettersOf(std::string_view text) {
     return letters;
 }
 
-// What was written on paper, as the window would have it.
-std::optional<Given> givenFor(const Question& question, const std::string& text) {
-    if (std::holds_alternative<NumberQuestion>(question.kind)) return Typed{text};
-    const bool isOrder = std::holds_alternative<OrderQuestion>(question.kind);
-    if (isOrder || !optionsOf(question).empty()) {
-        const auto letters = lettersOf(text);
-        if (!letters) return {};
-        return isOrder ? Given(Ordered{*letters}) : Given(Chosen{*letters});
-    }
-    const auto* click = std::get_if<ClickQuestion>(&question.kind);
-    if (!click) return {};
+// What was written on paper for a question of each kind, as the window would have it.
+std::optional<Given> writtenFor(const NumberQuestion&, const std::string& text) { return Typed{text}; }
+template <class Answer>
+std::optional<Given> writtenLetters(const std::string& text) {
+    const auto letters = lettersOf(text);
+    return letters ? std::optional<Given>(Answer{*letters}) : std::nullopt;
+}
+std::optional<Given> writtenFor(const ChoiceQuestion&, const std::string& text) { return writtenLetters<Chosen>(text); }
+std::optional<Given> writtenFor(const SeveralQuestion&, const std::string& text) {
+    return writtenLetters<Chosen>(text);
+}
+std::optional<Given> writtenFor(const OrderQuestion&, const std::string& text) { return writtenLetters<Ordered>(text); }
+std::optional<Given> writtenFor(const UntilQuestion&, const std::string&) { return {}; }
+std::optional<Given> writtenFor(const ClickQuestion& click, const std::string& text) {
     const std::size_t comma = text.find(',');
-    if (click->kind == ThingKind::Pixel) {
+    if (click.kind == ThingKind::Pixel) {
         const auto x = numberIn(text.substr(0, comma));
         const auto y = comma == text.npos ? std::nullopt : numberIn(text.substr(comma + 1));
         if (!x || !y) return {};
@@ -94,7 +97,10 @@ std::optional<Given> givenFor(const Question& question, const std::string& text)
     }
     const auto number = numberIn(text.substr(std::min(text.find_first_of("0123456789"), text.size())));
     if (!number || !(*number >= 0) || *number > 1e9) return {};
-    return pickOf({click->kind, std::size_t(*number)});
+    return pickOf({click.kind, std::size_t(*number)});
+}
+std::optional<Given> givenFor(const Question& question, const std::string& text) {
+    return std::visit([&](const auto& kind) { return writtenFor(kind, text); }, question.kind);
 }
 
 class Grader {

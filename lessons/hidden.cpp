@@ -28,12 +28,7 @@ Hidden hiddenOn(const Page& page, bool settled) {
     Hidden hidden;
     if (settled || !page.question) return hidden;
     hidden.thenHalf = page.then.has_value();
-    const Question& question = *page.question;
-    if (const auto* number = std::get_if<NumberQuestion>(&question.kind)) gather(number->answer.root, hidden.buffers);
-    if (const auto* click = std::get_if<ClickQuestion>(&question.kind)) gather(click->holds.root, hidden.buffers);
-    for (const Option& option : optionsOf(question)) gather(option.holds.root, hidden.buffers);
-    if (const auto* order = std::get_if<OrderQuestion>(&question.kind))
-        for (const OrderItem& item : order->items) gather(item.key.root, hidden.buffers);
+    for (const Expression* answer : answersOf(*page.question)) gather(answer->root, hidden.buffers);
     const std::vector<pipeline::BufferName> shown = shownBuffers(page.first.state);
     std::erase_if(hidden.buffers,
                   [&](const pipeline::BufferName& name) { return std::ranges::find(shown, name) != shown.end(); });

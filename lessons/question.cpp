@@ -22,6 +22,7 @@ std::size_t countOf(ThingKind kind, const pipeline::Scene& scene) {
 
 std::string_view kindName(const Question& question) {
     static constexpr std::array<std::string_view, 6> kNames{"number", "choice", "several", "click", "until", "order"};
+    static_assert(kNames.size() == std::variant_size_v<decltype(question.kind)>);
     return kNames[question.kind.index()];
 }
 
@@ -81,22 +82,42 @@ std::vector<const Prose*> textsOf(const Question& question) {
     return texts;
 }
 
+namespace {
+
+using Expressions = std::vector<const Expression*>;
+// One for each kind, so that the compiler asks for that of a new one.
+Expressions answersIn(std::span<const Option> options) {
+    Expressions all;
+    for (const Option& option : options) all.push_back(&option.holds);
+    return all;
+}
+Expressions answersIn(const NumberQuestion& number) { return {&number.answer}; }
+Expressions answersIn(const ChoiceQuestion& choice) { return answersIn(std::span<const Option>(choice.options)); }
+Expressions answersIn(const SeveralQuestion& several) { return answersIn(std::span<const Option>(several.options)); }
+Expressions answersIn(const ClickQuestion& click) { return {&click.holds}; }
+Expressions answersIn(const UntilQuestion&) { return {}; }
+Expressions answersIn(const OrderQuestion& order) {
+    Expressions all;
+    for (const OrderItem& item : order.items) all.push_back(&item.key);
+    return all;
+}
+
+}  // namespace
+
+std::vector<const Expression*> answersOf(const Question& question) {
+    return std::visit([](const auto& kind) { return answersIn(kind); }, question.kind);
+}
+
 std::vector<const Expression*> expressionsOf(const Question& question) {
-    std::vector<const Expression*> all;
-    if (const auto* number = std::get_if<NumberQuestion>(&question.kind)) all.push_back(&number->answer);
-    if (const auto* click = std::get_if<ClickQuestion>(&question.kind)) {
-        all.push_back(&click->holds);
-        if (click->near) all.push_back(&*click->near);
-    }
+    std::vector<const Expression*> all = answersOf(question);
+    if (const auto* click = std::get_if<ClickQuestion>(&question.kind); click && click->near)
+        all.push_back(&*click->near);
     if (const auto* until = std::get_if<UntilQuestion>(&question.kind)) {
         all.push_back(&until->holds);
         for (const UntilQuestion::Setting& setting : until->answer)
             if (setting.number) all.push_back(&*setting.number);
     }
-    if (const auto* order = std::get_if<OrderQuestion>(&question.kind))
-        for (const OrderItem& item : order->items) all.push_back(&item.key);
     for (const Mistake& mistake : mistakesOf(question)) all.push_back(&mistake.value);
-    for (const Option& option : optionsOf(question)) all.push_back(&option.holds);
     return all;
 }
 

@@ -128,6 +128,8 @@ bool isOrderOf(std::vector<std::size_t> order, std::size_t count);
 
 // All texts of a question, those of its options and mistakes too.
 std::vector<const Prose*> textsOf(const Question& question);
+// The expressions that give the answer away in the page's own frame. None of until: there the reader's frame is the answer.
+std::vector<const Expression*> answersOf(const Question& question);
 // All expressions that are evaluated to judge an answer.
 std::vector<const Expression*> expressionsOf(const Question& question);
 

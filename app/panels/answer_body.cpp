@@ -57,6 +57,26 @@ private:
     QLineEdit* m_field;
 };
 
+// One for each kind of question, so that the compiler asks for that of a new one.
+struct BodyOf {
+    LessonRun& run;
+    Document& document;
+    QWidget* parent;
+
+    AnswerBody* operator()(const lessons::NumberQuestion& number) const { return makeNumberBody(number, parent); }
+    AnswerBody* operator()(const lessons::ChoiceQuestion&) const {
+        return makeOptionsBody(run, false, document, parent);
+    }
+    AnswerBody* operator()(const lessons::SeveralQuestion&) const {
+        return makeOptionsBody(run, true, document, parent);
+    }
+    AnswerBody* operator()(const lessons::ClickQuestion& click) const { return makePickBody(click, document, parent); }
+    AnswerBody* operator()(const lessons::UntilQuestion& until) const {
+        return makeUntilBody(until, run, document, parent);
+    }
+    AnswerBody* operator()(const lessons::OrderQuestion&) const { return makeOrderBody(run, parent); }
+};
+
 }  // namespace
 
 AnswerBody::AnswerBody(QWidget* parent) : QWidget(parent), m_column(new QVBoxLayout(this)) {
@@ -69,13 +89,11 @@ AnswerBody* makeNumberBody(const lessons::NumberQuestion& question, QWidget* par
 }
 
 AnswerBody* makeAnswerBody(LessonRun& run, Document& document, QWidget* parent) {
-    const auto& kind = run.current().question->kind;
-    if (const auto* number = std::get_if<lessons::NumberQuestion>(&kind)) return makeNumberBody(*number, parent);
-    if (const auto* click = std::get_if<lessons::ClickQuestion>(&kind)) return makePickBody(*click, document, parent);
-    if (const auto* until = std::get_if<lessons::UntilQuestion>(&kind))
-        return makeUntilBody(*until, run, document, parent);
-    if (std::holds_alternative<lessons::OrderQuestion>(kind)) return makeOrderBody(run, parent);
-    return makeOptionsBody(run, std::holds_alternative<lessons::SeveralQuestion>(kind), document, parent);
+    return std::visit(
+        [&](const auto& kind) {
+            return BodyOf{run, document, parent}(kind);
+        },
+        run.current().question->kind);
 }
 
 }  // namespace app
