@@ -79,7 +79,7 @@ void handleExit() {
 }
 
 // What a library raises that does not look at what malloc gives it, or looks and gives up.
-constexpr int kSignalsOfStart[]{SIGABRT, SIGSEGV};
+constexpr int kSignalsOfStart[]{SIGABRT, SIGSEGV, SIGTRAP};  // the last by GLib
 
 }  // namespace
 
