@@ -1,6 +1,5 @@
 // Cues: kept, shown again exactly, ordered; and presenting them.
 #include <QLabel>
-#include <QLayout>
 #include <QLineEdit>
 #include <QListView>
 #include <QPlainTextEdit>
@@ -256,26 +255,6 @@ TEST_F(WindowCues, PresentingShowsViewsEquationAndCaptionAndLeavesNoTrace) {
     EXPECT_EQ(Theme::current().scale(), scale);
 }
 
-// On a small screen with a large equation the views give way, not the caption below the screen's edge.
-TEST_F(WindowCues, PresentingStaysAsLargeAsTheScreen) {
-    makeThree();
-    model().setCaption(0, "R leaves away from the eye.");
-    press("PgUp"), settle();
-    press("PgUp"), settle();
-    press("Ctrl+F11");
-    CleanView& view = *window.presentation().cleanView();
-    ASSERT_TRUE(QTest::qWaitForWindowExposed(&view));
-    settle();
-    ASSERT_TRUE(view.findChild<MathView*>()->isVisible());
-    const QSize small(view.width(), view.layout()->totalMinimumSize().height() - 20);
-    view.showNormal();
-    view.resize(small);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return view.findChild<ViewArea*>()->geometry().bottom() < small.height(); }));
-    EXPECT_EQ(view.size(), small);
-    const auto* caption = view.findChild<CaptionLine*>();
-    EXPECT_TRUE(view.rect().contains(caption->geometry())) << caption->geometry().bottom();
-}
-
 // The views go while one of them has the focus.
 TEST_F(WindowCues, PresentingEndsAfterAClickOnAPicture) {
     openPyramid();
@@ -289,30 +268,6 @@ TEST_F(WindowCues, PresentingEndsAfterAClickOnAPicture) {
     ASSERT_EQ(QApplication::focusWidget(), &canvas);
     EXPECT_TRUE(isLeftByEscape(canvas));
     EXPECT_TRUE(document().pixel());
-}
-
-// Letters and digits of a condition are no keys of the presentation; Esc closes the bar first.
-TEST_F(WindowCues, AConditionIsTypedWhilePresenting) {
-    openPyramid();
-    press("Ctrl+F11");
-    CleanView& view = *window.presentation().cleanView();
-    ASSERT_TRUE(QTest::qWaitForWindowExposed(&view));
-    QApplication::setActiveWindow(&view);
-    settle();
-    const QString condition = "2.01 - 1 < 10.2 && (polygon_id == 2 || polygon_id == 1)";
-    BufferView& buffer = view.views().first();
-    QTest::keyClick(buffer.canvas(), Qt::Key_Slash);
-    auto* field = qobject_cast<QLineEdit*>(QApplication::focusWidget());
-    ASSERT_NE(field, nullptr);
-    QTest::keyClicks(field, condition);
-    EXPECT_EQ(field->text(), condition);
-    EXPECT_EQ(view.pen().cover(), PenLayer::Cover::None);
-    EXPECT_FALSE(view.pen().hasPen() || view.pen().hasSpotlight());
-    QTest::keyClick(field, Qt::Key_Escape);
-    EXPECT_FALSE(buffer.condition().isVisible());
-    EXPECT_TRUE(window.presentation().isOn());
-    QTest::keyClick(QApplication::focusWidget(), Qt::Key_B);
-    EXPECT_EQ(view.pen().cover(), PenLayer::Cover::Black);
 }
 
 TEST_F(WindowCues, PresentingShowsTheViewsAsTheyStandForthAndBack) {

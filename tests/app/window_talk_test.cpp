@@ -1,20 +1,25 @@
 // How a talk looks, and that the window behind it is what it was.
 #include <QFile>
 #include <QLabel>
+#include <QLayout>
+#include <QLineEdit>
 #include <QTest>
 #include <algorithm>
 #include <array>
 #include <map>
 
 #include "app/desktop/ask_panel.h"
+#include "app/desktop/caption_line.h"
 #include "app/desktop/clean_view.h"
 #include "app/desktop/panel_dock.h"
+#include "app/desktop/pen_layer.h"
 #include "app/desktop/presentation.h"
 #include "app/desktop/view_area.h"
 #include "app/panels/algorithm_view.h"
 #include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_compare.h"
 #include "app/panels/buffer_view.h"
+#include "app/panels/condition_bar.h"
 #include "app/panels/cue_panel.h"
 #include "app/panels/math_view.h"
 #include "app/panels/segmented.h"
@@ -50,6 +55,41 @@ TEST_F(WindowTalk, PanelsHaveTheirSizesAgainAfterwards) {
     window.presentation().end();
     EXPECT_TRUE(QTest::qWaitFor([&] { return places() == before; }, 5000));
     EXPECT_EQ(places(), before);
+}
+
+// On a small screen with a large equation the views give way, not the caption below the screen's edge.
+TEST_F(WindowTalk, TheCleanViewStaysAsLargeAsTheScreen) {
+    document().setStage(pipeline::StageId::Shading);
+    document().pick(glm::ivec2(268, 281));
+    CleanView& view = present();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return view.findChild<MathView*>()->isVisible(); }, 30000));
+    const QSize small(view.width(), view.layout()->totalMinimumSize().height() - 20);
+    view.showNormal();
+    view.resize(small);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return view.findChild<ViewArea*>()->geometry().bottom() < small.height(); }));
+    EXPECT_EQ(view.size(), small);
+    const auto* caption = view.findChild<CaptionLine*>();
+    EXPECT_TRUE(view.rect().contains(caption->geometry())) << caption->geometry().bottom();
+}
+
+// Letters and digits of a condition are no keys of the presentation; Esc closes the bar first.
+TEST_F(WindowTalk, AConditionIsTypedWhilePresenting) {
+    CleanView& view = present();
+    QApplication::setActiveWindow(&view);
+    const QString condition = "2.01 - 1 < 10.2 && (polygon_id == 2 || polygon_id == 1)";
+    BufferView& buffer = view.views().first();
+    QTest::keyClick(buffer.canvas(), Qt::Key_Slash);
+    auto* field = qobject_cast<QLineEdit*>(QApplication::focusWidget());
+    ASSERT_NE(field, nullptr);
+    QTest::keyClicks(field, condition);
+    EXPECT_EQ(field->text(), condition);
+    EXPECT_EQ(view.pen().cover(), PenLayer::Cover::None);
+    EXPECT_FALSE(view.pen().hasPen() || view.pen().hasSpotlight());
+    QTest::keyClick(field, Qt::Key_Escape);
+    EXPECT_FALSE(buffer.condition().isVisible());
+    EXPECT_TRUE(window.presentation().isOn());
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_B);
+    EXPECT_EQ(view.pen().cover(), PenLayer::Cover::Black);
 }
 
 // In place of the equation; in the window behind it is the panel that comes to the front.
