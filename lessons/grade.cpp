@@ -126,6 +126,9 @@ public:
                 student.points += m_graded.answers[k].points, student.full += m_graded.answers[k].full;
             m_graded.students.push_back(std::move(student));
         }
+        if (m_stop.stop_requested()) return Error{{}, "stopped", {}};
+        m_graded.shared = mistakesOf(m_graded);
+        if (m_stop.stop_requested()) return Error{{}, "stopped", {}};
         return std::move(m_graded);
     }
 

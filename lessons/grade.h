@@ -25,6 +25,13 @@ struct GradedAnswer {
     bool onSheet = false;  // one of several, which ask the same with other numbers
 };
 
+// How often a misconception was met.
+struct SharedMistake {
+    std::string id, name;
+    std::size_t students = 0, times = 0;
+    std::vector<std::string> treatedBy;  // "Which way it faces, page 2": pages of lessons that name it, at most 3
+};
+
 struct Graded {
     struct Student {
         std::string name;
@@ -34,6 +41,7 @@ struct Graded {
     std::vector<GradedAnswer> answers;  // student by student, page by page
     // What could not be read: the file, and why. The others are graded all the same.
     pipeline::Errors refused;
+    std::vector<SharedMistake> shared;  // mistakesOf() these answers: it reads all lessons, so once
 };
 
 // Grades hand-ins: results as the window and the pages write them (lessons/results.h), or the answers to a sheet,
@@ -48,12 +56,6 @@ pipeline::Result<Graded> grade(std::span<const std::filesystem::path> files, con
 // Of each folder its files *.json in the order of their names, without those of folders in it; of anything else the path.
 std::vector<std::filesystem::path> handInsOf(std::span<const std::filesystem::path> paths);
 
-// How often a misconception was met.
-struct SharedMistake {
-    std::string id, name;
-    std::size_t students = 0, times = 0;
-    std::vector<std::string> treatedBy;  // "Which way it faces, page 2": pages of lessons that name it, at most 3
-};
 // Those of most students first, then of most times, then by name.
 std::vector<SharedMistake> mistakesOf(const Graded& graded);
 

@@ -163,7 +163,7 @@ std::string toJson(const Graded& graded) {
                                    {"of", answer.full},
                                    {"note", answer.note}});
     }
-    for (const SharedMistake& one : mistakesOf(graded))
+    for (const SharedMistake& one : graded.shared)
         json["misconceptions"].push_back({{"id", one.id},
                                           {"name", one.name},
                                           {"students", one.students},
@@ -191,7 +191,7 @@ std::string toHtml(const Graded& graded) {
     const auto section = [](std::string_view heading, const std::string& body) {
         return "<section>\n" + element("h2", heading) + '\n' + body + "</section>\n";
     };
-    std::string body = section("Misconceptions of the class", mistakeItems(mistakesOf(graded), graded.students.size()));
+    std::string body = section("Misconceptions of the class", mistakeItems(graded.shared, graded.students.size()));
     body += section("Questions",
                     "<table><thead><tr><th>Lesson</th><th>Question</th><th class=number>Answers</th><th>Right</th><th "
                     "class=number>At once</th><th>Mistakes (students)</th></tr></thead><tbody>\n" +

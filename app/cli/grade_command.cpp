@@ -57,7 +57,7 @@ int runGrade(const GradeRequest& request) {
     if (request.pass > 0) line += fmt::format(", {} below {} %", below, pipeline::shortestText(request.pass));
     if (!graded->refused.empty()) line += fmt::format(", {} could not be read", graded->refused.size());
     say("{}; {} in {}\n", line, fmt::join(*written, ", "), request.folder);
-    const std::vector<lessons::SharedMistake> shared = mistakesOf(*graded);
+    const std::vector<lessons::SharedMistake> shared = graded->shared;
     for (std::size_t i = 0; i < std::min<std::size_t>(3, shared.size()); ++i)
         say("  {}: {} of {}\n", shared[i].name, shared[i].students, graded->students.size());
     return !graded->refused.empty() ? kBadInput : below > 0 ? kAnswerIsNo : kDone;
