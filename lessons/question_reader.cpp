@@ -1,12 +1,12 @@
 #include "lessons/question_reader.h"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 
-#include <fmt/format.h>
-
 #include "lessons/misconceptions.h"
+#include "pipeline/core/index_words.h"
 #include "pipeline/core/text.h"
 #include "pipeline/scene/settings_table.h"
 
@@ -201,7 +201,7 @@ private:
         if (error != std::errc() || end != digits.data() + digits.size()) return {};
         if (const std::size_t count = countOf(*kind, m_scene); index >= count)
             m_complaints.add(split->second.where, fmt::format("found {} {}", name(*kind), index),
-                             count == 0 ? "one that the scene has" : fmt::format("one from 0 to {}", count - 1));
+                             count == 0 ? "one that the scene has" : pipeline::indexWords(count, "one from "));
         return Thing{*kind, index};
     }
 

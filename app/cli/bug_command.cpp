@@ -10,6 +10,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/message.h"
+#include "app/cli/output_argument.h"
 #include "app/cli/progress_printer.h"
 #include "app/cli/scene_argument.h"
 #include "lessons/bug_quiz.h"
@@ -276,8 +277,7 @@ void declareBug(CLI::App& program, const CliHost&, int& status) {
         ->check(CLI::IsMember({"B"}))
         ->capture_default_str();
     CLI::Option* folder =
-        command->add_option("-o,--output", options->folder, "Write quiz.html and quiz-answers.html into this folder")
-            ->type_name("DIR");
+        declareFolder(*command, options->folder, "Write quiz.html and quiz-answers.html into this folder");
     command->callback([options, folder, &status] { status = runBug(*options, folder->count() > 0); });
 }
 

@@ -21,11 +21,12 @@ namespace app {
 namespace {
 
 constexpr std::array kCommands{
-    Command{"export", declareExport},   Command{"plan", declarePlan},       Command{"inspect", declareInspect},
-    Command{"study", declareStudy},     Command{"check", declareCheck},     Command{"bench", declareBench},
-    Command{"film", declareFilm},       Command{"lesson", declareLesson},   Command{"bug", declareBug},
-    Command{"compare", declareCompare}, Command{"present", declarePresent}, Command{"site", declareSite},
-    Command{"sheet", declareSheet},     Command{"grade", declareGrade},     Command{"drill", declareDrill},
+    Command{"export", declareExport}, Command{"plan", declarePlan},       Command{"inspect", declareInspect},
+    Command{"study", declareStudy},   Command{"check", declareCheck},     Command{"bench", declareBench},
+    Command{"film", declareFilm},     Command{"figure", declareFigure},   Command{"lesson", declareLesson},
+    Command{"bug", declareBug},       Command{"compare", declareCompare}, Command{"present", declarePresent},
+    Command{"site", declareSite},     Command{"sheet", declareSheet},     Command{"grade", declareGrade},
+    Command{"drill", declareDrill},
 };
 
 constexpr std::array<std::string_view, 4> kOptions{"-h", "--help", "--version", "--help-all"};

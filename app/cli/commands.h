@@ -26,6 +26,7 @@ void declareStudy(CLI::App& program, const CliHost& host, int& status);
 void declareBench(CLI::App& program, const CliHost& host, int& status);
 void declareCheck(CLI::App& program, const CliHost& host, int& status);
 void declareFilm(CLI::App& program, const CliHost& host, int& status);
+void declareFigure(CLI::App& program, const CliHost& host, int& status);
 void declareBug(CLI::App& program, const CliHost& host, int& status);
 void declareCompare(CLI::App& program, const CliHost& host, int& status);
 void declareSheet(CLI::App& program, const CliHost& host, int& status);

@@ -12,6 +12,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/message.h"
+#include "app/cli/output_argument.h"
 #include "app/cli/progress_printer.h"
 #include "app/cli/scene_argument.h"
 #include "pipeline/compare/compare_html.h"
@@ -253,7 +254,7 @@ void declareCompare(CLI::App& program, const CliHost&, int& status) {
     declareSceneArgument(*command, arguments->scene, SceneArgument::Need::Maybe);  // --starter takes none
     command->add_option("FOLDER", arguments->paths, "A folder with the buffers of a renderer, or files by themselves")
         ->type_name("|FILE ...");
-    command->add_option("-o,--output", arguments->output, "Write the report as an HTML page; the folder of --starter")
+    declareFolder(*command, arguments->output, "Write the report as an HTML page; the folder of --starter")
         ->type_name("REPORT.html|DIR");
     std::vector<std::string> languages;
     for (const Starter& starter : kStarters) languages.emplace_back(starter.language);

@@ -8,7 +8,9 @@
 #include "lessons/derived_buffer.h"
 #include "lessons/state/shown_words.h"
 #include "lessons/state/state_text.h"
+#include "pipeline/core/index_words.h"
 #include "pipeline/core/text.h"
+#include "pipeline/formats/built_in_scenes.h"
 #include "pipeline/inspect/term_mix.h"
 #include "pipeline/scene/key_places.h"
 #include "pipeline/scene/settings_table.h"
@@ -85,7 +87,7 @@ private:
     void checkNumber(const std::string& key, std::string_view what, std::size_t number, std::size_t count) {
         if (number >= count)
             fail(key, fmt::format("found {} {}", what, number),
-                 count == 0 ? "a scene that has one" : fmt::format("a number from 0 to {}", count - 1));
+                 count == 0 ? "a scene that has one" : pipeline::indexWords(count));
     }
 
     void checkView(const lessons::BufferShown& view, const std::string& key) {

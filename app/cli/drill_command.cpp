@@ -6,6 +6,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/message.h"
+#include "app/cli/output_argument.h"
 #include "app/cli/progress_printer.h"
 #include "lessons/drill.h"
 
@@ -54,9 +55,7 @@ void declareDrill(CLI::App& program, const CliHost&, int& status) {
     CLI::App* command = program.add_subcommand(
         "drill", "Write pictures that differ in one technique, for a class to name, and the answers");
     const auto request = std::make_shared<DrillRequest>();
-    command->add_option("-o,--output", request->folder, "The folder to write into, made when it is missing")
-        ->required()
-        ->type_name("DIR");
+    declareFolder(*command, request->folder, "The folder to write into, made when it is missing")->required();
     command->add_option("--rounds", request->rounds, "How many")
         ->check(CLI::Range(1, 50))
         ->capture_default_str()

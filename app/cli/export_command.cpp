@@ -9,6 +9,7 @@
 #include "app/cli/interrupt.h"
 #include "app/cli/live_argument.h"
 #include "app/cli/message.h"
+#include "app/cli/output_argument.h"
 #include "app/cli/scene_argument.h"
 #include "lessons/state/cue_list.h"
 #include "pipeline/core/text.h"
@@ -51,6 +52,7 @@ std::string wrongUsage(const ExportOptions& options, const CliHost& host) {
     if (options.cue.empty() && options.scene.scene.empty()) return "SCENE or --cue is required";
     if (!options.cue.empty() && !options.scene.scene.empty()) return "one SCENE or one --cue, not both";
     if (options.folder.empty()) return "-o needs the name of a folder";
+    if (options.folder == kStandardOutput) return fmt::format("-o: {}", kNoStandardOutput);
     const std::vector<std::string> known = formatNames();
     for (const std::string& format : options.formats)
         if (std::ranges::find(known, format) == known.end())

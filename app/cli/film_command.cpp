@@ -6,6 +6,7 @@
 #include "app/cli/frame_argument.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/message.h"
+#include "app/cli/output_argument.h"
 #include "app/cli/progress_printer.h"
 #include "app/cli/scene_argument.h"
 #include "pipeline/core/text.h"
@@ -123,7 +124,7 @@ void declareFilm(CLI::App& program, const CliHost&, int& status) {
     const auto options = std::make_shared<FilmOptions>();
     CLI::App* command = program.add_subcommand("film", "Write a buffer's build-up, step by step, as a GIF or as PNGs");
     declareSceneArgument(*command, options->scene);
-    command->add_option("-o,--output", options->target, "A file that ends in .gif, or a folder for PNG files")
+    declareFolder(*command, options->target, "A file that ends in .gif, or a folder for PNG files")
         ->required()
         ->type_name("FILE.gif|DIR");
     command->add_option("--buffer", options->buffer, "Which buffer the film shows")

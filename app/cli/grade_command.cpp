@@ -6,6 +6,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/message.h"
+#include "app/cli/output_argument.h"
 #include "app/cli/progress_printer.h"
 #include "app/cli/scene_argument.h"
 #include "lessons/grade.h"
@@ -74,9 +75,7 @@ void declareGrade(CLI::App& program, const CliHost&, int& status) {
                      "Results of lessons, or answers to sheets, one file a student; its name is the student's. Of a "
                      "folder its files *.json")
         ->required();
-    command->add_option("-o,--output", request->folder, "The folder to write into, made when it is missing")
-        ->required()
-        ->type_name("DIR");
+    declareFolder(*command, request->folder, "The folder to write into, made when it is missing")->required();
     command->add_option("--sheets", request->sheets, "sheets.json, where the answers are to sheets")->type_name("FILE");
     command->add_option("--pass", request->pass, "Exit with 1 where somebody has fewer per cent of the points")
         ->check(CLI::Range(0.0, 100.0))

@@ -7,6 +7,7 @@
 #include "app/cli/interrupt.h"
 #include "app/cli/live_argument.h"
 #include "app/cli/message.h"
+#include "app/cli/output_argument.h"
 #include "app/cli/progress_printer.h"
 #include "app/cli/scene_argument.h"
 #include "lessons/check.h"
@@ -141,6 +142,10 @@ int showLesson(const std::string& name, bool asJson, bool answers) {
 }
 
 int exportLesson(const std::string& name, const std::string& folder) {
+    if (folder == kStandardOutput) {
+        tell("shadescope lesson export: -o: {}\n", kNoStandardOutput);
+        return kWrongUsage;
+    }
     if (folder.empty()) {
         tell("shadescope lesson export: -o needs the name of a folder\n");
         return kWrongUsage;

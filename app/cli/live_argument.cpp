@@ -4,9 +4,8 @@
 
 #include "app/cli/cli.h"
 #include "app/cli/message.h"
+#include "app/cli/output_argument.h"
 #include "app/cli/scene_argument.h"
-#include "pipeline/export/size_text.h"
-#include "pipeline/export/staging.h"
 
 namespace app {
 
@@ -35,12 +34,11 @@ int writePage(const pipeline::Result<std::string>& html, const std::string& file
         printErrors(html.errors());
         return kBadInput;
     }
-    const auto written = pipeline::writeWhole(file, *html);
-    if (!written) {
-        printErrors(written.errors());
+    if (const auto errors = writeOutput(file, *html); !errors.empty()) {
+        printErrors(errors);
         return kCouldNotWrite;
     }
-    tell("{}, {}\n", file, pipeline::sizeText(html->size()));
+    tellWritten(file, html->size());
     return kDone;
 }
 

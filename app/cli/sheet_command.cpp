@@ -6,6 +6,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/message.h"
+#include "app/cli/output_argument.h"
 #include "app/cli/progress_printer.h"
 #include "app/cli/scene_argument.h"
 #include "lessons/library.h"
@@ -64,9 +65,7 @@ void declareSheet(CLI::App& program, const CliHost&, int& status) {
         "sheet", "Write variants of a lesson for paper, each with other numbers, and their keys");
     const auto request = std::make_shared<SheetRequest>();
     command->add_option("LESSON", request->lesson, "The folder of a lesson whose header says what varies")->required();
-    command->add_option("-o,--output", request->folder, "The folder to write into, made when it is missing")
-        ->required()
-        ->type_name("DIR");
+    declareFolder(*command, request->folder, "The folder to write into, made when it is missing")->required();
     command->add_option("--variants", request->options.count, "How many sheets")
         ->check(CLI::Range(1, 500))
         ->capture_default_str()

@@ -7,6 +7,7 @@
 #include "app/cli/interrupt.h"
 #include "app/cli/live_argument.h"
 #include "app/cli/message.h"
+#include "app/cli/output_argument.h"
 #include "app/cli/progress_printer.h"
 #include "lessons/site.h"
 #include "pipeline/core/text.h"
@@ -58,9 +59,7 @@ void declareSite(CLI::App& program, const CliHost& host, int& status) {
     CLI::App* write = command->add_subcommand(
         "export", "Write an index, all lessons and scenes live, the lectures and the manual into a folder");
     const auto folder = std::make_shared<std::string>();
-    write->add_option("-o,--output", *folder, "The folder to write into, made when it is missing")
-        ->required()
-        ->type_name("DIR");
+    declareFolder(*write, *folder, "The folder to write into, made when it is missing")->required();
     write->callback([folder, &host, &status] { status = exportSite(*folder, host); });
 }
 

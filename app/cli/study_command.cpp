@@ -8,6 +8,7 @@
 #include "app/cli/error_argument.h"
 #include "app/cli/frame_argument.h"
 #include "app/cli/message.h"
+#include "app/cli/output_argument.h"
 #include "app/cli/scene_argument.h"
 #include "app/cli/study_folder.h"
 #include "app/cli/study_job.h"
@@ -160,9 +161,7 @@ std::string refuseLimit(const std::string& text) {
 }
 
 void declareReport(CLI::App& command, StudyOptions& options) {
-    command.add_option("-o,--output", options.folder, "The folder to write into; made when it is missing")
-        ->required()
-        ->type_name("DIR");
+    declareFolder(command, options.folder, "The folder to write into; made when it is missing")->required();
     command
         .add_option("--within", options.errorLimit,
                     "Name the cheapest setting with at most this error; status 1 where there is none")

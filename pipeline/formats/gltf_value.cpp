@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "pipeline/core/index_words.h"
 #include "pipeline/core/text.h"
 #include "pipeline/formats/bytes.h"
 #include "pipeline/formats/json_error.h"
@@ -248,7 +249,7 @@ std::optional<GltfValue> GltfValue::element(std::string_view list) const {
     if (const auto value = wholeNumber(*m_json); value && *value < count)
         return elements.at(static_cast<std::size_t>(*value));
     refuse(count == 0 ? fmt::format("no index: there are no {}", list)
-                      : fmt::format("an index of {}, 0 to {}", list, count - 1));
+                      : fmt::format("an index of {}, {}", list, indexWords(count, "")));
     return {};
 }
 

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "pipeline/core/index_words.h"
 #include "pipeline/core/number.h"
 #include "pipeline/core/text.h"
 #include "pipeline/scene/settings_table.h"
@@ -77,7 +78,7 @@ Result<SettingRef> findSetting(const Scene& scene, std::string_view key) {
         }
         const std::string kind(found->key.substr(0, found->key.find('.')));
         if (count == 0) return Error{{}, "no setting " + inQuotes(key) + ": this scene has no " + kind, {}};
-        return Error{{}, "no setting " + inQuotes(key), kind + " 0 to " + std::to_string(count - 1)};
+        return Error{{}, "no setting " + inQuotes(key), kind + ' ' + indexWords(count, "")};
     }
     std::vector<std::string> keys;
     for (const SettingRef& ref : settingsOf(scene)) keys.push_back(ref.key());

@@ -7,6 +7,7 @@
 #include <charconv>
 #include <vector>
 
+#include "pipeline/core/index_words.h"
 #include "pipeline/core/text.h"
 
 namespace pipeline {
@@ -155,7 +156,7 @@ Result<Place> parsePlace(std::string_view text, const Scene& scene) {
         if (number >= count && !wrong)
             wrong = Error{{},
                           fmt::format("found {}, and the scene has {} {}", inQuotes(text), count, what),
-                          count == 0 ? "another place" : fmt::format("a number from 0 to {}", count - 1)};
+                          count == 0 ? "another place" : indexWords(std::size_t(count))};
     };
     if (place->stage == StageId::ShadowBuffer) need("lights", place->light, std::int64_t(scene.lights.size()));
     if (place->what == Place::What::Object) need("objects", place->number, std::int64_t(scene.objects.size()));

@@ -146,7 +146,7 @@ TEST(ExportCue, TellsAMistakeOfTheCueWithItsPlace) {
     EXPECT_EQ(refused(scene + "pixel = [9999, 5]\n"),
               "4:9: found the pixel 9999, 5, expected x from 0 to 639 and y from 0 to 479\n");
     EXPECT_TRUE(refused(scene + "pins = [[1, 5, 480]]\n").starts_with("4:8: found the pixel 5, 480"));
-    EXPECT_EQ(refused(scene + "selected = \"light 1\"\n"), "4:12: found light 1, expected a number from 0 to 0\n");
+    EXPECT_EQ(refused(scene + "selected = \"light 1\"\n"), "4:12: found light 1, expected 0\n");
     EXPECT_TRUE(refused(scene + "selected = \"polygon 99\"\n").starts_with("4:12: found polygon 99"));
     EXPECT_TRUE(refused(scene + "bookmarks = [\"cull\", \"cull/polygon=99\"]\n").starts_with("4:22: found "));
     const auto inView = [&](const std::string& line) { return refused(scene + "[[cue.view]]\n" + line + '\n'); };
@@ -158,7 +158,7 @@ TEST(ExportCue, TellsAMistakeOfTheCueWithItsPlace) {
     const auto inSpace = [&](const std::string& line) { return refused(scene + "[cue.view3d]\n" + line + '\n'); };
     EXPECT_EQ(inSpace("space = \"moon\""),
               "5:9: no space \"moon\", expected world, eye, clip, screen, light 0, light 0 -x or point\n");
-    EXPECT_EQ(inSpace("space = \"light 9\""), "5:9: found light 9, expected a number from 0 to 0\n");
+    EXPECT_EQ(inSpace("space = \"light 9\""), "5:9: found light 9, expected 0\n");
     EXPECT_TRUE(inSpace("options = { foo = 1 }").starts_with("5:19: no option \"foo\"; "));
     EXPECT_TRUE(inSpace("options = { normals = 3 }").starts_with("5:23: normals is 3, expected "));
     EXPECT_FALSE(fs::exists(folder / "out"));

@@ -1,0 +1,45 @@
+#include "app/cli/output_argument.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cerrno>
+#include <cstdio>
+
+#include "app/cli/message.h"
+#include "pipeline/export/exporter.h"
+#include "pipeline/export/size_text.h"
+#include "pipeline/export/staging.h"
+
+namespace app {
+
+pipeline::Errors writeOutput(const std::string& file, std::string_view bytes) {
+    if (file != kStandardOutput) {
+        const auto written = pipeline::writeWhole(file, bytes);
+        return written ? pipeline::Errors() : written.errors();
+    }
+    errno = 0;
+    std::fwrite(bytes.data(), 1, bytes.size(), stdout);
+    if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return {};
+    return {pipeline::writeError("standard output", errno != 0 ? errno : EIO)};
+}
+
+void tellWritten(const std::string& file, std::size_t bytes) {
+    tell("{}, {}\n", file == kStandardOutput ? "standard output" : file, pipeline::sizeText(bytes));
+}
+
+void refuseStandardOutput(CLI::Option& option) {
+    option.check(CLI::Validator(
+        [](const std::string& folder) {
+            return folder == kStandardOutput ? std::string(kNoStandardOutput) : std::string();
+        },
+        ""));
+}
+
+CLI::Option* declareFolder(CLI::App& command, std::string& folder, const std::string& meaning) {
+    CLI::Option* option = command.add_option("-o,--output", folder, meaning)->type_name("DIR");
+    refuseStandardOutput(*option);
+    return option;
+}
+
+}  // namespace app
