@@ -82,7 +82,7 @@ CommandPalette::CommandPalette(QWidget* window)
       m_field(new QLineEdit(this)),
       m_list(new QListWidget(this)),
       m_count(new QLabel(this)),
-      m_none(new QLabel(tr("Nothing is called so."), this)) {
+      m_none(new QLabel(tr("No match"), this)) {
     setObjectName("commandPalette");
     m_field->setObjectName("commandField");
     m_field->setPlaceholderText(tr("Find an action, a buffer, a scene, a lesson or a setting"));

@@ -7,17 +7,17 @@ namespace app {
 
 KeepChanges askToKeep(QWidget* window, const QString& name) {
     QMessageBox box(QMessageBox::NoIcon, QMessageBox::tr("Changes"),
-                    QMessageBox::tr("Keep the changes to %1?").arg(name), QMessageBox::NoButton, window);
+                    QMessageBox::tr("Save the changes to %1?").arg(name), QMessageBox::NoButton, window);
     box.setObjectName("keepChanges");
     // In this order on every desktop: what is safe first.
-    QPushButton* keep = box.addButton(QMessageBox::tr("Keep"), QMessageBox::YesRole);
-    const QPushButton* drop = box.addButton(QMessageBox::tr("Drop"), QMessageBox::NoRole);
-    QPushButton* back = box.addButton(QMessageBox::tr("Go back"), QMessageBox::RejectRole);
-    box.setDefaultButton(keep);
-    box.setEscapeButton(back);
+    QPushButton* save = box.addButton(QMessageBox::tr("Save"), QMessageBox::YesRole);
+    const QPushButton* discard = box.addButton(QMessageBox::tr("Discard"), QMessageBox::NoRole);
+    QPushButton* cancel = box.addButton(QMessageBox::tr("Cancel"), QMessageBox::RejectRole);
+    box.setDefaultButton(save);
+    box.setEscapeButton(cancel);
     box.exec();
-    if (box.clickedButton() == keep) return KeepChanges::Keep;
-    return box.clickedButton() == drop ? KeepChanges::Drop : KeepChanges::GoBack;
+    if (box.clickedButton() == save) return KeepChanges::Save;
+    return box.clickedButton() == discard ? KeepChanges::Discard : KeepChanges::Cancel;
 }
 
 }  // namespace app

@@ -3,8 +3,8 @@
 
 namespace app {
 
-enum class KeepChanges { Keep, Drop, GoBack };
-// "Keep the changes to pyramid.scene?", over `window`; Esc goes back.
+enum class KeepChanges { Save, Discard, Cancel };
+// "Save the changes to pyramid.scene?", over `window`; Esc cancels.
 KeepChanges askToKeep(QWidget* window, const QString& name);
 
 }  // namespace app

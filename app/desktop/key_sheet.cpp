@@ -38,7 +38,7 @@ constexpr ViewKey kViewKeys[]{
     {"In a buffer", "Pin the picked pixel; take all away", "P; Shift+P"},
     {"In a buffer", "Go to a pin", "1 … 9"},
     {"In a buffer", "Measure a region", "right drag, M"},
-    {"In a buffer", "Row 0 at the foot", "Y"},
+    {"In a buffer", "Row 0 at the bottom", "Y"},
     {"In a buffer", "Condition over all pixels", "/"},
     {"In the 3D view", "Pick a point", "click"},
     {"In the 3D view", "Turn", "drag, arrows"},

@@ -155,9 +155,9 @@ bool MainWindow::mayLeaveCues() {
     CueModel& model = m_cues->model();
     if (!model.isUnsaved() || model.write()) return true;
     switch (askToKeep(this, shownName(model.file()))) {
-        case KeepChanges::GoBack: return false;
-        case KeepChanges::Keep: return saveCuesAs();
-        case KeepChanges::Drop: break;
+        case KeepChanges::Cancel: return false;
+        case KeepChanges::Save: return saveCuesAs();
+        case KeepChanges::Discard: break;
     }
     return true;
 }

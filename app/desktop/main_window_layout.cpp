@@ -220,7 +220,7 @@ void MainWindow::connectLayouts() {
     });
     connect(m_views, &ViewArea::changed, this, &MainWindow::enableViewActions);
     QMenu* menu = actions.menu("View/Layout");
-    auto* drop = new QMenu(tr("Drop"), menu);
+    auto* drop = new QMenu(tr("Delete"), menu);
     QAction* before = menu->insertMenu(actions[A::ResetLayout], drop);
     connect(menu, &QMenu::aboutToShow, this, [this, menu, drop, before] {
         for (QAction* old : menu->actions())

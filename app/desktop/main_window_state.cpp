@@ -159,11 +159,11 @@ bool MainWindow::mayLeaveScene() {
     if (!showsScene()) return true;
     if (wouldLoseChanges()) {
         switch (askToKeep(this, shownName(m_document.kept().file))) {
-            case KeepChanges::GoBack: return false;
-            case KeepChanges::Keep:
+            case KeepChanges::Cancel: return false;
+            case KeepChanges::Save:
                 if (!saveScene()) return false;
                 break;
-            case KeepChanges::Drop: break;
+            case KeepChanges::Discard: break;
         }
     }
     rememberWhere();

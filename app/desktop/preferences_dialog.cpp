@@ -60,7 +60,7 @@ PreferencesDialog::PreferencesDialog(QWidget* parent) : QDialog(parent) {
     addFiles(*form);
     auto* keys = new QPushButton(tr("Keys…"), this);
     keys->setObjectName("preferencesKeys");
-    keys->setToolTip(tr("Lists the keys (H)"));
+    keys->setToolTip(tr("List the keys (H)"));
     connect(keys, &QPushButton::clicked, this, [this] {
         accept();
         emit keysAsked();
@@ -98,7 +98,7 @@ void PreferencesDialog::addLook(QFormLayout& form) {
     });
     form.addRow(tr("Theme"), m_theme);
     m_letters = makeSpin(int(std::lround(100 * Theme::kLeastScale)), int(std::lround(100 * Theme::kMostScale)),
-                         "preferencesLetters", tr("Size of the letters in this theme"), this);
+                         "preferencesLetters", tr("Text size in this theme"), this);
     m_letters->setSingleStep(5);
     m_letters->setSuffix(tr(" %"));
     m_letters->setKeyboardTracking(false);
@@ -106,7 +106,7 @@ void PreferencesDialog::addLook(QFormLayout& form) {
         Theme::current().setScale(percent / 100.0);
         saveTheme();
     });
-    form.addRow(tr("Letters, in this theme"), m_letters);
+    form.addRow(tr("Text size, in this theme"), m_letters);
 }
 
 void PreferencesDialog::addNumbers(QFormLayout& form) {
@@ -158,7 +158,7 @@ void PreferencesDialog::addFiles(QFormLayout& form) {
         open->setAccessibleName(tr("Show the folder of: %1").arg(what));
         const QString folder = QFileInfo(file).path();
         open->setEnabled(QFileInfo(folder).isDir());
-        open->setToolTip(open->isEnabled() ? tr("Opens %1").arg(folder) : tr("There is none yet."));
+        open->setToolTip(open->isEnabled() ? tr("Open %1").arg(folder) : tr("There is none yet."));
         connect(open, &QPushButton::clicked, this,
                 [folder] { QDesktopServices::openUrl(QUrl::fromLocalFile(folder)); });
         auto* row = new QHBoxLayout;

@@ -72,7 +72,7 @@ void enableStepActions(Actions& actions, const Document& document, bool hasScene
     enable(A::RunToSelection, selected, Document::tr("Pick a pixel, or select a polygon, an object or a vertex."));
     enable(A::Bookmark, stepper.isInside(), Document::tr("The whole frame is on show; step inside it first."));
     actions[A::Bookmark]->setChecked(stepper.bookmarkHere() >= 0);
-    actions[A::Bookmark]->setText(stepper.bookmarkHere() >= 0 ? Document::tr("Take the bookmark away")
+    actions[A::Bookmark]->setText(stepper.bookmarkHere() >= 0 ? Document::tr("Remove the bookmark")
                                                               : Document::tr("Bookmark"));
     for (std::size_t i = 0; i < kBookmarks.size(); ++i)
         enable(kBookmarks[i], i < stepper.bookmarks().size(), Document::tr("There is no such bookmark."));

@@ -21,7 +21,7 @@ ConditionVeil::ConditionVeil(BufferView& view) : BufferFeature(view), m_bar(new 
     connect(&view.header(), &BufferHeader::overlayMenuOpens, this, [this](QMenu* menu) {  // after the overlays
         menu->addSeparator();
         QAction* action = menu->addAction(tr("Condition…"), m_bar, &ConditionBar::open);
-        action->setToolTip(tr("Veils the pixels for which a condition does not hold (/)"));
+        action->setToolTip(tr("Veil the pixels for which a condition does not hold (/)"));
     });
     connect(m_bar, &ConditionBar::changed, &view, &BufferView::refresh);
     connect(m_bar, &ConditionBar::left, view.canvas(), qOverload<>(&QWidget::setFocus));

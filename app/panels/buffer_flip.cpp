@@ -12,7 +12,7 @@ namespace app {
 FlipToggle::FlipToggle(BufferView& view) : BufferFeature(view) {
     QMenu& more = *view.header().menu();
     more.addSeparator();
-    m_action = more.addAction(tr("Row 0 at the foot\tY"));
+    m_action = more.addAction(tr("Row 0 at the bottom\tY"));
     m_action->setCheckable(true);
     connect(m_action, &QAction::triggered, this, &FlipToggle::set);
 }

@@ -148,7 +148,7 @@ void BufferHeader::setFlipped(bool flipped) {
 
 void BufferHeader::showCaption() {
     QString words = m_words;
-    m_caption->setText(m_isFlipped ? words.replace("row 0 on top", tr("row 0 at the foot")) : words);
+    m_caption->setText(m_isFlipped ? words.replace("row 0 on top", tr("row 0 at the bottom")) : words);
 }
 
 void BufferHeader::setOverlays(bool on) { m_overlays->setChecked(on); }

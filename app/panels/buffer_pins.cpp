@@ -24,7 +24,7 @@ PinMarks::PinMarks(BufferView& view, const PixelReadout& readout)
     more.addAction(tr("Copy the pinned values"), this, &PinMarks::copy);
     more.addSeparator();
     more.addAction(tr("Pin the picked pixel\tP"), this, &PinMarks::toggle);
-    more.addAction(tr("Take all pins away\tShift+P"), &m_pins, &PinnedPixels::clear);
+    more.addAction(tr("Remove all pins\tShift+P"), &m_pins, &PinnedPixels::clear);
     m_label->setAccessibleName(tr("Pinned pixels"));
     connect(&m_pins, &PinnedPixels::changed, this, [this] {
         show();
@@ -48,7 +48,7 @@ void PinMarks::toggle() {
         return;
     }
     if (!m_pins.toggle(*pixel))
-        emit document.said(tr("All nine pins are taken. P on a pinned pixel takes its pin away."));
+        emit document.said(tr("All nine pins are in use. P on a pinned pixel removes its pin."));
 }
 
 void PinMarks::goTo(int number) {

@@ -15,7 +15,7 @@ bool askToReplace(QWidget* parent, const QString& title, const QStringList& name
     QMessageBox box(QMessageBox::NoIcon, title, question.arg(names.join(QMessageBox::tr(" and "))),
                     QMessageBox::Yes | QMessageBox::No, parent);
     box.button(QMessageBox::Yes)->setText(QMessageBox::tr("Replace"));
-    box.button(QMessageBox::No)->setText(QMessageBox::tr("Go back"));
+    box.button(QMessageBox::No)->setText(QMessageBox::tr("Cancel"));
     box.setDefaultButton(QMessageBox::No);
     return box.exec() == QMessageBox::Yes;
 }

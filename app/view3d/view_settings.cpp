@@ -59,8 +59,8 @@ ViewSettings::ViewSettings(QWidget* parent) : QWidget(parent, Qt::Popup) {
                           {tr("Off"), tr("Polygon normals"), tr("Vertex normals")});
     m_normalLength = addSlider(tr("Length"), tr("Length of a normal's arrow, 4 to 400 pixels"), kShortest, kLongest);
     m_every =
-        addSlider(tr("Every k-th"), tr("Shows every k-th normal, 20 of each object at least and 10 000 of all at most"),
-                  1, kSparsestNormals);
+        addSlider(tr("Show every k-th normal"),
+                  tr("Show every k-th normal: at least 20 of each object, at most 10 000 in all"), 1, kSparsestNormals);
     m_normalColors = addChoice(tr("Their colour"), tr("All as N, or each by its direction: (N + 1) / 2 as RGB"),
                                {tr("As N"), tr("By direction, RGB")});
     m_vectorLength = addSlider(tr("Vectors"), tr("Length of N, L, V, R and H at the picked point, 4 to 400 pixels"),

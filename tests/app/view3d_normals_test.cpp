@@ -113,11 +113,11 @@ TEST(View3dNormals, SlidersSpeakTheirNumbers) {
                 return QAccessible::queryAccessibleInterface(slider)->valueInterface();
         return static_cast<QAccessibleValueInterface*>(nullptr);
     };
-    ASSERT_TRUE(numbers("Length") && numbers("Every k-th"));
+    ASSERT_TRUE(numbers("Length") && numbers("Show every k-th normal"));
     EXPECT_EQ(numbers("Length")->currentValue().toDouble(), 29);
     EXPECT_EQ(numbers("Length")->minimumValue().toDouble(), 4);
     EXPECT_EQ(numbers("Length")->maximumValue().toDouble(), 400);
-    EXPECT_EQ(numbers("Every k-th")->currentValue().toDouble(), 33);
+    EXPECT_EQ(numbers("Show every k-th normal")->currentValue().toDouble(), 33);
     QSignalSpy changed(&settings, &app::ViewSettings::changed);
     numbers("Length")->setCurrentValue(40);
     ASSERT_EQ(changed.count(), 1);

@@ -127,13 +127,13 @@ TEST_F(WindowCommands, ACommandThatNothingIsCalledSaysSo) {
     auto* field = find<QLineEdit>("commandField");
     const auto says = [this] {
         for (const auto* label : find<CommandPalette>("commandPalette")->findChildren<QLabel*>())
-            if (label->isVisible() && label->text() == "Nothing is called so.") return true;
+            if (label->isVisible() && label->text() == "No match") return true;
         return false;
     };
     EXPECT_FALSE(says());
     QTest::keyClicks(field, "qqqq");
     EXPECT_TRUE(says());
-    EXPECT_EQ(field->accessibleDescription(), "Nothing is called so.");
+    EXPECT_EQ(field->accessibleDescription(), "No match");
     field->clear();
     EXPECT_FALSE(says());
 }
@@ -245,6 +245,14 @@ TEST(Keys, AreFoundByAnyOfTheirWords) {
     EXPECT_EQ(rowsWith(rows, ""), rows);
     EXPECT_EQ(rowsWith(rows, "f10 STEP"), std::vector<KeyRow>{rows[0]});
     EXPECT_EQ(rowsWith(rows, "loupe run"), std::vector<KeyRow>());
+}
+
+// "Open a scene file.", or a noun phrase; not what somebody does, as "Opens".
+TEST(Actions, AreDescribedInTheImperative) {
+    for (const ActionRow& row : actionTable()) {
+        const QString verb = QString(row.tip).section(' ', 0, 0);
+        EXPECT_FALSE(verb.endsWith('s') && !verb.endsWith("ss")) << row.text << ": " << row.tip;
+    }
 }
 
 // Two that share a key: Qt calls neither.

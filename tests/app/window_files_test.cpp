@@ -93,9 +93,9 @@ TEST_F(WindowFiles, ACaseAsASceneAsksBeforeChangesAreLost) {
     std::size_t which = 0;
     while (!pipeline::check::caseTable()[which].scene) ++which;
     checks->select(which);
-    answer("Go back", [checks] { EXPECT_FALSE(checks->openAsScene()); });
+    answer("Cancel", [checks] { EXPECT_FALSE(checks->openAsScene()); });
     EXPECT_EQ(document().scene().camera.theta, 47.25);
-    answer("Drop", [checks] { EXPECT_TRUE(checks->openAsScene()); });
+    answer("Discard", [checks] { EXPECT_TRUE(checks->openAsScene()); });
     EXPECT_NE(document().scene().name, "two_pyramids.scene");
     checks->close();
 }
@@ -145,7 +145,7 @@ TEST_F(WindowFiles, AListThatSomeoneElseHasWrittenToIsNotWrittenOver) {
     model.clear();
     ASSERT_EQ(model.size(), 1) << "the list is neither left nor given up";
     EXPECT_EQ(model.cue(0).note, "In the window");
-    answer("Go back", [this] { EXPECT_FALSE(window.close()); });
+    answer("Cancel", [this] { EXPECT_FALSE(window.close()); });
     EXPECT_EQ(readAll(file), theirs);
 
     ASSERT_TRUE(model.saveAs(folder.filePath("mine.cues")));
@@ -317,13 +317,13 @@ TEST_F(WindowFiles, AsksBeforeChangesAreLost) {
     ASSERT_TRUE(window.openFile(ownScene("pyramid.scene", folder.path())));
     ASSERT_TRUE(waitForFrame());
     document().change(*findSetting(document().scene(), "camera.theta"), 47.25);
-    answer("Go back", [this] { press("Ctrl+W"); });
+    answer("Cancel", [this] { press("Ctrl+W"); });
     EXPECT_TRUE(document().isChanged());
     EXPECT_TRUE(window.views().isVisible());
-    answer("Go back", [this] { EXPECT_FALSE(window.openFile(resourceScene("two_pyramids.scene"))); });
+    answer("Cancel", [this] { EXPECT_FALSE(window.openFile(resourceScene("two_pyramids.scene"))); });
     EXPECT_EQ(document().scene().name, "pyramid.scene");
-    answer("Go back", [this] { EXPECT_FALSE(window.close()); });
-    answer("Drop", [this] { EXPECT_TRUE(window.openFile(resourceScene("two_pyramids.scene"))); });
+    answer("Cancel", [this] { EXPECT_FALSE(window.close()); });
+    answer("Discard", [this] { EXPECT_TRUE(window.openFile(resourceScene("two_pyramids.scene"))); });
     EXPECT_EQ(document().scene().name, "two_pyramids.scene");
     press("Ctrl+W");  // nothing has changed, and nothing is asked
     EXPECT_FALSE(window.views().isVisible());

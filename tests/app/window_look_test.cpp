@@ -230,7 +230,7 @@ TEST_F(WindowLook, AKeptLayoutIsReplacedOnlyWhenAsked) {
         window.actions()[ActionId::KeepLayout]->trigger();
         QCoreApplication::processEvents();
     };
-    keepAgain("Go back");
+    keepAgain("Cancel");
     EXPECT_EQ(keptLayout("Seminar"), before);
     keepAgain("Replace");
     EXPECT_NE(keptLayout("Seminar"), before);

@@ -188,9 +188,9 @@ TEST_F(WindowReload, ChangesThatAreNotSavedAreAskedAbout) {
     openOwn();
     document().change(*findSetting(document().scene(), "ambient.intensity"), 40);
     write("60");
-    answer("Go back", [this] { window.actions()[ActionId::ReadAgain]->trigger(); });
+    answer("Cancel", [this] { window.actions()[ActionId::ReadAgain]->trigger(); });
     EXPECT_EQ(document().scene().ambient.intensity, 40);
-    answer("Drop", [this] { window.actions()[ActionId::ReadAgain]->trigger(); });
+    answer("Discard", [this] { window.actions()[ActionId::ReadAgain]->trigger(); });
     EXPECT_EQ(document().scene().ambient.intensity, 60);
     EXPECT_FALSE(document().isChanged());
 }

@@ -261,7 +261,7 @@ TEST_F(WindowSlide, AFilmReplacesAnotherOnlyWhenAsked) {
     dialog.show();
     dialog.findChild<QLineEdit*>("filmTarget")->setText(old);
     auto* start = dialog.findChild<QPushButton*>("filmStart");
-    answer("Go back", [start] { start->click(); });
+    answer("Cancel", [start] { start->click(); });
     EXPECT_TRUE(start->isEnabled()) << "nothing runs";
     EXPECT_EQ(bytesOf(old), "mine");
     answer("Replace", [start] { start->click(); });
@@ -280,7 +280,7 @@ TEST_F(WindowSlide, AFilmReplacesPicturesInAFolderOnlyWhenAsked) {
     FilmDialog next(document(), {pipeline::BufferId::ZView});
     next.show();
     next.findChild<QLineEdit*>("filmTarget")->setText(folder.path());
-    answer("Go back", [&] { next.findChild<QPushButton*>("filmStart")->click(); });
+    answer("Cancel", [&] { next.findChild<QPushButton*>("filmStart")->click(); });
     EXPECT_EQ(next.message(), "");
 }
 
