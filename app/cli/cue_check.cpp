@@ -116,13 +116,16 @@ private:
         if (const auto setting = rest("setting ")) return take(key, withSetting(m_scene, *setting));
         if (const auto name = rest("buffer "))
             if (const auto buffer = pipeline::findAnyBuffer(*name)) return checkLight(key, *buffer);
+        if (const auto name = rest("scene "))
+            if (pipeline::builtInScene(*name)) return;
         if (const auto file = rest("file ")) {
             std::error_code ignored;
             if (!std::filesystem::exists(m_folder / *file, ignored))
                 fail(key, (m_folder / *file).string() + ": no such file");
             return;
         }
-        fail(key, "found " + inQuotes(with), "before, previous stage, buffer NAME, setting KEY=VALUE or file FILE");
+        fail(key, "found " + inQuotes(with),
+             "before, previous stage, buffer NAME, setting KEY=VALUE, scene NAME or file FILE");
     }
 
     void checkSpace(const lessons::SpaceShown& shown, const std::string& key) {

@@ -6,6 +6,8 @@
 #include "app/core/shown_name.h"
 #include "app/core/stage_buffer.h"
 #include "app/core/text.h"
+#include "pipeline/formats/built_in_scenes.h"
+#include "pipeline/formats/scene_reader.h"
 #include "pipeline/plan/memory_limit.h"
 
 namespace app {
@@ -60,6 +62,10 @@ QString nameOf(const OtherSource& source) {
             const auto text = toQString(formatSetting(source.setting, source.value));
             return QString("%1 (%2)").arg(text, toQString(source.setting.setting->label).toLower());
         }
+        case Kind::Scene: {
+            const auto scene = pipeline::builtInScene(source.scene.toStdString());
+            return scene ? toQString(scene->title) : source.scene;
+        }
         case Kind::File: return shownName(source.file);
         case Kind::Mine: return "my renderer";
     }
@@ -79,6 +85,7 @@ std::string keyOf(const OtherSource& source) {
         case Kind::Before: return "before";
         case Kind::Setting:
             return "setting " + source.setting.key() + '=' + formatSetting(source.setting, source.value);
+        case Kind::Scene: return "scene " + source.scene.toStdString();
         case Kind::File: return "file " + source.file.toStdString();
         case Kind::Mine: break;  // its folder is no part of a state
     }
@@ -96,6 +103,9 @@ pipeline::Result<OtherSource> sourceNamed(std::string_view key, const Scene& sce
     if (const auto words = rest("buffer "))
         if (const auto name = pipeline::findAnyBuffer(*words))
             return OtherSource{.kind = Kind::Buffer, .buffer = *name};
+    if (const auto words = rest("scene "))
+        if (pipeline::builtInScene(*words))
+            return OtherSource{.kind = Kind::Scene, .scene = QString::fromStdString(*words)};
     if (const auto words = rest("setting ")) {
         const auto equals = words->find('=');
         const auto setting = findSetting(scene, words->substr(0, equals));
@@ -106,14 +116,15 @@ pipeline::Result<OtherSource> sourceNamed(std::string_view key, const Scene& sce
     }
     return pipeline::Error{{},
                            "there is nothing called \"" + std::string(key) + "\" to compare with",
-                           "before, previous stage, buffer NAME, setting KEY=VALUE or file FILE"};
+                           "before, previous stage, buffer NAME, setting KEY=VALUE, scene NAME or file FILE"};
 }
 
 std::optional<BufferName> otherBuffer(const OtherSource& source, const BufferName& shown, const Scene& scene) {
     switch (source.kind) {
         case Kind::Buffer: return source.buffer;
         case Kind::Before:
-        case Kind::Setting: return shown;
+        case Kind::Setting:
+        case Kind::Scene: return shown;
         case Kind::File:
         case Kind::Mine: return std::nullopt;
         case Kind::PreviousStage: break;
@@ -133,6 +144,12 @@ ScenePtr otherScene(const OtherSource& source, const ScenePtr& scene, const Scen
         case Kind::Before: return before;
         case Kind::File:
         case Kind::Mine: return nullptr;
+        case Kind::Scene: {
+            const auto builtIn = pipeline::builtInScene(source.scene.toStdString());
+            auto read = builtIn ? pipeline::readScene(builtIn->file) : pipeline::Result<Scene>(pipeline::Errors());
+            if (!read || !checkSceneAndMemory(*read).empty()) return nullptr;
+            return std::make_shared<Scene>(std::move(read).value());
+        }
         case Kind::Setting: break;
     }
     if (!hasSetting(*scene, source.setting)) return nullptr;

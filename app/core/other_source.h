@@ -16,6 +16,7 @@ struct OtherSource {
         PreviousStage,  // the main buffer of the stage before the one that leaves the buffer on show
         Before,         // the same buffer before the last change of the scene
         Setting,        // the same buffer of another pipeline: with one setting changed
+        Scene,          // the same buffer of another scene that comes with the program
         File,           // a picture
         Mine,           // what somebody else's renderer has left of it
     };
@@ -23,7 +24,8 @@ struct OtherSource {
     pipeline::BufferName buffer{pipeline::BufferId::Color};  // Buffer
     pipeline::SettingRef setting{};                          // Setting
     double value = 0;
-    QString file{};  // File
+    QString file{};   // File
+    QString scene{};  // Scene: its name
     bool operator==(const OtherSource&) const = default;
 };
 
@@ -33,7 +35,7 @@ QString nameOf(const OtherSource& source);
 // A value of a setting below a picture: "Phong", "Tessellation 32".
 QString captionOf(const pipeline::SettingRef& setting, double value);
 
-// As a file has it, empty for Mine: "before", "previous stage", "buffer z_view", "setting shading=gouraud", "file a.npy"; and again, for a
+// As a file has it, empty for Mine: "before", "previous stage", "buffer z_view", "setting shading=gouraud", "scene z_buffer_flat", "file a.npy"; and again, for a
 // scene that has the setting.
 std::string keyOf(const OtherSource& source);
 pipeline::Result<OtherSource> sourceNamed(std::string_view key, const pipeline::Scene& scene);

@@ -3,8 +3,11 @@
 
 #include <algorithm>
 
+#include "app/core/start_order.h"
+#include "pipeline/buffers/palette.h"
 #include "pipeline/run/runner.h"
 #include "pipeline/scene/settings_table.h"
+#include "pipeline/study/errors.h"
 
 namespace app {
 namespace {
@@ -29,7 +32,21 @@ QImage cutToScene(const pipeline::Frame& frame) {
     return picture.copy(part).scaled(width * times, height * times);
 }
 
-QImage render(const pipeline::BuiltInScene& builtIn, std::stop_token stop) {
+// Intensities from 0 to white.
+QImage termImage(const pipeline::Frame& frame, const pipeline::BufferName& name) {
+    const auto buffer = frame.buffer(name);
+    if (!buffer) return {};
+    QImage image(int(buffer->columns()), int(buffer->rows()), QImage::Format_RGB888);
+    const pipeline::PaletteRange range{0, pipeline::whiteOf(frame.scene())};
+    for (int y = 0; y < image.height(); ++y)
+        for (int x = 0; x < image.width(); ++x) {
+            const auto color = elementColor(*buffer, std::size_t(x), std::size_t(y), range);
+            image.setPixel(x, y, qRgb(color.r, color.g, color.b));
+        }
+    return image;
+}
+
+QImage render(const pipeline::BuiltInScene& builtIn, const pipeline::BufferName& buffer, std::stop_token stop) {
     auto scene = pipeline::readScene(builtIn.file);
     if (!scene || !pipeline::checkSceneAndMemory(*scene).empty()) return {};
     auto small = std::make_shared<pipeline::Scene>(std::move(scene).value());
@@ -37,13 +54,12 @@ QImage render(const pipeline::BuiltInScene& builtIn, std::stop_token stop) {
     small->camera.pixelsPerUnit *= double(kHeight) / small->settings.height;
     small->settings.width = kWidth;
     small->settings.height = kHeight;
-    const auto frame =
-        pipeline::runFrame(std::move(small),
-                           {.wanted = pipeline::setOf({pipeline::BufferId::Color, pipeline::BufferId::PolygonId}),
-                            .threads = 1,
-                            .stop = std::move(stop)},
-                           nullptr);
-    return frame ? cutToScene(*frame) : QImage();
+    const auto frame = pipeline::runFrame(
+        std::move(small),
+        {.wanted = pipeline::setOf({buffer.id, pipeline::BufferId::PolygonId}), .threads = 1, .stop = std::move(stop)},
+        nullptr);
+    if (!frame) return {};
+    return buffer.id == pipeline::BufferId::Color ? cutToScene(*frame) : termImage(*frame, buffer);
 }
 
 }  // namespace
@@ -56,22 +72,36 @@ QImage colorImage(const pipeline::Frame& frame) {
     return QImage(bytes.data(), width, height, 3 * qsizetype(width), QImage::Format_RGB888).copy();
 }
 
-SceneGallery::SceneGallery(QObject* parent)
-    : QObject(parent), m_scenes(pipeline::builtInScenes()), m_pictures(m_scenes.size()) {
-    m_thread = std::jthread([this, scenes = m_scenes](const std::stop_token& stop) {
-        for (std::size_t i = 0; i < scenes.size() && !stop.stop_requested(); ++i) {
+SceneGallery::SceneGallery(QObject* parent) : QObject(parent), m_scenes(pipeline::builtInScenes()) {
+    for (std::size_t i = 0; i < m_scenes.size(); ++i) m_terms.push_back({i, {pipeline::BufferId::Color}});
+    for (const StartLecture& lecture : startOrder())
+        for (const StartView& view : lecture.views)
+            for (const StartView::Part& part : view.parts) {
+                const auto scene = std::ranges::find(m_scenes, part.scene, &pipeline::BuiltInScene::name);
+                if (scene != m_scenes.end() && !find(part.scene, part.buffer))
+                    m_terms.push_back({std::size_t(scene - m_scenes.begin()), part.buffer});
+            }
+    m_pictures.resize(m_terms.size());
+    m_thread = std::jthread([this, scenes = m_scenes, terms = m_terms](const std::stop_token& stop) {
+        for (std::size_t i = 0; i < terms.size() && !stop.stop_requested(); ++i) {
             std::unique_lock lock(m_mutex);
             if (!m_changed.wait(lock, stop, [this] { return m_watched; })) return;
             lock.unlock();
             QMetaObject::invokeMethod(
                 this,
-                [this, i, picture = render(scenes[i], stop)] {
+                [this, i, picture = render(scenes[terms[i].scene], terms[i].buffer, stop)] {
                     m_pictures[i] = picture;
                     emit pictureReady(i);
                 },
                 Qt::QueuedConnection);
         }
     });
+}
+
+std::optional<std::size_t> SceneGallery::find(const std::string& scene, const pipeline::BufferName& buffer) const {
+    for (std::size_t i = 0; i < m_terms.size(); ++i)
+        if (m_scenes[m_terms[i].scene].name == scene && m_terms[i].buffer == buffer) return i;
+    return std::nullopt;
 }
 
 void SceneGallery::setWatched(bool watched) {

@@ -3,6 +3,8 @@
 #include <QObject>
 #include <condition_variable>
 #include <mutex>
+#include <optional>
+#include <string>
 #include <thread>
 
 #include "pipeline/formats/scene_reader.h"
@@ -26,12 +28,20 @@ public:
     const std::vector<pipeline::BuiltInScene>& scenes() const { return m_scenes; }
     // 4:3; empty before it is ready, and for a scene that cannot be read.
     const QImage& picture(std::size_t scene) const { return m_pictures[scene]; }
+    // The number of a picture that start views show: of a scene's frame buffer, or of one of its terms. These come after
+    // the scenes. Nothing where the gallery has none.
+    std::optional<std::size_t> find(const std::string& scene, const pipeline::BufferName& buffer) const;
 
 signals:
-    void pictureReady(std::size_t scene);
+    void pictureReady(std::size_t picture);
 
 private:
     std::vector<pipeline::BuiltInScene> m_scenes;
+    struct Term {
+        std::size_t scene;
+        pipeline::BufferName buffer;
+    };
+    std::vector<Term> m_terms;
     std::vector<QImage> m_pictures;
     std::mutex m_mutex;
     std::condition_variable_any m_changed;

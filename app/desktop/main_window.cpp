@@ -26,6 +26,7 @@
 #include "app/desktop/command_palette.h"
 #include "app/desktop/key_sheet.h"
 #include "app/desktop/layout_store.h"
+#include "app/desktop/look_keeper.h"
 #include "app/desktop/panel_dock.h"
 #include "app/desktop/panel_table.h"
 #include "app/desktop/pixel_field.h"
@@ -35,6 +36,7 @@
 #include "app/desktop/status_line.h"
 #include "app/desktop/step_actions.h"
 #include "app/desktop/view_area.h"
+#include "app/desktop/views_room.h"
 #include "app/panels/error_list.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/inspector_panel.h"
@@ -75,6 +77,8 @@ MainWindow::MainWindow() : m_opener(new SceneOpener(this)), m_actions(new Action
         if (!m_presents) fitLetters();
     });
     qApp->installEventFilter(this);
+    new LookKeeper(
+        *this, [this] { keepPanels(); }, [this] { return m_presents; });
     if (!restoreWindowPlace(*this)) takeFirstWindowPlace(*this);
     showStartPage();
 }
@@ -137,6 +141,9 @@ void MainWindow::makeCentre() {
     connect(m_start, &StartPage::openRequested, this, &MainWindow::chooseFile);
     connect(m_start, &StartPage::fileChosen, this, [this](const QString& file) { openFile(file); });
     connect(m_start, &StartPage::recentChosen, this, &MainWindow::openRecent);
+    connect(m_start, &StartPage::viewChosen, this, [this](const lessons::WindowState& state) {
+        if (mayLeaveScene()) showState(state, {}, SceneChanges::Given, [this] { giveViewsRoom(*this, *m_views); });
+    });
     connect(m_start, &StartPage::lessonChosen, this, &MainWindow::openLesson);
     connect(m_start, &StartPage::keysRequested, (*m_actions)[ActionId::Keys], &QAction::trigger);
 }

@@ -10,6 +10,7 @@
 #include "app/desktop/main_window.h"
 #include "app/desktop/panel_dock.h"
 #include "app/desktop/view_area.h"
+#include "app/desktop/views_room.h"
 #include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_compare.h"
 #include "app/panels/buffer_overlays.h"
@@ -205,8 +206,7 @@ void MainWindow::addSettingCommands(std::vector<PaletteEntry>& all) {
     }
 }
 
-// The active buffer once for every value of a setting, aligned at one zoom, each with the value's name. The panels at
-// the left give way if the views need their room.
+// The active buffer once for every value of a setting, aligned at one zoom, each with the value's name.
 void MainWindow::showSideBySide(const SettingRef& setting) {
     lessons::WindowState state;
     m_views->fill(state);
@@ -227,8 +227,7 @@ void MainWindow::showSideBySide(const SettingRef& setting) {
     if (count < 4) state.arrangement = state.arrangement.substr(1, state.arrangement.size() - 2);
     state.linked = true;
     lookAt(state);
-    if (m_views->withoutRoom() > 0)
-        for (PanelDock* dock : m_leftDocks) dock->hide();
+    giveViewsRoom(*this, *m_views);
     emit m_document.said(tr("Every view shows one value of %1.").arg(labelOf(setting)));
 }
 

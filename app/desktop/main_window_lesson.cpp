@@ -86,7 +86,8 @@ void MainWindow::showLessons() {
         const auto text = [&](int role) { return shelf.data(shelf.index(i), role); };
         entries.push_back({text(LessonShelf::NameRole).toString(), text(LessonShelf::TitleRole).toString(),
                            text(LessonShelf::SummaryRole).toString(), text(LessonShelf::ProgressRole).toString(),
-                           text(LessonShelf::PageRole).toInt(), text(LessonShelf::PagesRole).toInt()});
+                           text(LessonShelf::PageRole).toInt(), text(LessonShelf::PagesRole).toInt(),
+                           shelf.find(text(LessonShelf::NameRole).toString())->lecture});
     }
     m_start->setLessons(entries);
 }

@@ -111,7 +111,7 @@ void StartCard::paintEvent(QPaintEvent*) {
 void CardGrid::add(StartCard* card) {
     card->setParent(this);
     card->installEventFilter(this);
-    m_cards += card;
+    m_cards += card, m_shown += card;
     QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     policy.setHeightForWidth(true);
     setSizePolicy(policy);
@@ -120,7 +120,19 @@ void CardGrid::add(StartCard* card) {
 
 void CardGrid::clear() {
     qDeleteAll(m_cards);
-    m_cards.clear();
+    m_cards.clear(), m_shown.clear();
+}
+
+bool CardGrid::choose(const std::function<bool(const StartCard& card)>& isWanted) {
+    m_shown.clear();
+    for (StartCard* card : m_cards) {
+        const bool wanted = isWanted(*card);
+        card->setVisible(wanted);
+        if (wanted) m_shown += card;
+    }
+    place();
+    updateGeometry();
+    return !m_shown.isEmpty();
 }
 
 int CardGrid::columns(int width) const { return std::clamp(width / Theme::current().px(210), 2, m_most); }
@@ -138,31 +150,33 @@ int CardGrid::cardWidth(int width) const {
 // The card with the most to say decides for all.
 int CardGrid::cardHeight(int width) const {
     int height = 0;
-    for (const StartCard* card : m_cards) height = std::max(height, card->heightForWidth(cardWidth(width)));
+    for (const StartCard* card : m_shown) height = std::max(height, card->heightForWidth(cardWidth(width)));
     return height;
 }
 
 int CardGrid::heightForWidth(int width) const {
-    if (m_cards.isEmpty()) return 0;
-    const int n = columns(width), rows = (int(m_cards.size()) + n - 1) / n, gap = Theme::current().px(10);
+    if (m_shown.isEmpty()) return 0;
+    const int n = columns(width), rows = (int(m_shown.size()) + n - 1) / n, gap = Theme::current().px(10);
     return rows * cardHeight(width) + (rows - 1) * gap;
 }
 
 QSize CardGrid::sizeHint() const { return {Theme::current().px(600), heightForWidth(std::max(width(), 600))}; }
 
-void CardGrid::resizeEvent(QResizeEvent*) {
-    if (m_cards.isEmpty()) return;
+void CardGrid::resizeEvent(QResizeEvent*) { place(); }
+
+void CardGrid::place() {
+    if (m_shown.isEmpty()) return;
     const int n = columns(width()), w = cardWidth(width()), h = cardHeight(width());
     const int gap = Theme::current().px(10);
-    for (int i = 0; i < m_cards.size(); ++i) m_cards[i]->setGeometry((i % n) * (w + gap), (i / n) * (h + gap), w, h);
+    for (int i = 0; i < m_shown.size(); ++i) m_shown[i]->setGeometry((i % n) * (w + gap), (i / n) * (h + gap), w, h);
     setMinimumHeight(heightForWidth(width()));
 }
 
 bool CardGrid::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() != QEvent::KeyPress) return QWidget::eventFilter(watched, event);
-    const qsizetype at = m_cards.indexOf(static_cast<StartCard*>(watched));
+    const qsizetype at = m_shown.indexOf(static_cast<StartCard*>(watched));
     const auto focus = [this](qsizetype i) {
-        if (i >= 0 && i < m_cards.size()) m_cards[i]->setFocus(Qt::TabFocusReason);
+        if (i >= 0 && i < m_shown.size()) m_shown[i]->setFocus(Qt::TabFocusReason);
         return true;
     };
     switch (static_cast<QKeyEvent*>(event)->key()) {
@@ -171,7 +185,7 @@ bool CardGrid::eventFilter(QObject* watched, QEvent* event) {
         case Qt::Key_Up: return focus(at - columns(width()));
         case Qt::Key_Down: return focus(at + columns(width()));
         case Qt::Key_Return:
-        case Qt::Key_Enter: m_cards[at]->click(); return true;
+        case Qt::Key_Enter: m_shown[at]->click(); return true;
         default: return QWidget::eventFilter(watched, event);
     }
 }

@@ -1,6 +1,7 @@
 #pragma once
 #include <QAbstractButton>
 #include <QImage>
+#include <functional>
 
 namespace app {
 
@@ -41,6 +42,8 @@ public:
     void clear();
     void setMostColumns(int most);
     const QList<StartCard*>& cards() const { return m_cards; }
+    // Shows those that are wanted, the others give them their places. Whether there is any.
+    bool choose(const std::function<bool(const StartCard& card)>& isWanted);
 
     bool hasHeightForWidth() const override { return true; }
     int heightForWidth(int width) const override;
@@ -54,7 +57,8 @@ private:
     int columns(int width) const;
     int cardWidth(int width) const;
     int cardHeight(int width) const;
-    QList<StartCard*> m_cards;
+    void place();
+    QList<StartCard*> m_cards, m_shown;
     int m_most = 4;
 };
 

@@ -1,7 +1,5 @@
 #include "app/panels/start_page.h"
 
-#include <algorithm>
-
 #include <QCoreApplication>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -16,7 +14,6 @@
 #include "app/panels/drop_field.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/segmented.h"
-#include "app/panels/start_card.h"
 
 namespace app {
 
@@ -137,57 +134,21 @@ QWidget* StartPage::makeRight() {
     auto* page = new QWidget;
     page->setObjectName("startPageRight");
     auto* column = new QVBoxLayout(page);
-    m_lessonHead = makeHeading(tr("Lessons"), tr("a page at a time, with the window set for you"), page);
-    m_lessons = new CardGrid(page);
-    m_scenes = new CardGrid(page);
-    column->addWidget(m_lessonHead);
-    column->addWidget(m_lessons);
-    column->addSpacing(16);
-    column->addWidget(makeHeading(tr("Scenes"), tr("Enter opens, arrows move"), page));
-    column->addWidget(m_scenes);
-    column->addStretch(1);
-    for (const pipeline::BuiltInScene& scene : m_gallery.scenes()) {
-        auto* card = new StartCard(StartCard::Kind::Scene, toQString(scene.title), toQString(scene.look), m_scenes);
-        card->setObjectName(QStringLiteral("scene:") + toQString(scene.name));
-        m_scenes->add(card);
-        connect(card, &StartCard::clicked, this,
-                [this, file = QString::fromStdString(scene.file.string())] { emit fileChosen(file); });
-    }
-    // With three scenes three larger pictures stand in a row.
-    const int columns = std::clamp(int(m_gallery.scenes().size()), 3, 4);
-    m_scenes->setMostColumns(columns);
-    m_lessons->setMostColumns(columns);
-    connect(&m_gallery, &SceneGallery::pictureReady, this,
-            [this](std::size_t i) { m_scenes->cards()[qsizetype(i)]->setPicture(m_gallery.picture(i)); });
-    setLessons({});
+    m_shelf = new StartShelf(page);
+    column->addWidget(m_shelf);
+    connect(m_shelf, &StartShelf::fileChosen, this, &StartPage::fileChosen);
+    connect(m_shelf, &StartShelf::viewChosen, this, &StartPage::viewChosen);
+    connect(m_shelf, &StartShelf::lessonChosen, this, &StartPage::lessonChosen);
     scroll->setWidget(page);
     followTheme(scroll, [scroll, column] {
         const Theme& t = Theme::current();
-        column->setContentsMargins(t.px(48), t.px(44), t.px(48), t.px(24));
+        column->setContentsMargins(t.px(24), t.px(20), t.px(24), t.px(24));
         column->setSpacing(t.px(12));
         scroll->setStyleSheet(
             QStringLiteral("QScrollArea#startRight, QWidget#startPageRight { background: %1; border: 0; }")
                 .arg(t.colors().bg.name()));
     });
     return scroll;
-}
-
-void StartPage::setLessons(const std::vector<LessonEntry>& lessons) {
-    m_lessons->clear();
-    m_lessonHead->setVisible(!lessons.empty());
-    m_lessons->setVisible(!lessons.empty());
-    for (const LessonEntry& lesson : lessons) {
-        auto* card = new StartCard(StartCard::Kind::Lesson, lesson.title, lesson.text, m_lessons);
-        card->setObjectName(QStringLiteral("lesson:") + lesson.name);
-        const bool begun = lesson.page > 0, done = lesson.page >= lesson.pages;
-        card->setFoot(lesson.progress,
-                      !begun ? tr("Begin")
-                      : done ? tr("Again")
-                             : tr("Go on"),
-                      double(lesson.page) / lesson.pages);
-        m_lessons->add(card);
-        connect(card, &StartCard::clicked, this, [this, name = lesson.name] { emit lessonChosen(name); });
-    }
 }
 
 void StartPage::refreshRecent() {
@@ -230,7 +191,7 @@ void StartPage::resizeEvent(QResizeEvent* event) {
 }
 
 void StartPage::hideEvent(QHideEvent* event) {
-    m_gallery.setWatched(false);
+    m_shelf->setWatched(false);
     QWidget::hideEvent(event);
 }
 
@@ -239,9 +200,9 @@ void StartPage::showEvent(QShowEvent* event) {
     QWidget::showEvent(event);
     // Once the page itself is on the screen, and not when a scene is opened right away.
     QTimer::singleShot(200, this, [this] {
-        if (isVisible()) m_gallery.setWatched(true);
+        if (isVisible()) m_shelf->setWatched(true);
     });
-    if (!m_scenes->cards().isEmpty()) m_scenes->cards().front()->setFocus(Qt::TabFocusReason);
+    m_shelf->focusFirst();
 }
 
 }  // namespace app

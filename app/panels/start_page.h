@@ -1,30 +1,22 @@
 #pragma once
 #include <QWidget>
 
-#include "app/core/scene_gallery.h"
+#include "app/panels/start_shelf.h"
 
-class QGridLayout;
-class QScrollArea;
 class QVBoxLayout;
 
 namespace app {
 
-class CardGrid;
-
-// What the window shows before a scene is open: files, lessons, and the scenes that come with
-// the program as pictures that the pipeline has just computed.
+// What the window shows before a scene is open: files, and by lecture the lessons and the scenes that
+// come with the program, as pictures that the pipeline has just computed.
 class StartPage : public QWidget {
     Q_OBJECT
 public:
-    // One lesson as its card shows it.
-    struct LessonEntry {
-        QString name, title, text, progress;  // name: what lessonChosen gives
-        int page = 0, pages = 0;              // page 0: not begun
-    };
+    using LessonEntry = StartShelf::LessonEntry;
 
     explicit StartPage(QWidget* parent = nullptr);
 
-    void setLessons(const std::vector<LessonEntry>& lessons);
+    void setLessons(const std::vector<LessonEntry>& lessons) { m_shelf->setLessons(lessons); }
     void refreshRecent();
     void setDropHint(bool over);  // a file hangs over the window
 
@@ -32,6 +24,7 @@ signals:
     void openRequested();
     void fileChosen(const QString& file);
     void recentChosen(const QString& file);
+    void viewChosen(const lessons::WindowState& state);
     void lessonChosen(const QString& name);
     void keysRequested();
 
@@ -45,12 +38,9 @@ private:
     QWidget* makeRight();
     void fitLeft();
 
-    SceneGallery m_gallery;
     QWidget* m_left = nullptr;
     QVBoxLayout* m_recent = nullptr;
-    QWidget* m_lessonHead = nullptr;
-    CardGrid* m_lessons = nullptr;
-    CardGrid* m_scenes = nullptr;
+    StartShelf* m_shelf = nullptr;
     class DropField* m_drop = nullptr;
 };
 

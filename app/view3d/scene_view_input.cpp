@@ -34,6 +34,8 @@ void SceneView::mousePressEvent(QMouseEvent* event) {
         m_drag = Drag::Handle;
     } else if (event->button() == Qt::MiddleButton || (event->button() == Qt::LeftButton && shift)) {
         m_drag = Drag::Pan;
+    } else if (event->button() == Qt::RightButton) {
+        m_drag = Drag::Click;
     } else if (event->button() == Qt::LeftButton) {
         m_drag = control && !isPoint() ? Drag::Pick : Drag::Click;
         if (const auto hit = hitAt(event->position()); hit && m_drag == Drag::Pick) emit clicked(*hit);
@@ -56,6 +58,7 @@ void SceneView::mouseMoveEvent(QMouseEvent* event) {
     }
     // A click may tremble by a few pixels before it is a drag.
     if (m_drag == Drag::Click && (position - m_pressedAt).manhattanLength() < kClickSlop) return;
+    if (m_button == Qt::RightButton) return void(m_drag = Drag::None);  // it picks, and drags nothing
     if (m_drag == Drag::Click) m_drag = Drag::Orbit;
     m_last = position;
     m_flight.stop();

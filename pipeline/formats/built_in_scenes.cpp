@@ -1,5 +1,6 @@
 #include "pipeline/formats/built_in_scenes.h"
 
+#include <algorithm>
 #include <array>
 #include <string_view>
 
@@ -99,6 +100,11 @@ std::vector<BuiltInScene> builtInScenes() {
     std::vector<BuiltInScene> scenes;
     for (const Row& row : kScenes) scenes.push_back(made(row));
     return scenes;
+}
+
+std::optional<BuiltInScene> builtInScene(std::string_view name) {
+    const auto row = std::ranges::find(kScenes, name, &Row::name);
+    return row == kScenes.end() ? std::nullopt : std::optional(made(*row));
 }
 
 std::optional<BuiltInScene> builtInSceneOf(const fs::path& file) {

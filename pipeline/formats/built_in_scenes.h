@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "pipeline/buffers/buffer_table.h"
@@ -19,6 +20,8 @@ struct BuiltInScene {
     std::vector<BufferName> buffers{};  // that make it, the most important first; may be empty
 };
 std::vector<BuiltInScene> builtInScenes();
+// By its name; nothing where there is none.
+std::optional<BuiltInScene> builtInScene(std::string_view name);
 // The one whose file this is; nothing for any other.
 std::optional<BuiltInScene> builtInSceneOf(const std::filesystem::path& file);
 

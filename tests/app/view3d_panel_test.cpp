@@ -49,7 +49,9 @@ protected:
         const glm::dvec2 p = app::project(frame.camera, frame.size, point).at;
         return view.mapTo(&panel, QPoint(int(p.x), int(p.y)));
     }
-    void clickAt(Vec3d point) { QTest::mouseClick(&view, Qt::LeftButton, {}, view.mapFrom(&panel, at(point))); }
+    void clickAt(Vec3d point, Qt::MouseButton button = Qt::LeftButton) {
+        QTest::mouseClick(&view, button, {}, view.mapFrom(&panel, at(point)));
+    }
     static bool isNear(QRgb a, QColor b, int tolerance = 3) {
         return std::abs(qRed(a) - b.red()) <= tolerance && std::abs(qGreen(a) - b.green()) <= tolerance &&
                std::abs(qBlue(a) - b.blue()) <= tolerance;
@@ -105,7 +107,7 @@ TEST_F(View3dWindow, ThemesSwitchLive) {
 
 TEST_F(View3dWindow, AClickPicksThePixelThatShowsThePoint) {
     openPyramid();
-    clickAt({335, 125, 50});
+    clickAt({335, 125, 50}, Qt::RightButton);
     ASSERT_TRUE(document.pixel());
     // Where lecture 1's camera puts that point: 320 + 200 · (−210 sin 45°) / z_v and 240 − 200 y_v / z_v with
     // z_v = 1000 − 460 sin 60° cos 45° − 25 = 693.31, y_v = −460 cos 60° cos 45° + 50 sin 60° = −119.33.

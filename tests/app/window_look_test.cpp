@@ -6,6 +6,7 @@
 #include <QMessageBox>
 #include <QPushButton>
 #include <QScreen>
+#include <QSettings>
 #include <QTest>
 #include <QTimer>
 #include <map>
@@ -270,6 +271,21 @@ TEST_F(WindowLook, AThemeAndLargerTextLeaveThePanelsAsChosen) {
     EXPECT_NEAR(tree->width(), 350, 2) << "the dark theme's letters have their first size";
     Theme::current().set(ThemeId::Light);
     Theme::current().setScale(1);
+}
+
+// What ends the program must not take back what was chosen: both are kept while the window is open.
+TEST_F(WindowLook, TheThemeAndThePlacesOfPanelsAreKeptAtOnce) {
+    openPyramid();
+    const auto kept = [] {
+        for (const QString& key : QSettings().allKeys())
+            if (key.startsWith("layout")) return QSettings().value(key).toByteArray();
+        return QByteArray();
+    };
+    const QByteArray before = kept();
+    window.actions()[ActionId::DarkTheme]->trigger();
+    press("Ctrl+Alt+4");
+    EXPECT_TRUE(QTest::qWaitFor([&] { return QSettings().value("theme").toString() == "dark" && kept() != before; }));
+    Theme::current().set(ThemeId::Light);
 }
 
 // What gives way in the status line is hidden once, not shown and hidden again without end.

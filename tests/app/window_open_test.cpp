@@ -1,14 +1,23 @@
 #include <QDropEvent>
 #include <QFile>
+#include <QLineEdit>
 #include <QMimeData>
 #include <QPlainTextEdit>
 #include <QPointer>
 #include <QTest>
+#include <set>
 
+#include "app/core/start_order.h"
+#include "app/desktop/view_area.h"
+#include "app/panels/buffer_canvas.h"
+#include "app/panels/buffer_compare.h"
+#include "app/panels/buffer_view.h"
 #include "app/panels/error_list.h"
 #include "app/panels/stage_strip.h"
 #include "app/panels/start_card.h"
 #include "app/panels/start_page.h"
+#include "app/panels/start_view_card.h"
+#include "pipeline/formats/built_in_scenes.h"
 #include "tests/app/window_fixture.h"
 #include "tests/support/little_memory.h"
 #include "tests/support/model_files.h"
@@ -42,6 +51,64 @@ TEST_F(WindowOpen, BeginsOnTheStartPageWithPicturesOfTheScenes) {
         return middle.blue() > 100 && middle.red() < 60;
     };
     EXPECT_TRUE(QTest::qWaitFor(isBlue, 10000));
+}
+
+// Lecture 1's four pictures, each with the name of its scene, at one height and one zoom.
+TEST_F(WindowOpen, TheFirstCardOpensFourAlignedPictures) {
+    auto* card = find<StartViewCard>("view:four-pictures");
+    ASSERT_TRUE(card->isVisible());
+    EXPECT_TRUE(card->hasFocus());
+    QTest::keyClick(card, Qt::Key_Return);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return document().frame() != nullptr; }, 20000));
+    ASSERT_TRUE(waitForFrame());
+    const auto views = window.views().shownBuffers();
+    ASSERT_EQ(views.size(), 4u);
+    EXPECT_EQ(window.views().withoutRoom(), 0u);
+    QStringList names;
+    for (BufferView* view : views) {
+        EXPECT_TRUE(QTest::qWaitFor([&] { return view->compare().found().has_value(); }, 20000));
+        EXPECT_EQ(view->canvas()->height(), views[0]->canvas()->height());
+        EXPECT_EQ(view->canvas()->zoom(), views[0]->canvas()->zoom());
+        names += view->canvas()->wipe().nameB;
+    }
+    EXPECT_TRUE(names[0].contains("No hidden surface removal") && names[1].contains("Back-face culling") &&
+                names[2].contains("flat") && names[3].contains("Phong"))
+        << names.join("; ").toStdString();
+    EXPECT_EQ(views[3]->compare().found()->differing, 0u) << "the last one is the scene itself";
+    EXPECT_GT(views[0]->compare().found()->differing, 0u);
+}
+
+TEST_F(WindowOpen, TheSecondLecturesFirstCardOpensTheTermsAndTheirSum) {
+    QTest::mouseClick(find<StartViewCard>("view:three-terms"), Qt::LeftButton);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return document().frame() != nullptr; }, 20000));
+    ASSERT_TRUE(waitForFrame());
+    std::vector<std::string> buffers;
+    for (BufferView* view : window.views().shownBuffers()) buffers.push_back(view->buffer().text());
+    EXPECT_EQ(buffers, (std::vector<std::string>{"ambient", "diffuse.0", "specular.0", "color"}));
+}
+
+TEST_F(WindowOpen, TheFilterLeavesWhatMatchesAndSaysIfNothingDoes) {
+    auto* field = find<QLineEdit>("startFilter");
+    const auto isShown = [&](const char* name) { return find<QWidget>(name)->isVisible(); };
+    ASSERT_TRUE(isShown("scene:shadow_bias") && isShown("scene:lambert") && isShown("view:three-terms"));
+    field->setText("shadow");
+    EXPECT_TRUE(isShown("scene:shadow_bias"));
+    EXPECT_FALSE(isShown("scene:lambert"));
+    EXPECT_FALSE(isShown("view:three-terms"));
+    field->setText("no such scene at all");
+    EXPECT_FALSE(isShown("scene:shadow_bias"));
+    field->clear();
+    EXPECT_TRUE(isShown("scene:lambert"));
+}
+
+// Scenes that are added later come under "More" by themselves.
+TEST(StartOrder, EverySceneOfTheProgramIsInOneGroup) {
+    std::multiset<std::string> placed;
+    for (const StartLecture& lecture : startOrder())
+        for (const StartGroup& group : lecture.groups) placed.insert(group.scenes.begin(), group.scenes.end());
+    for (const pipeline::BuiltInScene& scene : pipeline::builtInScenes())
+        EXPECT_EQ(placed.count(scene.name), 1u) << scene.name;
+    EXPECT_EQ(placed.size(), pipeline::builtInScenes().size());
 }
 
 TEST_F(WindowOpen, CardOfASceneOpensItByEnter) {

@@ -152,7 +152,8 @@ TEST(ExportCue, TellsAMistakeOfTheCueWithItsPlace) {
     const auto inView = [&](const std::string& line) { return refused(scene + "[[cue.view]]\n" + line + '\n'); };
     EXPECT_TRUE(inView("overlays = [\"edges\", \"a\"]").starts_with("5:22: no overlay \"a\"; "));
     EXPECT_EQ(inView("against = \"zz\""),
-              "5:11: found \"zz\", expected before, previous stage, buffer NAME, setting KEY=VALUE or file FILE\n");
+              "5:11: found \"zz\", expected before, previous stage, buffer NAME, setting KEY=VALUE, scene NAME or file "
+              "FILE\n");
     EXPECT_TRUE(inView("against = \"setting shading=foo\"").starts_with("5:11: shading is \"foo\", expected "));
     EXPECT_TRUE(inView("against = \"file nope.npy\"").starts_with("5:11: " + (folder / "nope.npy").string() + ": "));
     const auto inSpace = [&](const std::string& line) { return refused(scene + "[cue.view3d]\n" + line + '\n'); };

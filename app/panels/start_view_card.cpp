@@ -1,0 +1,114 @@
+#include "app/panels/start_view_card.h"
+
+#include <QKeyEvent>
+#include <QPainter>
+#include <QPainterPath>
+#include <algorithm>
+
+#include "app/panels/follow_theme.h"
+
+namespace app {
+
+StartViewCard::StartViewCard(const StartView& view, QWidget* parent)
+    : QAbstractButton(parent), m_view(view), m_pictures(view.parts.size()) {
+    setText(view.title);
+    setObjectName(QStringLiteral("view:") + view.name);
+    setAccessibleName(view.title);
+    QStringList labels;
+    for (const StartView::Part& part : view.parts) labels += part.label;
+    setAccessibleDescription(view.text + ' ' + labels.join(QStringLiteral(", ")));
+    setFocusPolicy(Qt::StrongFocus);
+    setAttribute(Qt::WA_Hover);
+    setCursor(Qt::PointingHandCursor);
+    QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    policy.setHeightForWidth(true);
+    setSizePolicy(policy);
+    followTheme(this, [this] { updateGeometry(), update(); });
+}
+
+void StartViewCard::setPicture(std::size_t part, const QImage& picture) {
+    m_pictures[part] = picture;
+    update();
+}
+
+// Pictures are twice as wide as high at most, so that what follows stays in sight.
+int StartViewCard::heightForWidth(int width) const {
+    const Theme& theme = Theme::current();
+    return width / (2 * std::max(1, int(m_pictures.size()))) + theme.px(60);
+}
+
+QSize StartViewCard::sizeHint() const { return {Theme::current().px(480), heightForWidth(Theme::current().px(480))}; }
+
+// The middle of a picture, cut to the place's shape.
+void StartViewCard::paintPicture(QPainter& painter, const QRectF& place, std::size_t part) const {
+    const Theme& theme = Theme::current();
+    const QImage& picture = m_pictures[part];
+    if (picture.isNull()) {
+        painter.fillRect(place, theme.colors().view);
+    } else {
+        const double scale = std::max(place.width() / picture.width(), place.height() / picture.height());
+        QRectF source(0, 0, place.width() / scale, place.height() / scale);
+        source.moveCenter(QRectF(picture.rect()).center());
+        painter.drawImage(place, picture, source);
+    }
+    const QString& label = m_view.parts[part].label;
+    painter.setFont(theme.text(12, 600));
+    const QSizeF size(painter.fontMetrics().horizontalAdvance(label) + theme.px(12),
+                      painter.fontMetrics().height() + theme.px(4));
+    const QRectF box(place.left() + theme.px(6), place.bottom() - size.height() - theme.px(6),
+                     std::min(size.width(), place.width() - theme.px(12)), size.height());
+    painter.fillRect(box, theme.colors().surface);
+    painter.setPen(theme.colors().text);
+    painter.drawText(box, Qt::AlignCenter, painter.fontMetrics().elidedText(label, Qt::ElideRight, int(box.width())));
+}
+
+void StartViewCard::paintEvent(QPaintEvent*) {
+    const Theme& theme = Theme::current();
+    const ThemeColors& c = theme.colors();
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setRenderHint(QPainter::SmoothPixmapTransform);
+    const QRectF box = QRectF(rect()).adjusted(3.5, 3.5, -3.5, -3.5);
+    QPainterPath shape;
+    shape.addRoundedRect(box, theme.px(6), theme.px(6));
+    painter.fillPath(shape, underMouse() ? c.hover : c.surface);
+    const double foot = theme.px(50);
+    const auto count = double(m_pictures.size());
+    painter.setClipPath(shape);
+    for (std::size_t i = 0; i < m_pictures.size(); ++i) {
+        const double left = box.left() + double(i) * box.width() / count;
+        paintPicture(painter, {left, box.top(), box.width() / count - 1, box.height() - foot}, i);
+    }
+    painter.setClipping(false);
+    QRectF words(box.left() + theme.px(12), box.bottom() - foot, box.width() - theme.px(24), foot);
+    painter.setFont(theme.text(13, 600));
+    painter.setPen(c.accent);
+    const QString open = tr("Open");
+    painter.drawText(words, Qt::AlignRight | Qt::AlignVCenter, open);
+    words.setRight(words.right() - painter.fontMetrics().horizontalAdvance(open) - theme.px(12));
+    painter.setFont(theme.text(14, 600));
+    painter.setPen(c.text);
+    painter.drawText(words, Qt::AlignLeft | Qt::AlignVCenter,
+                     painter.fontMetrics().elidedText(text(), Qt::ElideRight, int(words.width())));
+    words.setLeft(words.left() + painter.fontMetrics().horizontalAdvance(text()) + theme.px(12));
+    painter.setFont(theme.text(12));
+    painter.setPen(c.text2);
+    if (words.width() >= painter.fontMetrics().horizontalAdvance(m_view.text))
+        painter.drawText(words, Qt::AlignLeft | Qt::AlignVCenter, m_view.text);
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(c.line, 1));
+    painter.drawPath(shape);
+    if (hasFocus()) {
+        painter.setPen(QPen(c.focus, 2));
+        painter.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), theme.px(8), theme.px(8));
+    }
+}
+
+void StartViewCard::keyPressEvent(QKeyEvent* event) {
+    if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) return click();
+    if (event->key() == Qt::Key_Down) return void(focusNextChild());
+    if (event->key() == Qt::Key_Up) return void(focusPreviousChild());
+    QAbstractButton::keyPressEvent(event);
+}
+
+}  // namespace app
