@@ -20,7 +20,7 @@ StartViewCard::StartViewCard(const StartView& view, QWidget* parent)
     setFocusPolicy(Qt::StrongFocus);
     setAttribute(Qt::WA_Hover);
     setCursor(Qt::PointingHandCursor);
-    QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Preferred);  // Fixed would be the height of the hint
     policy.setHeightForWidth(true);
     setSizePolicy(policy);
     followTheme(this, [this] { updateGeometry(), update(); });
