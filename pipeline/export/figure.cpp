@@ -118,7 +118,7 @@ void drawBar(cairo_t* c, const Figure& figure, const FigureLayout& layout) {
     if (layout.barWidth == 0) return;
     if (layout.isOfNames) return drawNames(c, figure, layout);
     const PaletteRange range = figure.range;
-    const FigurePattern colors(cairo_pattern_create_linear(0, layout.top, 0, layout.top + layout.barHeight));
+    const FigurePattern colors(cairo_pattern_create_linear(0, layout.top + layout.barHeight, 0, layout.top));
     for (int i = 0; i <= kBarStops; ++i) {
         const double t = double(i) / kBarStops;
         const double value = (1 - t) * range.first + t * range.last;
@@ -132,8 +132,8 @@ void drawBar(cairo_t* c, const Figure& figure, const FigureLayout& layout) {
     cairo_set_line_width(c, 0.5);
     cairo_stroke(c);
     const double em = figure.letters;
-    // The outer numbers stay inside the bar's height.
-    const double first = layout.top + 0.75 * em, last = layout.top + layout.barHeight;
+    // Upwards, as on an axis; the outer numbers stay inside the bar's height.
+    const double first = layout.top + layout.barHeight, last = layout.top + 0.75 * em;
     for (std::size_t i = 0; i < layout.scale.size(); ++i) {
         const double t = layout.scale.size() > 1 ? double(i) / double(layout.scale.size() - 1) : 0;
         write(c, figure, layout.barLeft + layout.barWidth + 0.5 * em, (1 - t) * first + t * last, layout.scale[i].text);
