@@ -6,6 +6,7 @@
 
 #include "pipeline/inspect/pixel_report.h"
 #include "pipeline/plan/needs.h"
+#include "pipeline/scene/model_facts.h"
 #include "tests/support/scenes.h"
 
 namespace pipeline {
@@ -322,17 +323,24 @@ TEST(Rules, NormalsAreLeftOutWhereTheRunEndsBeforeShading) {
     EXPECT_EQ(step(StageId::Shading, {}).action, Action::Run);
 }
 
-// A light is left out where no material reflects any of it; one coefficient of the three is enough to need it.
+// A light is left out where no material reflects any of it; one coefficient is enough to need it, in every model whose
+// material can be without a specular term. Only OpenGL's lights have an ambient term of their own.
 TEST(Rules, AnyOneCoefficientNeedsTheLight) {
-    for (Vec3d Material::*coefficient : {&Material::diffuse, &Material::specular, &Material::ambient}) {
-        Scene scene = boxScene();
-        scene.settings.model = Model::OpenGl;
-        scene.lights[0].gl.ambient = Vec3d(1);
-        Material& material = scene.objects[0].material;
-        material.diffuse = material.specular = material.ambient = Vec3d(0);
-        EXPECT_TRUE(fired(*test::frameOf(scene, {}), Rule::Unreflected));
-        (material.*coefficient).b = 1e-300;
-        EXPECT_FALSE(fired(*test::frameOf(scene, {}), Rule::Unreflected));
+    for (std::size_t model = 0; model < kModelCount; ++model) {
+        const ModelFacts& facts = modelFacts(Model(model));
+        if (!facts.dullWithoutKs) continue;
+        std::vector<Vec3d Material::*> coefficients{&Material::diffuse, &Material::specular};
+        if (facts.found.glLights) coefficients.push_back(&Material::ambient);
+        for (Vec3d Material::*coefficient : coefficients) {
+            Scene scene = boxScene();
+            scene.settings.model = Model(model);
+            scene.lights[0].gl.ambient = Vec3d(1);
+            Material& material = scene.objects[0].material;
+            material.diffuse = material.specular = material.ambient = Vec3d(0);
+            EXPECT_TRUE(fired(*test::frameOf(scene, {}), Rule::Unreflected)) << model;
+            (material.*coefficient).b = 1e-300;
+            EXPECT_FALSE(fired(*test::frameOf(scene, {}), Rule::Unreflected)) << model;
+        }
     }
 }
 
