@@ -11,6 +11,7 @@
 #include "app/desktop/edge_tab.h"
 #include "app/desktop/main_window.h"
 #include "app/desktop/panel_dock.h"
+#include "app/desktop/panel_table.h"
 #include "app/desktop/view_area.h"
 #include "app/panels/error_list.h"
 #include "app/panels/follow_theme.h"
@@ -26,13 +27,9 @@ namespace {
 using lessons::Part;
 
 std::optional<Part> partOf(const QString& panel) {
-    constexpr std::pair<const char*, Part> kParts[]{{"inspector", Part::Inspector},
-                                                    {"algorithm", Part::Algorithm},
-                                                    {"scene", Part::Scene},
-                                                    {"settings", Part::Settings}};
-    for (const auto& [name, part] : kParts)
-        if (panel == QLatin1String(name)) return part;
-    return {};
+    const auto* const found = std::ranges::find(lessons::kPartNames, panel.toStdString());
+    if (found == lessons::kPartNames.end()) return {};
+    return Part(found - lessons::kPartNames.begin());
 }
 
 bool has(const std::vector<Part>& parts, std::optional<Part> part) {
@@ -151,9 +148,8 @@ QString MainWindow::lessonTitle() const {
 QString MainWindow::whyHidden(const QString& panel) const {
     const lessons::Hidden& hidden = m_document.hidden();
     if (hidden.count() == 0) return {};
-    // Tables and sections have values of every buffer.
-    const bool isHidden = panel == QLatin1String("tables") || panel == QLatin1String("scanline") ||
-                          has(hidden.parts, partOf(panel)) ||
+    const auto isShown = [&](const PanelRow& row) { return row.showsValues && panel == row.name; };
+    const bool isHidden = std::ranges::any_of(panelTable(), isShown) || has(hidden.parts, partOf(panel)) ||
                           (panel == QLatin1String("algorithm") && hidden.hides(Part::Inspector));
     return isHidden ? tr("After your answer.") : QString();
 }

@@ -12,6 +12,7 @@
 #include <array>
 
 #include "app/core/text.h"
+#include "app/desktop/panel_table.h"
 #include "app/panels/follow_theme.h"
 #include "pipeline/formats/built_in_scenes.h"
 #include "pipeline/formats/scene_folder.h"
@@ -20,9 +21,9 @@ namespace app {
 namespace {
 
 struct PartPage {
-    const char *part, *page;  // a widget's object name or class, and its page
+    const char *part, *page;  // a widget's class, and its page
 };
-// What stands within another thing before that.
+// What stands within another thing before that; panels have theirs in the table of panels.
 constexpr auto kPages = std::to_array<PartPage>({
     {"app::BufferView", "buffers.md"},
     {"app::View3dPanel", "view3d.md"},
@@ -31,13 +32,6 @@ constexpr auto kPages = std::to_array<PartPage>({
     {"app::Timeline", "steps.md"},
     {"app::TermsSection", "mix.md"},
     {"app::StartPage", "README.md"},
-    {"scene", "settings.md"},
-    {"settings", "settings.md"},
-    {"lesson", "lessons.md"},
-    {"cues", "present.md"},
-    {"inspector", "pixel.md"},
-    {"tables", "tables.md"},
-    {"scanline", "section.md"},
     {"app::StudyPanel", "study.md"},
     {"app::CheckPanel", "check.md"},
 });
@@ -45,10 +39,12 @@ constexpr auto kPages = std::to_array<PartPage>({
 }  // namespace
 
 QString manualPageOf(const QWidget* widget) {
-    for (; widget; widget = widget->parentWidget())
+    for (; widget; widget = widget->parentWidget()) {
         for (const PartPage& row : kPages)
-            if (widget->objectName() == row.part || QLatin1String(widget->metaObject()->className()) == row.part)
-                return row.page;
+            if (QLatin1String(widget->metaObject()->className()) == row.part) return row.page;
+        for (const PanelRow& row : panelTable())
+            if (widget->objectName() == row.name) return row.manual;
+    }
     return "window.md";
 }
 

@@ -24,15 +24,20 @@ QWidget* make(Document& document, QWidget* parent) {
 
 std::span<const PanelRow> panelTable() {
     static constexpr auto kTable = std::to_array<PanelRow>({
-        {"scene", "Scene", "cube", "Ctrl+Alt+1", Qt::LeftDockWidgetArea, make<SceneTree>},
-        {"settings", "Settings", "sliders", "Ctrl+Alt+2", Qt::LeftDockWidgetArea, make<SettingsPanel>},
-        {"lesson", "Lesson", "book", "Ctrl+Alt+3", Qt::LeftDockWidgetArea, make<LessonPanel>},
-        {"cues", "Cues", "film", "Ctrl+Alt+6", Qt::LeftDockWidgetArea, make<CuePanel>},
-        {"renderer", "My renderer", "compare", "Ctrl+Alt+9", Qt::LeftDockWidgetArea, make<RendererPanel>},
-        {"inspector", "Inspector", "inspector", "Ctrl+Alt+4", Qt::RightDockWidgetArea, make<InspectorPanel>},
-        {"algorithm", "Algorithm", "book", "Ctrl+Alt+8", Qt::RightDockWidgetArea, make<AlgorithmPanel>},
-        {"tables", "Tables", "grid", "Ctrl+Alt+5", Qt::BottomDockWidgetArea, make<TablesPanel>},
-        {"scanline", "Section along a row", "histogram", "Ctrl+Alt+7", Qt::BottomDockWidgetArea, make<ScanlinePanel>},
+        {"scene", "Scene", "cube", "Ctrl+Alt+1", "settings.md", false, Qt::LeftDockWidgetArea, make<SceneTree>},
+        {"settings", "Settings", "sliders", "Ctrl+Alt+2", "settings.md", false, Qt::LeftDockWidgetArea,
+         make<SettingsPanel>},
+        {"lesson", "Lesson", "book", "Ctrl+Alt+3", "lessons.md", false, Qt::LeftDockWidgetArea, make<LessonPanel>},
+        {"cues", "Cues", "film", "Ctrl+Alt+6", "present.md", false, Qt::LeftDockWidgetArea, make<CuePanel>},
+        {"renderer", "My renderer", "compare", "Ctrl+Alt+9", "check-my-renderer.md", false, Qt::LeftDockWidgetArea,
+         make<RendererPanel>},
+        {"inspector", "Inspector", "inspector", "Ctrl+Alt+4", "pixel.md", false, Qt::RightDockWidgetArea,
+         make<InspectorPanel>},
+        {"algorithm", "Algorithm", "book", "Ctrl+Alt+8", "steps.md", false, Qt::RightDockWidgetArea,
+         make<AlgorithmPanel>},
+        {"tables", "Tables", "grid", "Ctrl+Alt+5", "tables.md", true, Qt::BottomDockWidgetArea, make<TablesPanel>},
+        {"scanline", "Section along a row", "histogram", "Ctrl+Alt+7", "section.md", true, Qt::BottomDockWidgetArea,
+         make<ScanlinePanel>},
     });
     return kTable;
 }

@@ -13,8 +13,10 @@ class Document;
 struct PanelRow {
     const char* name;  // of the dock, in saved layouts
     const char* title;
-    const char* icon;  // of resources/icons
-    const char* keys;  // shows or hides it
+    const char* icon;    // of resources/icons
+    const char* keys;    // shows or hides it
+    const char* manual;  // its page: "tables.md"
+    bool showsValues;    // of buffers: a question that hides one hides the panel
     Qt::DockWidgetArea area;
     QWidget* (*make)(Document& document, QWidget* parent);
 };

@@ -1,5 +1,6 @@
 // The manual in its window.
 #include <QApplication>
+#include <QDockWidget>
 #include <QScrollBar>
 #include <QTest>
 #include <QTextBlock>
@@ -31,6 +32,8 @@ TEST_F(WindowManual, OpensAtThePageOfWhatOneIsAt) {
     EXPECT_TRUE(find<ManualWindow>("manual")->isVisible());
     EXPECT_EQ(manualPageOf(&window.views().view3d()), "view3d.md");
     EXPECT_EQ(manualPageOf(find<QWidget>("material.0.kr")), "settings.md");
+    EXPECT_EQ(manualPageOf(find<QDockWidget>("algorithm")->widget()), "steps.md");
+    EXPECT_EQ(manualPageOf(find<QDockWidget>("renderer")->widget()), "check-my-renderer.md");
     EXPECT_EQ(manualPageOf(nullptr), "window.md");
 }
 
