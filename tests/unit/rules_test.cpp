@@ -326,12 +326,10 @@ TEST(Rules, NormalsAreLeftOutWhereTheRunEndsBeforeShading) {
 // A light is left out where no material reflects any of it; one coefficient is enough to need it, in every model whose
 // material can be without a specular term. Only OpenGL's lights have an ambient term of their own.
 TEST(Rules, AnyOneCoefficientNeedsTheLight) {
-    for (std::size_t model = 0; model < kModelCount; ++model) {
-        const ModelFacts& facts = modelFacts(Model(model));
-        if (!facts.dullWithoutKs) continue;
-        std::vector<Vec3d Material::*> coefficients{&Material::diffuse, &Material::specular};
-        if (facts.found.glLights) coefficients.push_back(&Material::ambient);
-        for (Vec3d Material::*coefficient : coefficients) {
+    for (std::size_t model = 0; model < kModelCount; ++model)
+        for (Vec3d Material::*coefficient : {&Material::diffuse, &Material::specular, &Material::ambient}) {
+            const ModelFacts& facts = modelFacts(Model(model));
+            if (!facts.dullWithoutKs || (coefficient == &Material::ambient && !facts.found.glLights)) continue;
             Scene scene = boxScene();
             scene.settings.model = Model(model);
             scene.lights[0].gl.ambient = Vec3d(1);
@@ -341,7 +339,6 @@ TEST(Rules, AnyOneCoefficientNeedsTheLight) {
             (material.*coefficient).b = 1e-300;
             EXPECT_FALSE(fired(*test::frameOf(scene, {}), Rule::Unreflected)) << model;
         }
-    }
 }
 
 TEST(Rules, DoNotFireWhenSwitchedOff) {
