@@ -11,18 +11,7 @@
 namespace app {
 
 StartCard::StartCard(Kind kind, const QString& title, const QString& text, QWidget* parent)
-    : QAbstractButton(parent), m_kind(kind), m_text(text) {
-    setText(title);
-    setAccessibleName(title);
-    setAccessibleDescription(text);
-    setFocusPolicy(Qt::StrongFocus);
-    setAttribute(Qt::WA_Hover);
-    setCursor(Qt::PointingHandCursor);
-    QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Fixed);
-    policy.setHeightForWidth(true);
-    setSizePolicy(policy);
-    followTheme(this, [this] { updateGeometry(), update(); });
-}
+    : StartButton(title, text, QSizePolicy::Preferred, QSizePolicy::Fixed, parent), m_kind(kind), m_text(text) {}
 
 void StartCard::setPicture(const QImage& picture) {
     m_picture = picture;
@@ -53,16 +42,9 @@ int StartCard::heightForWidth(int width) const {
 
 QSize StartCard::sizeHint() const { return {Theme::current().px(240), heightForWidth(Theme::current().px(240))}; }
 
-void StartCard::paintEvent(QPaintEvent*) {
+void StartCard::paintInside(QPainter& painter, const QRectF& box, const QPainterPath& shape) const {
     const Theme& theme = Theme::current();
     const ThemeColors& c = theme.colors();
-    QPainter painter(this);
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setRenderHint(QPainter::SmoothPixmapTransform);
-    const QRectF box = QRectF(rect()).adjusted(3.5, 3.5, -3.5, -3.5);
-    QPainterPath shape;
-    shape.addRoundedRect(box, theme.px(6), theme.px(6));
-    painter.fillPath(shape, underMouse() ? c.hover : c.surface);
 
     QRectF words = box.adjusted(theme.px(12), theme.px(10), -theme.px(12), -theme.px(8));
     if (m_kind == Kind::Scene) {
@@ -98,13 +80,6 @@ void StartCard::paintEvent(QPaintEvent*) {
         bar.setWidth(bar.width() * m_progress);
         painter.setBrush(c.accent);
         painter.drawRoundedRect(bar, theme.px(2), theme.px(2));
-    }
-    painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(c.line, 1));
-    painter.drawPath(shape);
-    if (hasFocus()) {
-        painter.setPen(QPen(c.focus, 2));
-        painter.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), theme.px(8), theme.px(8));
     }
 }
 

@@ -1,12 +1,13 @@
 #pragma once
-#include <QAbstractButton>
 #include <QImage>
 #include <functional>
+
+#include "app/panels/start_button.h"
 
 namespace app {
 
 // A scene or a lesson on the start page: a picture where it has one, a title, a sentence or two.
-class StartCard : public QAbstractButton {
+class StartCard : public StartButton {
     Q_OBJECT
 public:
     enum class Kind { Scene, Lesson };
@@ -16,12 +17,11 @@ public:
     // The line at the foot of a lesson: where the reader is, and what a click does.
     void setFoot(const QString& state, const QString& action, double progress);
 
-    bool hasHeightForWidth() const override { return true; }
     int heightForWidth(int width) const override;
     QSize sizeHint() const override;
 
 protected:
-    void paintEvent(QPaintEvent* event) override;
+    void paintInside(QPainter& painter, const QRectF& box, const QPainterPath& shape) const override;
 
 private:
     int titleHeight(int width) const;

@@ -9,21 +9,18 @@
 
 namespace app {
 
-StartViewCard::StartViewCard(const StartView& view, QWidget* parent)
-    : QAbstractButton(parent), m_view(view), m_pictures(view.parts.size()) {
-    setText(view.title);
-    setObjectName(QStringLiteral("view:") + view.name);
-    setAccessibleName(view.title);
+static QString describe(const StartView& view) {
     QStringList labels;
     for (const StartView::Part& part : view.parts) labels += part.label;
-    setAccessibleDescription(view.text + ' ' + labels.join(QStringLiteral(", ")));
-    setFocusPolicy(Qt::StrongFocus);
-    setAttribute(Qt::WA_Hover);
-    setCursor(Qt::PointingHandCursor);
-    QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Preferred);  // Fixed would be the height of the hint
-    policy.setHeightForWidth(true);
-    setSizePolicy(policy);
-    followTheme(this, [this] { updateGeometry(), update(); });
+    return view.text + ' ' + labels.join(QStringLiteral(", "));
+}
+
+// Fixed would be the height of the hint.
+StartViewCard::StartViewCard(const StartView& view, QWidget* parent)
+    : StartButton(view.title, describe(view), QSizePolicy::Expanding, QSizePolicy::Preferred, parent),
+      m_view(view),
+      m_pictures(view.parts.size()) {
+    setObjectName(QStringLiteral("view:") + view.name);
 }
 
 void StartViewCard::setPicture(std::size_t part, const QImage& picture) {
@@ -62,16 +59,9 @@ void StartViewCard::paintPicture(QPainter& painter, const QRectF& place, std::si
     painter.drawText(box, Qt::AlignCenter, painter.fontMetrics().elidedText(label, Qt::ElideRight, int(box.width())));
 }
 
-void StartViewCard::paintEvent(QPaintEvent*) {
+void StartViewCard::paintInside(QPainter& painter, const QRectF& box, const QPainterPath& shape) const {
     const Theme& theme = Theme::current();
     const ThemeColors& c = theme.colors();
-    QPainter painter(this);
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setRenderHint(QPainter::SmoothPixmapTransform);
-    const QRectF box = QRectF(rect()).adjusted(3.5, 3.5, -3.5, -3.5);
-    QPainterPath shape;
-    shape.addRoundedRect(box, theme.px(6), theme.px(6));
-    painter.fillPath(shape, underMouse() ? c.hover : c.surface);
     const double foot = theme.px(50);
     const auto count = double(m_pictures.size());
     painter.setClipPath(shape);
@@ -95,20 +85,13 @@ void StartViewCard::paintEvent(QPaintEvent*) {
     painter.setPen(c.text2);
     if (words.width() >= painter.fontMetrics().horizontalAdvance(m_view.text))
         painter.drawText(words, Qt::AlignLeft | Qt::AlignVCenter, m_view.text);
-    painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(c.line, 1));
-    painter.drawPath(shape);
-    if (hasFocus()) {
-        painter.setPen(QPen(c.focus, 2));
-        painter.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), theme.px(8), theme.px(8));
-    }
 }
 
 void StartViewCard::keyPressEvent(QKeyEvent* event) {
     if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) return click();
     if (event->key() == Qt::Key_Down) return void(focusNextChild());
     if (event->key() == Qt::Key_Up) return void(focusPreviousChild());
-    QAbstractButton::keyPressEvent(event);
+    StartButton::keyPressEvent(event);
 }
 
 }  // namespace app

@@ -1,14 +1,14 @@
 #pragma once
-#include <QAbstractButton>
 #include <QImage>
 #include <vector>
 
 #include "app/core/start_order.h"
+#include "app/panels/start_button.h"
 
 namespace app {
 
 // The first card of a lecture: its pictures in a row, each with its label, and below them what they open as.
-class StartViewCard : public QAbstractButton {
+class StartViewCard : public StartButton {
     Q_OBJECT
 public:
     explicit StartViewCard(const StartView& view, QWidget* parent = nullptr);
@@ -16,12 +16,11 @@ public:
     const StartView& view() const { return m_view; }
     void setPicture(std::size_t part, const QImage& picture);
 
-    bool hasHeightForWidth() const override { return true; }
     int heightForWidth(int width) const override;
     QSize sizeHint() const override;
 
 protected:
-    void paintEvent(QPaintEvent* event) override;
+    void paintInside(QPainter& painter, const QRectF& box, const QPainterPath& shape) const override;
     void keyPressEvent(QKeyEvent* event) override;
 
 private:
