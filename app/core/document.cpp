@@ -203,7 +203,6 @@ void Document::setLive(bool live) {
     else
         m_moving.stop();
     if (live) return;
-    m_paced = false;
     if (m_requestPending) m_held.start(0);
 }
 
@@ -308,13 +307,12 @@ void Document::hold(const QObject* who, bool holds) {
         m_holding.insert(who);
     else
         m_holding.erase(who);
-    m_paced = m_paced || (holds && m_live);
     if (m_holding.empty() && m_held.isActive()) m_held.start(0);
 }
 
 bool Document::waits() {
-    constexpr qint64 kLongest = 33;  // milliseconds
-    if (!m_live || !m_paced) return false;
+    constexpr qint64 kLongest = 1000 / 60;  // milliseconds
+    if (!m_live) return false;
     if (m_ticket > m_taken) return true;
     if (m_holding.empty() || m_sinceRequest.hasExpired(kLongest)) return false;
     m_held.start(int(kLongest - m_sinceRequest.elapsed()));
@@ -365,12 +363,11 @@ void Document::takeFrame(FramePtr frame, long ticket) {
     m_whole = std::move(frame);
     m_taken = ticket;
     forgetCheck();
-    if (m_paced && m_requestPending && m_holding.empty()) requestFrame();  // computed while the views take this one up
+    if (m_live && m_requestPending) requestFrame();  // computed while the views take this one up
     if (ticket == m_ticket && !m_requestPending) setBusy(false);
     m_stepper.setWhole(m_whole);
     if (!m_stepper.isInside()) showFrame(m_whole);  // else its state comes from the stepper
     if (isNews && m_hidden.count() == 0) emit said(frameSentence(*m_whole));
-    if (m_paced && m_requestPending) m_held.start(0);  // after what the views do now
 }
 
 void Document::takeCheck(const FramePtr& frame, const FrameCheck& check) {

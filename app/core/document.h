@@ -140,7 +140,7 @@ public:
     enum class When { Always, AtRest };
     void want(const QObject* who, pipeline::BufferSet buffers, When when = When::Always);
     // `who`, which wants buffers, has not begun to draw the newest frame. While the scene moves, the next frame waits
-    // for it, so that no core computes frames that nobody sees. It does not wait longer than 1/30 s.
+    // for it, but not longer than 1/60 s: the other views go on, and `who` skips frames.
     void hold(const QObject* who, bool holds);
 
 signals:
@@ -201,7 +201,6 @@ private:
     std::map<const QObject*, Want> m_wanted;
     QTimer m_moving;  // runs from a live change until some time after the last one
     std::set<const QObject*> m_holding;
-    bool m_paced = false;          // one of them was late in this drag, so frames are requested one at a time
     QTimer m_held;                 // a waiting request
     QElapsedTimer m_sinceRequest;  // since the newest request
     QUndoStack m_undo;

@@ -5,6 +5,7 @@
 #include "app/panels/buffer_compare_choice.h"
 #include "app/panels/buffer_condition.h"
 #include "app/panels/buffer_copies.h"
+#include "app/panels/buffer_counts.h"
 #include "app/panels/buffer_flip.h"
 #include "app/panels/buffer_loupe.h"
 #include "app/panels/buffer_overlays.h"
@@ -37,9 +38,10 @@ BufferFeatures makeFeatures(BufferView& view) {
     f.region = new RegionMark(view);
     f.flip = new FlipToggle(view);
     f.range = new RangeChoice(view, compare, *f.channel);
+    f.counts = new PictureCounts(view);
     // A comparison is of what the source gives, and a range of what the comparison shows.
     f.all = {f.zoom,   f.channel, f.overlays, f.condition, f.source,  f.loupe,    f.selection, f.readout,
-             f.copies, f.pins,    f.region,   f.flip,      f.compare, f.captions, f.range};
+             f.copies, f.pins,    f.region,   f.flip,      f.compare, f.captions, f.range,     f.counts};
     return f;
 }
 

@@ -17,6 +17,7 @@ class OverlayChoice;
 class PinMarks;
 class PictureZoom;
 class PixelReadout;
+class PictureCounts;
 class RangeChoice;
 class RegionMark;
 class SelectionMark;
@@ -38,6 +39,7 @@ struct BufferFeatures {
     RegionMark* region;
     FlipToggle* flip;
     RangeChoice* range;
+    PictureCounts* counts;
     std::vector<BufferFeature*> all;
 };
 BufferFeatures makeFeatures(BufferView& view);

@@ -180,9 +180,13 @@ std::vector<bool> drawnElements(const AnyBuffer& buffer, const std::optional<Any
     if (isColorPicture(info, channel)) return {};
     if (info.domain == Domain::Pixel && polygonId) {
         // At outlines there may be no verdict.
-        const AnyBuffer& numbers = info.palette == Palette::ShadowVerdict ? buffer : *polygonId;
-        std::vector<bool> drawn(numbers.count());
-        for (std::size_t i = 0; i < drawn.size(); ++i) drawn[i] = numbers.flat(i) >= 0;
+        const AnyBuffer& codes = info.palette == Palette::ShadowVerdict ? buffer : *polygonId;
+        std::vector<bool> drawn(codes.count());
+        std::visit(
+            [&](const auto& numbers) {
+                for (std::size_t i = 0; i < drawn.size(); ++i) drawn[i] = numbers[i] >= 0;
+            },
+            codes.data);
         return drawn;
     }
     if (info.id == pipeline::BufferId::VerticesScreen) return pipeline::verticesWithPosition(buffer);

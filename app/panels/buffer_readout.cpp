@@ -69,7 +69,7 @@ void PixelReadout::show() {
     m_label->setVisible(!m_label->text().isEmpty());
     if (!view().shown()) return;
     // The canvas has the focus: a screen reader reads the value first, and again with every nudge.
-    const QString& description = view().shown()->description;
+    const QString& description = view().shown()->counts->description;
     canvas.setAccessibleDescription(m_label->text().isEmpty() ? description
                                                               : m_label->text() + QStringLiteral(". ") + description);
 }

@@ -232,7 +232,7 @@ void BufferView::take(const ShowAnswer& answer) {
     if (hadKeys) m_canvas->setFocus();
     if (std::exchange(m_keysWait, false) && m_header->chooser()->hasFocus()) takeKeys();
     m_canvas->setContent(m_shown->content);
-    setAccessibleDescription(m_shown->description);
+    setAccessibleDescription(m_shown->counts->description);
     for (BufferFeature* feature : m_features.all) feature->show();
     place();
 }

@@ -68,7 +68,7 @@ ShownOther showOther(const ShowRequest& request, const ShownBuffer& a, const std
 bool operator==(const ShowRequest& a, const ShowRequest& b) {
     return a.frame == b.frame && isSame(a.buffer, b.buffer) && isSame(a.mix, b.mix) && a.channel == b.channel &&
            a.range == b.range && a.overlays == b.overlays && a.hatches == b.hatches && a.shadows == b.shadows &&
-           a.veil == b.veil && a.mine == b.mine && isSame(a.other, b.other) && a.look == b.look;
+           a.veil == b.veil && a.mine == b.mine && a.counts == b.counts && isSame(a.other, b.other) && a.look == b.look;
 }
 
 ShownBuffer show(const ShowRequest& request, const std::stop_token& stop) {
@@ -76,7 +76,7 @@ ShownBuffer show(const ShowRequest& request, const std::stop_token& stop) {
     const auto drawn = request.drawn
                            ? *request.drawn
                            : drawnElements(request.buffer, polygonsUnder(frame, *request.buffer.info), request.channel);
-    ShownBuffer shown = showBuffer(frame, request.buffer, drawn, request.channel, request.range, stop);
+    ShownBuffer shown = showBuffer(frame, request.buffer, drawn, request.channel, request.range, stop, request.counts);
     if (stop.stop_requested()) return shown;
     if (request.mix) {
         const QString notice = shown.notice;

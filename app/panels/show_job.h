@@ -33,6 +33,7 @@ struct ShowRequest {
     std::shared_ptr<const lessons::ConditionMask> veil{};       // likewise
     std::shared_ptr<const std::vector<bool>> drawn{};  // of a difference: which elements hold something; empty: all
     std::optional<OtherRequest> other{};
+    std::shared_ptr<const ElementCounts> counts{};            // of a moment ago; nothing: counted
     std::shared_ptr<const pipeline::foreign::Report> mine{};  // for what is laid over of somebody else's renderer
     WindowLook look{};
 };

@@ -31,7 +31,6 @@ struct Findings {
     std::size_t drawn = 0, nan = 0, infinite = 0, distinct = 0;  // distinct: 257 stands for more than 256
     double min = INFINITY;
     std::size_t minAt = 0;
-    bool any() const { return drawn > 0; }
 };
 
 Findings look(const AnyBuffer& buffer, const std::vector<bool>& drawn, lessons::ShownChannel channel) {
@@ -110,7 +109,7 @@ QRectF drawnRectangle(const std::vector<bool>& drawn, QSize size) {
 
 QString descriptionOf(const AnyBuffer& buffer, const QSize& size, const Findings& found) {
     QString text = QString("%1, %2 by %3").arg(toQString(buffer.name.text())).arg(size.width()).arg(size.height());
-    if (buffer.info->domain != Domain::Pixel || !found.any()) return text;
+    if (buffer.info->domain != Domain::Pixel || found.drawn == 0) return text;
     text += QString(", %1 % covered")
                 .arg(number(100.0 * double(found.drawn) / double(buffer.rows() * buffer.columns()), 2));
     if (buffer.channels() == 1 && std::isfinite(found.min)) {
@@ -139,17 +138,25 @@ QString whyNothing(const Frame& frame) {
     return "Nothing was drawn: " + text.left(1).toLower() + text.mid(1);
 }
 
-PaletteBar::Scale scaleOf(const AnyBuffer& buffer, const BufferLook& shown, PaletteRange whole,
-                          const std::vector<bool>& drawn) {
+PaletteBar::Scale scaleOf(const AnyBuffer& buffer, const BufferLook& shown, PaletteRange whole) {
     PaletteBar::Scale scale;
     const auto [a, b] = std::minmax({whole.first, whole.last, shown.range.first, shown.range.last});
     scale.low = a;
     scale.high = b;
     scale.range = shown.range;
     scale.palette = shownPalette(*buffer.info, shown.channel);
-    constexpr int kBins = 64;
-    scale.histogram = histogram(buffer, {shown.channel, {scale.low, scale.high}}, drawn, kBins);
     return scale;
+}
+
+ElementCounts countsOf(const AnyBuffer& buffer, QSize size, lessons::ShownChannel channel,
+                       const std::optional<PaletteBar::Scale>& scale, const std::vector<bool>& drawn) {
+    const BufferInfo& info = *buffer.info;
+    const Findings found = look(buffer, drawn, channel);
+    const bool isScalar = info.channels == 1 || channel != lessons::ShownChannel::All;
+    const bool countsDistinct = isScalar && info.element == Element::Real && !standsOnShapes(info);
+    constexpr int kBins = 64;
+    return {noticeOf(found, countsDistinct), descriptionOf(buffer, size, found),
+            scale ? histogram(buffer, {channel, {scale->low, scale->high}}, drawn, kBins) : std::vector<int>()};
 }
 
 }  // namespace
@@ -188,9 +195,11 @@ std::optional<ShownBuffer> showBuffer(const Frame& frame, const BufferName& name
 }
 
 ShownBuffer showBuffer(const Frame& frame, const AnyBuffer& buffer, const std::vector<bool>& drawn,
-                       lessons::ShownChannel channel, std::optional<PaletteRange> range, const std::stop_token& stop) {
+                       lessons::ShownChannel channel, std::optional<PaletteRange> range, const std::stop_token& stop,
+                       std::shared_ptr<const ElementCounts> counts) {
     if (channel == lessons::ShownChannel::Luminance && hasLuminance(*buffer.info)) {
-        ShownBuffer shown = showBuffer(frame, luminanceOf(buffer), drawn, lessons::ShownChannel::All, range, stop);
+        ShownBuffer shown =
+            showBuffer(frame, luminanceOf(buffer), drawn, lessons::ShownChannel::All, range, stop, std::move(counts));
         shown.source = buffer;
         return shown;
     }
@@ -224,14 +233,18 @@ ShownBuffer showBuffer(const Frame& frame, const AnyBuffer& buffer, const std::v
     }
 
     if (stop.stop_requested()) return shown;
-    const Findings found = look(buffer, drawn, channel);
-    const bool isScalar = info.channels == 1 || channel != lessons::ShownChannel::All;
-    shown.notice = noticeOf(found, isScalar && info.element == Element::Real && !standsOnShapes(info));
-    if ((!drawn.empty() && !found.any()) || isGroundAlone(frame, buffer, polygons)) shown.empty = whyNothing(frame);
-    shown.description = descriptionOf(buffer, content.size, found);
+    const bool isNothing = !drawn.empty() && std::ranges::find(drawn, true) == drawn.end();
+    if (isNothing || isGroundAlone(frame, buffer, polygons)) shown.empty = whyNothing(frame);
+    std::optional<PaletteBar::Scale> scale;
+    if (hasRange(info, channel)) scale = scaleOf(buffer, shown.look, whole);
+    if (!counts) counts = std::make_shared<const ElementCounts>(countsOf(buffer, content.size, channel, scale, drawn));
+    shown.notice = counts->notice;
+    if (scale) {
+        shown.scale = *scale;
+        shown.scale.histogram = counts->histogram;
+    }
+    shown.counts = std::move(counts);
     const Palette palette = shownPalette(info, channel);
-    if (stop.stop_requested()) return shown;
-    if (hasRange(info, channel)) shown.scale = scaleOf(buffer, shown.look, whole, drawn);
     if (isOfNames(info) && palette == info.palette) shown.legend = legendOf(frame, buffer, drawn);
     return shown;
 }

@@ -17,6 +17,13 @@ struct LegendEntry {
     QString text;
 };
 
+// What is counted over all elements of a buffer.
+struct ElementCounts {
+    QString notice;              // "3 distinct values, 5 NaN"; what is worth telling, may be empty
+    QString description;         // for a screen reader
+    std::vector<int> histogram;  // from the least to the greatest value; empty where there is no range
+};
+
 // A buffer of a frame, made ready to be shown: everything a view needs that no widget decides.
 struct ShownBuffer {
     pipeline::AnyBuffer buffer;
@@ -26,9 +33,9 @@ struct ShownBuffer {
     CanvasContent content;               // without the picked and hovered pixel
     PaletteBar::Scale scale;             // where there is a range to choose
     std::vector<LegendEntry> legend;     // where colours are names
-    QString notice;                      // "3 distinct values, 5 NaN"; what is worth telling, may be empty
+    QString notice;                      // of the counts, and what features add
     QString empty;                       // "Nothing was drawn: …", else empty
-    QString description;                 // for a screen reader
+    std::shared_ptr<const ElementCounts> counts = std::make_shared<const ElementCounts>();
 
     bool hasValue(QPoint pixel) const;  // else it stores what stands for none, as the checker shows
 };
@@ -44,9 +51,10 @@ std::optional<ShownBuffer> showBuffer(const pipeline::Frame& frame, const pipeli
                                       lessons::ShownChannel channel, std::optional<pipeline::PaletteRange> range);
 
 // A buffer that belongs to the picture of a frame without being one of its own: the other side of a
-// comparison, or their difference. drawn: which elements hold something; empty: all. Incomplete when it is stopped.
+// comparison, or their difference. drawn: which elements hold something; empty: all. counts: taken over instead of counting.
+// Incomplete when it is stopped.
 ShownBuffer showBuffer(const pipeline::Frame& frame, const pipeline::AnyBuffer& buffer, const std::vector<bool>& drawn,
                        lessons::ShownChannel channel, std::optional<pipeline::PaletteRange> range,
-                       const std::stop_token& stop = {});
+                       const std::stop_token& stop = {}, std::shared_ptr<const ElementCounts> counts = {});
 
 }  // namespace app

@@ -86,8 +86,11 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent), m_problem(openGlProblem
             showDetail();
             emit drawn();
         });
-        connect(m_vtk, &VtkWidget::behindChanged, this, &SceneView::behindChanged);
-        connect(m_vtk, &VtkWidget::busyChanged, this, [this](bool busy) { m_rendering = busy, tellWorking(); });
+        connect(m_vtk, &VtkWidget::busyChanged, this, [this](bool busy) {
+            m_rendering = busy;
+            tellWorking();
+            emit renderingChanged(busy);
+        });
     }
     m_overlay = new Overlay(this);
     m_legend = new ViewCorner(ViewCorner::Kind::Legend, this);

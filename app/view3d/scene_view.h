@@ -86,7 +86,7 @@ public:
 
 signals:
     void drawn();
-    void behindChanged(bool behind);    // what is shown waits for the picture before it
+    void renderingChanged(bool renders);
     void workingChanged(bool working);  // a newer picture is on its way
     void optionsChanged();              // by the legend
     void orthographicChanged(bool orthographic);

@@ -15,6 +15,7 @@
 #include "app/core/text.h"
 #include "app/core/theme.h"
 #include "app/view3d/normal_arrows.h"
+#include "app/view3d/picture_turns.h"
 #include "app/view3d/view_settings.h"
 #include "pipeline/plan/needs.h"
 
@@ -46,13 +47,14 @@ View3dPanel::View3dPanel(Document& document, QWidget* parent) : QWidget(parent),
         showHandles();
     });
     connect(m_view, &SceneView::orthographicChanged, m_orthographic, &QToolButton::setChecked);
-    connect(m_view, &SceneView::behindChanged, this, [this](bool behind) { m_document.hold(this, behind); });
+    m_turns = new PictureTurns(document, *m_view, this);
+    connect(m_turns, &PictureTurns::due, this, &View3dPanel::takeFrame);
     for (const BackgroundJob* job : {&m_building, &m_moving})
         connect(job, &BackgroundJob::busyChanged, this,
                 [this] { m_view->setBuilding(m_building.busy() || m_moving.busy()); });
     observeWork();
     connect(&document, &Document::sceneOpened, this, [this] {
-        m_newScene = true;
+        m_made = {};
         m_building.forget();
         m_moving.forget();
         m_awaited.reset();
@@ -264,7 +266,7 @@ bool View3dPanel::misses() {
 }
 
 void View3dPanel::takeFrame() {
-    if (!m_document.frame() || misses()) return;
+    if (!m_document.frame() || m_turns->skips() || misses()) return;
     const Stepper& stepper = m_document.stepper();
     const bool inside = stepper.isInside() && stepper.steps();
     const pipeline::FramePtr& frame = m_document.frame();
@@ -300,8 +302,8 @@ void View3dPanel::takeFrame() {
 
 void View3dPanel::showContent(const Built& built, const Made& made) {
     const auto& content = built.content;
+    const bool newScene = !m_made.frame;
     m_made = made;
-    const bool newScene = std::exchange(m_newScene, false);
     if (newScene) {
         ViewOptions options = m_view->options();
         makeNormalsReadable(*content, options);  // the sliders show more or fewer, longer or shorter ones

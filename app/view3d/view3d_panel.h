@@ -13,6 +13,8 @@ class QToolButton;
 
 namespace app {
 
+class PictureTurns;
+
 // The 3D view of the document's frame: the scene in any of its spaces with normals, the vectors at the
 // picked point, lights, eye and frustum. A click picks the pixel that shows the point under it.
 class View3dPanel : public QWidget {
@@ -100,10 +102,10 @@ private:
         lessons::SpaceShown asked;
     };
     std::optional<Wanted> m_wanted;  // once the scene's first frame is there
-    Made m_made;                     // of the content on show
-    BackgroundJob m_building;        // of the content, where there is much
-    BackgroundJob m_moving;          // of it to the space to go to
-    bool m_newScene = true;
+    Made m_made;                     // of the content on show; of no frame before the first of a scene
+    PictureTurns* m_turns;
+    BackgroundJob m_building;                             // of the content, where there is much
+    BackgroundJob m_moving;                               // of it to the space to go to
     bool m_missed = false;                                // a frame, or what is picked in it, while it was put away
     std::shared_ptr<const pipeline::Scene> m_beforeDrag;  // null while nothing is dragged
     bool m_drags = false;                                 // the scene changes by a drag, just now

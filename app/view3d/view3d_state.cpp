@@ -133,7 +133,7 @@ pipeline::Errors View3dPanel::lookAt(const lessons::SpaceShown& state) {
     const auto space = spaceNamed(state.space);
     if (!space) errors.push_back({{}, "the 3D view has no space \"" + state.space + '"', lessons::kSpaceExpected});
     m_wanted = Wanted{options, space.value_or(SpaceId()), state.camera, state};
-    if (!m_newScene) showWanted();
+    if (m_made.frame) showWanted();
     return errors;
 }
 

@@ -64,7 +64,6 @@ void VtkWidget::soon() {
 void VtkWidget::cancel() {
     m_rest.stop();
     m_job.forget();
-    setBehind(false);
 }
 
 void VtkWidget::render() {
@@ -80,7 +79,6 @@ void VtkWidget::render() {
         VtkRenderer::Result result;
     };
     const auto snapshot = std::make_shared<const ViewSnapshot>(m_next);
-    setBehind(m_job.busy());
     m_job.ask(
         [renderer = m_renderer, surface = &m_surface, snapshot](const BackgroundJob::Control& control) {
             if (!*renderer) *renderer = std::make_unique<VtkRenderer>(*surface);
@@ -90,7 +88,6 @@ void VtkWidget::render() {
             return rendered;
         },
         [this, snapshot](const Rendered& rendered) {
-            setBehind(false);
             // Told once: whoever hears of it sets another view, which would only fail again.
             if (!rendered.works && !std::exchange(m_fails, true)) emit unusable();
             if (rendered.result.image.isNull()) return;
@@ -104,12 +101,6 @@ void VtkWidget::render() {
         },
         std::exchange(m_rests, !snapshot->moves) && snapshot->moves ? BackgroundJob::Running::Stop
                                                                     : BackgroundJob::Running::Finish);
-}
-
-void VtkWidget::setBehind(bool behind) {
-    if (behind == m_behind) return;
-    m_behind = behind;
-    emit behindChanged(behind);
 }
 
 void VtkWidget::paintEvent(QPaintEvent*) {

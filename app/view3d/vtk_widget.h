@@ -45,8 +45,6 @@ signals:
     void unusable();
     void drawn();                 // another picture is on show
     void busyChanged(bool busy);  // it is being rendered
-    // What was set last waits for the picture before it to be rendered.
-    void behindChanged(bool behind);
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -56,17 +54,15 @@ protected:
 private:
     void soon();
     void render();
-    void setBehind(bool behind);
 
     ViewSnapshot m_next;
     std::shared_ptr<const ViewSnapshot> m_shown;
     QImage m_picture;
     bool m_isWhole = false, m_isCoarse = false;  // the picture is
     bool m_rests = false;                        // what was asked for last is of a view at rest
-    bool m_behind = false;
-    bool m_fails = false;    // for good: nothing is tried again
-    bool m_pending = false;  // render() runs when control returns to the event loop
-    QTimer m_rest;           // runs while the view moves
+    bool m_fails = false;                        // for good: nothing is tried again
+    bool m_pending = false;                      // render() runs when control returns to the event loop
+    QTimer m_rest;                               // runs while the view moves
     QOffscreenSurface m_surface;
     std::shared_ptr<std::unique_ptr<VtkRenderer>> m_renderer;  // only the thread of the job looks into it
     BackgroundJob m_job;                                       // last: its thread uses the others

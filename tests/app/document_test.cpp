@@ -205,7 +205,7 @@ TEST_F(DocumentTest, WhatIsWantedAtRestComesAfterTheDragAndNotDuringIt) {
     EXPECT_EQ(document.frame()->sharedScene()->camera, document.scene().camera);
 }
 
-// Somebody that is behind for good holds no frame longer than 33 ms, and the last one of a drag not at all.
+// Somebody that is behind for good holds no frame longer than 16 ms, and the last one of a drag not at all.
 TEST_F(DocumentTest, AViewThatIsBehindHoldsFramesOfADragForAMoment) {
     const QObject view;
     document.want(&view, {});
@@ -220,7 +220,7 @@ TEST_F(DocumentTest, AViewThatIsBehindHoldsFramesOfADragForAMoment) {
         QTest::qWait(5);
     }
     EXPECT_GE(frames.count(), 3);
-    EXPECT_LE(frames.count(), time.elapsed() / 33 + 2);
+    EXPECT_LE(frames.count(), time.elapsed() / 16 + 2);
     const auto before = frames.count();
     document.change(setting("camera.theta"), 60, Document::Change::Done);
     ASSERT_TRUE(waitForFrame());
