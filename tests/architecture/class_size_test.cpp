@@ -2,6 +2,7 @@
 // class is counted, not its files.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cctype>
 #include <map>
 #include <optional>
@@ -21,13 +22,13 @@ constexpr ClassSize kMost{30, 15};
 // The classes that are still larger. A class leaves the list when it is small enough, and a number only falls.
 const std::map<std::string, ClassSize>& largerThanMost() {
     static const std::map<std::string, ClassSize> table{
-        {"app/core/cue_model.h CueModel", {45, 11}},
-        {"app/core/document.h Document", {89, 39}},
+        {"app/core/cue_model.h CueModel", {45, 10}},
+        {"app/core/document.h Document", {89, 38}},
         {"app/core/lesson_run.h LessonRun", {33, 8}},
         {"app/core/renderer_check.h RendererCheck", {31, 20}},
         {"app/core/stepper.h Stepper", {42, 16}},
         {"app/desktop/clean_view.h CleanView", {29, 23}},
-        {"app/desktop/main_window.h MainWindow", {111, 47}},
+        {"app/desktop/main_window.h MainWindow", {111, 42}},
         {"app/desktop/notes_window.h NotesWindow", {19, 19}},
         {"app/desktop/slide_dialog.h SlideDialog", {12, 19}},
         {"app/desktop/view_area.h ViewArea", {59, 18}},
@@ -41,10 +42,10 @@ const std::map<std::string, ClassSize>& largerThanMost() {
         {"app/view3d/scene_view.h SceneView", {85, 38}},
         {"app/view3d/view3d_panel.h View3dPanel", {47, 23}},
         {"app/view3d/world_scene.h WorldScene", {23, 32}},
-        {"lessons/expression/parser.h Parser", {48, 13}},
-        {"pipeline/formats/line_scanner.h LineScanner", {14, 19}},
+        {"lessons/expression/parser.h Parser", {48, 11}},
+        {"pipeline/formats/line_scanner.h LineScanner", {14, 16}},
         {"pipeline/simd/surfaces.h Surfaces", {12, 20}},
-        {"pipeline/steps/steps.h Steps", {42, 6}},
+        {"pipeline/steps/steps.h Steps", {42, 5}},
     };
     return table;
 }
@@ -119,8 +120,9 @@ ClassSize sizeOf(const std::string& body) {
             declaration.clear();
         } else if (body[i] == '{') {
             i = closing(body, i);
-            // A body ends a function; a value goes on to the semicolon.
-            if (withoutArguments(declaration).find('(') != std::string::npos && body[i + 1] != ';') {
+            // A body ends a function; a value goes on to the semicolon, and one of an argument to its bracket.
+            const bool isArgument = std::ranges::count(declaration, '(') > std::ranges::count(declaration, ')');
+            if (!isArgument && withoutArguments(declaration).find('(') != std::string::npos && body[i + 1] != ';') {
                 count(declaration, size);
                 declaration.clear();
             } else {
@@ -159,6 +161,7 @@ TEST(ClassSize, CountsFunctionsAndMembersOfAHeader) {
                            "    explicit Job(QObject* parent = nullptr);  // function one",
                            "    ~Job() override = default;",
                            "    int a() const { return m_a; }",
+                           "    void open(const QString& file, const QString& name = {}, int page = {});",
                            "    template <class T>",
                            "    void take(T run, std::map<int, T> all) {",
                            "        if (m_a) { run(); }",
@@ -177,7 +180,7 @@ TEST(ClassSize, CountsFunctionsAndMembersOfAHeader) {
                            "};"}};
     const auto sizes = classSizes(file);
     ASSERT_EQ(sizes.size(), 1u);
-    EXPECT_EQ(sizes.at("Job").functions, 5) << "Job, a, take, operator==, changed";
+    EXPECT_EQ(sizes.at("Job").functions, 6) << "Job, a, open, take, operator==, changed";
     EXPECT_EQ(sizes.at("Job").members, 5) << "done, first, second, map, a";
 }
 
