@@ -7,19 +7,23 @@
 #include <QToolButton>
 
 #include "app/core/icons.h"
+#include "app/desktop/panel_table.h"
 #include "app/panels/follow_theme.h"
 
 namespace app {
 
-PanelDock::PanelDock(const QString& title, const QString& icon, QWidget* content, QWidget* parent)
-    : QDockWidget(title, parent), m_icon(icon) {
+PanelDock::PanelDock(const PanelRow& row, QWidget* content, QWidget* parent)
+    : QDockWidget(tr(row.title), parent), m_row(row) {
+    setObjectName(row.name);
     setFeatures(DockWidgetMovable | DockWidgetFloatable | DockWidgetClosable);
     // Qt's own would close one that is behind another tab.
     disconnect(toggleViewAction(), &QAction::triggered, this, nullptr);
     connect(toggleViewAction(), &QAction::triggered, this, &PanelDock::toggle);
+    toggleViewAction()->setShortcut(QKeySequence(row.keys));
+    toggleViewAction()->setIcon(app::icon(row.icon));
     auto* bar = new QWidget(this);
     m_heading = new QHBoxLayout(bar);
-    auto* name = new QLabel(title, bar);
+    auto* name = new QLabel(windowTitle(), bar);
     m_heading->addWidget(name);
     m_heading->addStretch(1);
     setTitleBarWidget(bar);

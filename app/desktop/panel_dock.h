@@ -5,15 +5,16 @@ class QHBoxLayout;
 
 namespace app {
 
+struct PanelRow;
+
 // A dock in the window's look: a surface with round corners and a heading by which it is moved.
 class PanelDock : public QDockWidget {
     Q_OBJECT
 public:
     // Its toggleViewAction() brings it to the front, and closes it where it is there.
-    // icon: of resources/icons, for the rail and the heading's buttons.
-    PanelDock(const QString& title, const QString& icon, QWidget* content, QWidget* parent);
+    PanelDock(const PanelRow& row, QWidget* content, QWidget* parent);
 
-    const QString& iconName() const { return m_icon; }
+    const PanelRow& row() const { return m_row; }
     // Neither hidden nor behind another tab.
     bool isInFront() const;
     // Buttons at the right of the heading.
@@ -25,7 +26,7 @@ protected:
 private:
     void toggle();
 
-    QString m_icon;
+    const PanelRow& m_row;
     QHBoxLayout* m_heading;
 };
 

@@ -1,7 +1,10 @@
 #include "app/desktop/panel_table.h"
 
+#include <algorithm>
 #include <array>
 
+#include "app/desktop/panel_docks.h"
+#include "app/desktop/view_area.h"
 #include "app/panels/algorithm_panel.h"
 #include "app/panels/cue_panel.h"
 #include "app/panels/inspector_panel.h"
@@ -15,31 +18,91 @@
 namespace app {
 namespace {
 
+using lessons::Part;
+
 template <class Panel>
-QWidget* make(Document& document, QWidget* parent) {
-    return new Panel(document, parent);
+QWidget* make(const PanelNeeds& needs, QWidget* parent) {
+    return new Panel(needs.document, parent);
 }
+
+// One that other parts of the window use.
+template <class Panel, Panel* Panels::*name>
+QWidget* makeNamed(const PanelNeeds& needs, QWidget* parent) {
+    return needs.panels.*name = new Panel(needs.document, parent);
+}
+
+QWidget* makeSettings(const PanelNeeds& needs, QWidget* parent) {
+    auto* panel = needs.panels.settings = new SettingsPanel(needs.document, parent);
+    QObject::connect(needs.panels.scene, &SceneTree::selected, panel, &SettingsPanel::select);
+    return panel;
+}
+
+QWidget* makeInspector(const PanelNeeds& needs, QWidget* parent) {
+    auto* panel = needs.panels.inspector = new InspectorPanel(needs.document, parent);
+    QObject::connect(panel, &InspectorPanel::bufferAsked, &needs.views, &ViewArea::showBuffer);
+    QObject::connect(panel, &InspectorPanel::settingAsked, &needs.docks, &PanelDocks::showSetting);
+    return panel;
+}
+
+constexpr Qt::DockWidgetArea kLeft = Qt::LeftDockWidgetArea, kRight = Qt::RightDockWidgetArea,
+                             kBottom = Qt::BottomDockWidgetArea;
+
+constexpr auto kPanelTable = std::to_array<PanelRow>({
+    {PanelId::Scene, "scene", "Scene", "cube", "Ctrl+Alt+1", "settings.md", Part::Scene, false, kLeft,
+     makeNamed<SceneTree, &Panels::scene>},
+    {PanelId::Settings, "settings", "Settings", "sliders", "Ctrl+Alt+2", "settings.md", Part::Settings, false, kLeft,
+     makeSettings},
+    {PanelId::Lesson,
+     "lesson",
+     "Lesson",
+     "book",
+     "Ctrl+Alt+3",
+     "lessons.md",
+     {},
+     false,
+     kLeft,
+     makeNamed<LessonPanel, &Panels::lesson>},
+    {PanelId::Cues,
+     "cues",
+     "Cues",
+     "film",
+     "Ctrl+Alt+6",
+     "present.md",
+     {},
+     false,
+     kLeft,
+     makeNamed<CuePanel, &Panels::cues>},
+    {PanelId::Renderer,
+     "renderer",
+     "My renderer",
+     "compare",
+     "Ctrl+Alt+9",
+     "check-my-renderer.md",
+     {},
+     false,
+     kLeft,
+     makeNamed<RendererPanel, &Panels::renderer>},
+    {PanelId::Inspector, "inspector", "Inspector", "inspector", "Ctrl+Alt+4", "pixel.md", Part::Inspector, false,
+     kRight, makeInspector},
+    {PanelId::Algorithm, "algorithm", "Algorithm", "book", "Ctrl+Alt+8", "steps.md", Part::Algorithm, false, kRight,
+     make<AlgorithmPanel>},
+    {PanelId::Tables, "tables", "Tables", "grid", "Ctrl+Alt+5", "tables.md", {}, true, kBottom, make<TablesPanel>},
+    {PanelId::Section,
+     "scanline",
+     "Section along a row",
+     "histogram",
+     "Ctrl+Alt+7",
+     "section.md",
+     {},
+     true,
+     kBottom,
+     make<ScanlinePanel>},
+});
+static_assert(std::ranges::is_sorted(kPanelTable, {}, &PanelRow::id) &&
+              std::size_t(PanelId::Section) + 1 == kPanelTable.size());
 
 }  // namespace
 
-std::span<const PanelRow> panelTable() {
-    static constexpr auto kTable = std::to_array<PanelRow>({
-        {"scene", "Scene", "cube", "Ctrl+Alt+1", "settings.md", false, Qt::LeftDockWidgetArea, make<SceneTree>},
-        {"settings", "Settings", "sliders", "Ctrl+Alt+2", "settings.md", false, Qt::LeftDockWidgetArea,
-         make<SettingsPanel>},
-        {"lesson", "Lesson", "book", "Ctrl+Alt+3", "lessons.md", false, Qt::LeftDockWidgetArea, make<LessonPanel>},
-        {"cues", "Cues", "film", "Ctrl+Alt+6", "present.md", false, Qt::LeftDockWidgetArea, make<CuePanel>},
-        {"renderer", "My renderer", "compare", "Ctrl+Alt+9", "check-my-renderer.md", false, Qt::LeftDockWidgetArea,
-         make<RendererPanel>},
-        {"inspector", "Inspector", "inspector", "Ctrl+Alt+4", "pixel.md", false, Qt::RightDockWidgetArea,
-         make<InspectorPanel>},
-        {"algorithm", "Algorithm", "book", "Ctrl+Alt+8", "steps.md", false, Qt::RightDockWidgetArea,
-         make<AlgorithmPanel>},
-        {"tables", "Tables", "grid", "Ctrl+Alt+5", "tables.md", true, Qt::BottomDockWidgetArea, make<TablesPanel>},
-        {"scanline", "Section along a row", "histogram", "Ctrl+Alt+7", "section.md", true, Qt::BottomDockWidgetArea,
-         make<ScanlinePanel>},
-    });
-    return kTable;
-}
+std::span<const PanelRow> panelTable() { return kPanelTable; }
 
 }  // namespace app

@@ -43,6 +43,7 @@ Presentation::~Presentation() { end(); }
 void Presentation::begin(const lessons::WindowState& state, const QList<QAction*>& keys, bool withNotes) {
     if (isOn()) return;
     m_swapped = false;
+    m_changesWindow = true;
     m_clean = std::make_unique<CleanView>(m_document, m_cues, m_opener);
     m_clean->addActions(keys);
     connect(m_clean.get(), &CleanView::left, this, &Presentation::end, Qt::QueuedConnection);
@@ -89,6 +90,7 @@ void Presentation::end() {
     m_clean.reset();
     restoreScales();
     m_window.activateWindow();
+    m_changesWindow = false;
     emit ended();
 }
 

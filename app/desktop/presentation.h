@@ -27,6 +27,8 @@ public:
     ~Presentation() override;
 
     bool isOn() const { return m_clean != nullptr; }
+    // From before it begins until the text has its size again.
+    bool changesWindow() const { return m_changesWindow; }
     // keys: actions whose keys work in the clean view and in the notes.
     void begin(const lessons::WindowState& state, const QList<QAction*>& keys, bool withNotes);
     void end();
@@ -53,7 +55,7 @@ private:
     QWidget& m_window;
     std::unique_ptr<CleanView> m_clean;
     std::unique_ptr<NotesWindow> m_notes;
-    bool m_swapped = false;
+    bool m_swapped = false, m_changesWindow = false;
     double m_scale = 1;                  // of the letters, while it lasts
     std::map<ThemeId, double> m_scales;  // the user's, of the themes that have been in force
 };

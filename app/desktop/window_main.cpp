@@ -8,6 +8,7 @@
 #include "app/core/text.h"
 #include "app/desktop/layout_store.h"
 #include "app/desktop/main_window.h"
+#include "app/desktop/window_cues.h"
 #include "pipeline/core/version.h"
 
 namespace app {
@@ -30,7 +31,7 @@ int runWindow(int argc, char** argv, const WindowStart& start) {
     window.show();
     if (start.session) window.startSession(SessionFile::usualFolder(), start.file.isEmpty() && start.cues.isEmpty());
     if (!start.file.isEmpty()) window.openFile(start.file);
-    if (!start.cues.isEmpty()) window.openCues(start.cues, start.cue, [&window] { window.present(); });
+    if (!start.cues.isEmpty()) window.cues().open(start.cues, start.cue, [&window] { window.present(); });
     return application.exec();
 }
 

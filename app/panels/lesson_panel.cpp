@@ -93,7 +93,7 @@ QWidget* LessonPanel::makeLesson() {
     column->setContentsMargins(0, 0, 0, 0);
     m_page = new LessonPage(m_run, m_document, content);
     m_end = new LessonEnd(m_run, *m_shelf, content);
-    auto* handout = new HandoutButton([this] { return lesson(); }, content);
+    HandoutButton* const handout = m_handout = new HandoutButton([this] { return lesson(); }, content);
     column->addWidget(m_page, 1);
     column->addWidget(m_end, 1);
     auto* below = new QHBoxLayout;
@@ -191,6 +191,8 @@ void LessonPanel::close() {
     m_list->setFocus();
     emit closed();
 }
+
+void LessonPanel::writeHandout() { m_handout->click(); }
 
 bool LessonPanel::isOnlyThis() const { return QSettings().value(kOnlyThis, true).toBool(); }
 

@@ -12,6 +12,7 @@ class QStackedWidget;
 namespace app {
 
 class ErrorList;
+class HandoutButton;
 class LessonEnd;
 class LessonFoot;
 class LessonHead;
@@ -32,6 +33,7 @@ public:
     bool openOwn(lessons::Lesson lesson);
     void goTo(int page) { m_run.goTo(page); }  // from 0; within the open lesson
     void close();                              // back to the list
+    void writeHandout();                       // of the open lesson; asks where to
 
     const lessons::Lesson* lesson() const { return m_run.lesson(); }  // null when none is open
     int page() const { return m_run.page(); }                         // from 0
@@ -73,6 +75,7 @@ private:
     LessonPage* m_page = nullptr;
     LessonEnd* m_end = nullptr;
     LessonFoot* m_foot = nullptr;
+    HandoutButton* m_handout = nullptr;
     bool m_keysWait = false;  // for the page that opens
 };
 

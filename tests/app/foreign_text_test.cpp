@@ -240,7 +240,7 @@ TEST_F(ForeignText, WithLineEndsStaysOnOneLine) {
     waitForReading();
     expectPlain("an error about a file of lines");
     writeForeign(folder.filePath(name + ".cues"), "[[cue]]\nname = \"one\\ntwo\"\nscene = \"pyramid\"\n");
-    window.openCues(folder.filePath(name + ".cues"));
+    window.cues().open(folder.filePath(name + ".cues"));
     waitForReading();
     expectPlain("cues in a file of lines");
 }
@@ -280,7 +280,7 @@ TEST_F(ForeignText, OfACueListAndAPastedStateIsShownAsItIs) {
                                 "compare = \"difference\"\n")
                                 .replace("T\"", QByteArray(kHostile) + "\"");
     writeForeign(folder.filePath("c.cues"), text);
-    window.openCues(folder.filePath("c.cues"));
+    window.cues().open(folder.filePath("c.cues"));
     waitForReading();
     if (document().hasScene()) waitForFrame();
     expectPlain("a cue list");

@@ -72,7 +72,7 @@ TEST_F(WindowCommands, TheMenusHaveWhatTheActiveBufferViewHasAboveItsPicture) {
                                    [](QAction* a) { return a->text() == "Lesson as a handout…" && a->isEnabled(); });
     };
     EXPECT_FALSE(mayWriteHandout()) << "of no lesson";
-    window.openLesson("pyramid");
+    window.lessons().open("pyramid");
     EXPECT_TRUE(mayWriteHandout());
 }
 
@@ -160,7 +160,7 @@ TEST_F(WindowCommands, ASettingAndALessonAreFoundAmongTheCommands) {
 
 TEST_F(WindowCommands, NoPageOfALessonShowsOneBufferTwice) {
     window.resize(1600, 1000);
-    window.openLesson("pyramid");
+    window.lessons().open("pyramid");
     auto* lessons = window.findChild<LessonPanel*>();
     for (int page = 0; page < int(lessons->lesson()->pages.size()); ++page) {
         lessons->goTo(page);

@@ -71,7 +71,7 @@ protected:
         QImage picture;
         pipeline::FramePtr frame;
     };
-    Seen see() { return {toToml(*window.state(model().folder())), pictureOnScreen(), document().frame()}; }
+    Seen see() { return {toToml(*window.shown().now(model().folder())), pictureOnScreen(), document().frame()}; }
 };
 
 TEST_F(WindowCues, ForthAndBackIsTheSame) {
@@ -143,7 +143,7 @@ TEST_F(WindowCues, ANewListPutsTheOwnOneAside) {
 
 TEST_F(WindowCues, CuesMoveAreRemovedAndPutBackByKeys) {
     makeThree();
-    QListView& list = window.cues().list();
+    QListView& list = window.docks().panels().cues->list();
     for (int i = 0; i < 3; ++i) model().rename(i, QString("ABC").mid(i, 1));
     const auto order = [&] {
         QString text;

@@ -77,11 +77,11 @@ TEST_F(WindowFiles, ALessonOpensLikeAnyFile) {
 }
 
 TEST_F(WindowFiles, ALessonOfASceneThatWasClosedIsShownAgain) {
-    window.openLesson("pyramid");
+    window.lessons().open("pyramid");
     ASSERT_TRUE(waitForFrame());
     window.actions()[ActionId::Close]->trigger();
     ASSERT_FALSE(window.views().isVisible());
-    window.openLesson("pyramid");
+    window.lessons().open("pyramid");
     EXPECT_TRUE(window.views().isVisible());
 }
 
@@ -243,7 +243,7 @@ TEST_F(WindowSaves, ASceneSavedUnderAnotherNameIsARecentFile) {
 }
 
 TEST_F(WindowSaves, AHandoutAsksAboutBothOfItsFiles) {
-    window.openLesson("pyramid");
+    window.lessons().open("pyramid");
     ASSERT_TRUE(waitForFrame());
     write(folder.filePath("week1.v2-answers.html"), "mine");
     names = {"week1.v2"};

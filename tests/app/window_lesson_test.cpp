@@ -49,7 +49,7 @@ TEST_F(WindowLesson, TheUsersSceneComesBackWithItsChangesAndItsSteps) {
     document().pick(glm::ivec2(300, 200));
     ASSERT_TRUE(waitForFrame());
     const bool hadScene = shows("scene"), hadInspector = shows("inspector");
-    const auto state = window.state({});
+    const auto state = window.shown().now();
 
     openLesson();  // asks nothing
     EXPECT_EQ(title(), "Lesson: Hiding · your scene stays as it was");
@@ -61,7 +61,7 @@ TEST_F(WindowLesson, TheUsersSceneComesBackWithItsChangesAndItsSteps) {
 
     EXPECT_EQ(document().scene().name, "two_pyramids.scene");
     EXPECT_EQ(theta.get(document().scene()), 47.25);
-    EXPECT_EQ(window.state({}), state);
+    EXPECT_EQ(window.shown().now(), state);
     EXPECT_TRUE(document().isChanged());
     EXPECT_EQ(shows("scene"), hadScene);
     EXPECT_EQ(shows("inspector"), hadInspector);
@@ -78,7 +78,7 @@ TEST_F(WindowLesson, WithoutASceneClosingGoesBackToTheStartPage) {
     openLesson();
     EXPECT_EQ(title(), "Lesson: Hiding");
     find<QToolButton>("closeLesson")->click();
-    EXPECT_FALSE(window.state({}));
+    EXPECT_FALSE(window.shown().now());
     EXPECT_FALSE(shows("lesson"));
 }
 

@@ -160,7 +160,7 @@ TEST_F(WindowLook, NamedLayoutsPutViewsInTheirPlaces) {
         EXPECT_EQ(find<QWidget>("firstFrame")->isVisible(), c.first) << c.arrangement;
         EXPECT_EQ(find<QWidget>("secondFrame")->isVisible(), c.second) << c.arrangement;
         EXPECT_EQ(find<QWidget>("view3dFrame")->isVisible(), c.space) << c.arrangement;
-        const auto state = window.state({});
+        const auto state = window.shown().now();
         ASSERT_TRUE(state);
         EXPECT_EQ(state->arrangement, c.arrangement) << "a session keeps it";
     }

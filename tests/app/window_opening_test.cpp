@@ -246,7 +246,7 @@ TEST_F(WindowOpening, PresentingBeginsOnceTheCueIsThere) {
     talk.write("[[cue]]\nname = \"one\"\nscene = \"two_pyramids\"\n");
     talk.close();
     beSlow();
-    ASSERT_TRUE(window.openCues(talk.fileName(), {}, [this] { window.present(); }));
+    ASSERT_TRUE(window.cues().open(talk.fileName(), {}, [this] { window.present(); }));
     EXPECT_FALSE(window.presentation().isOn());
     ASSERT_TRUE(waitForScene());
     EXPECT_TRUE(window.presentation().isOn());
@@ -271,7 +271,7 @@ TEST_F(WindowOpening, ASessionThatIsStillBeingReadIsThereForTheNextStart) {
 TEST_F(WindowOpening, AnOpenedLessonGoesBeforeWhatIsBeingRead) {
     beSlow();
     window.openFile(writeModel("ring.obj", 100000));
-    window.openLesson("pyramid");
+    window.lessons().open("pyramid");
     EXPECT_FALSE(window.opener().busy());
     QTest::qWait(100);
     EXPECT_NE(document().scene().name, "ring.obj");

@@ -44,7 +44,7 @@ protected:
     }
     // What the window shows, but for its scene.
     std::string place() {
-        auto now = window.state({});
+        auto now = window.shown().now();
         now->set.clear();
         return toToml(*now);
     }

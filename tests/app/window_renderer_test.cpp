@@ -107,7 +107,7 @@ TEST_F(WindowRenderer, OpeningALessonLeavesTheRenderersViews) {
     const std::string before = window.views().arrangement();
     drop(folder.path());
     ASSERT_TRUE(waitForNames());
-    window.openLesson("pyramid");
+    window.lessons().open("pyramid");
     for (BufferView* view : window.views().shownBuffers()) EXPECT_FALSE(view->compare().isMine());
 }
 

@@ -56,7 +56,7 @@ protected:
 
 TEST_F(WindowSession, AStateShownAgainIsTheSameState) {
     goFar();
-    const auto far = window.state({});
+    const auto far = window.shown().now();
     ASSERT_TRUE(far);
     EXPECT_EQ(far->scene, "pyramid");
     EXPECT_EQ(far->set, std::vector<std::string>{"camera.theta=47.25"});
@@ -67,11 +67,11 @@ TEST_F(WindowSession, AStateShownAgainIsTheSameState) {
     document().stepper().leave();
     document().setStage(pipeline::StageId::Cull);
     EXPECT_TRUE(waitForFrame());
-    window.showState(*far, {}, SceneChanges::Given);
+    window.files().showState(*far, {}, SceneChanges::Given);
     EXPECT_TRUE(waitForFrame());
     waitForState();
     QTest::qWait(100);
-    const auto again = window.state({});
+    const auto again = window.shown().now();
     ASSERT_TRUE(again);
     EXPECT_EQ(toToml(*again), toToml(*far));
     EXPECT_EQ(pictureOnScreen(), picture);
@@ -83,7 +83,7 @@ TEST_F(WindowSession, AStateIsCopiedAndPastedAsTextInAnyWindow) {
     canvas()->setFocus();
     press("Ctrl+C");
     const QString text = QApplication::clipboard()->text();
-    EXPECT_EQ(text.toStdString(), toToml(*window.state({})));
+    EXPECT_EQ(text.toStdString(), toToml(*window.shown().now()));
     const int steps = document().undoStack()->count();
 
     document().change(*findSetting(document().scene(), "camera.theta"), 10);
@@ -91,19 +91,19 @@ TEST_F(WindowSession, AStateIsCopiedAndPastedAsTextInAnyWindow) {
     document().setStage(pipeline::StageId::Cull);
     window.views().setArrangement("four");
     waitForState();
-    const std::string before = toToml(*window.state({}));
+    const std::string before = toToml(*window.shown().now());
     window.views().view3d().setFocus();
     press("Ctrl+V");
     waitForState();
-    EXPECT_EQ(toToml(*window.state({})), text.toStdString());
+    EXPECT_EQ(toToml(*window.shown().now()), text.toStdString());
     EXPECT_EQ(document().undoStack()->count(), steps + 2) << "one step";
     EXPECT_EQ(document().undoStack()->undoText(), "paste");
     const auto settled = [&](const std::string& wanted) {
-        return QTest::qWaitFor([&] { return toToml(*window.state({})) == wanted; }, 10000);
+        return QTest::qWaitFor([&] { return toToml(*window.shown().now()) == wanted; }, 10000);
     };
     document().undoStack()->undo();
     EXPECT_EQ(document().scene().camera.theta, 10);
-    EXPECT_TRUE(settled(before)) << "the views are the ones from before, too: " << toToml(*window.state({}));
+    EXPECT_TRUE(settled(before)) << "the views are the ones from before, too: " << toToml(*window.shown().now());
     document().undoStack()->redo();
     EXPECT_TRUE(settled(text.toStdString()));
     document().undoStack()->undo();
@@ -116,14 +116,14 @@ TEST_F(WindowSession, AStateIsCopiedAndPastedAsTextInAnyWindow) {
     ASSERT_TRUE(other.document().hasScene());
     EXPECT_TRUE(
         QTest::qWaitFor([&] { return !other.document().busy() && other.document().stepper().isSettled(); }, 30000));
-    EXPECT_EQ(toToml(*other.state({})), text.toStdString());
+    EXPECT_EQ(toToml(*other.shown().now()), text.toStdString());
     other.document().undoStack()->setClean();
     other.close();
-    window.showStartPage();
+    window.windowLayout().showStart();
     QApplication::setActiveWindow(&window);
     QTest::qWait(50);
     press("Ctrl+V");
-    EXPECT_TRUE(QTest::qWaitFor([&] { return window.state({}).has_value(); }, 5000)) << "by its key, too";
+    EXPECT_TRUE(QTest::qWaitFor([&] { return window.shown().now().has_value(); }, 5000)) << "by its key, too";
     document().undoStack()->setClean();
 }
 
@@ -170,7 +170,7 @@ TEST_F(WindowSession, ACopyNeedsNoFile) {
     canvas()->setFocus();
     press("Ctrl+C");
     ASSERT_TRUE(QFile::remove(file));
-    window.showStartPage();
+    window.windowLayout().showStart();
     MainWindow other;
     other.show();
     other.actions()[ActionId::PasteState]->trigger();
@@ -181,7 +181,7 @@ TEST_F(WindowSession, ACopyNeedsNoFile) {
 TEST_F(WindowSession, WhatIsNoStateIsToldWithItsPlaceAndNothingChanges) {
     openPyramid();
     canvas()->setFocus();
-    const std::string before = toToml(*window.state({}));
+    const std::string before = toToml(*window.shown().now());
     auto* errors = find<ErrorList>("errorList");
     for (const auto& [text, told] : {std::pair{"a letter", "clipboard:1:"},
                                      {"stage = \"cull\"\npixl = [1, 2]", "clipboard:2:1: no key \"pixl\""},
@@ -190,7 +190,7 @@ TEST_F(WindowSession, WhatIsNoStateIsToldWithItsPlaceAndNothingChanges) {
         press("Ctrl+V");
         EXPECT_TRUE(errors->isVisible());
         EXPECT_TRUE(errors->text().contains(told)) << errors->text().toStdString();
-        EXPECT_EQ(toToml(*window.state({})), before);
+        EXPECT_EQ(toToml(*window.shown().now()), before);
     }
     // A place in the scene on show.
     QApplication::clipboard()->setText("stage = \"cull\"\npixel = [3, 4]\n");
@@ -204,7 +204,7 @@ TEST_F(WindowSession, TheNextStartShowsWhatWasLeftAndTheChangesAreStillUnsaved) 
     window.startSession(folder.path(), true);
     EXPECT_FALSE(document().hasScene());
     goFar();
-    const auto far = window.state({});
+    const auto far = window.shown().now();
     EXPECT_TRUE(SessionFile(folder.path()).write(*far));
 
     MainWindow next;
@@ -379,7 +379,7 @@ TEST_F(WindowSession, ARecentFileOpensWhereItWasLeft) {
     const auto recent = recentFiles();
     ASSERT_EQ(recent.size(), 1u);
     EXPECT_EQ(recent[0].where, "z-buffer/polygon=2 · pixel 268, 281");
-    ASSERT_TRUE(window.openRecent(recent[0].file));
+    ASSERT_TRUE(window.files().openRecent(recent[0].file));
     EXPECT_TRUE(waitForFrame());
     EXPECT_EQ(text(*document().stepper().place()), "z-buffer/polygon=2");
     EXPECT_EQ(document().pixel(), glm::ivec2(268, 281));

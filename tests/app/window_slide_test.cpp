@@ -99,7 +99,7 @@ TEST_F(WindowSlide, ACaptionStandsBelow) {
 }
 
 TEST_F(WindowSlide, SaysWhereTheSizeIsOnesOwn) {
-    SlideDialog dialog(document(), window.views(), *window.state({}));
+    SlideDialog dialog(document(), window.views(), *window.shown().now());
     const auto boxes = dialog.findChildren<QComboBox*>();
     const auto sizes = std::ranges::find_if(boxes, [](const QComboBox* box) { return box->findText("Own size") >= 0; });
     ASSERT_NE(sizes, boxes.end());
@@ -125,7 +125,7 @@ TEST_F(WindowSlide, TheFileOpensTheSceneAndTheState) {
     settle();
     window.views().first().setBuffer({pipeline::BufferId::ZView});
     window.views().first().canvas()->setZoom(8, QPointF(50, 60));
-    const auto shown = window.state({});
+    const auto shown = window.shown().now();
     SlideDialog dialog(document(), window.views(), *shown);
     dialog.show();
     const QString file = folder.filePath("slide.png");
@@ -140,7 +140,7 @@ TEST_F(WindowSlide, TheFileOpensTheSceneAndTheState) {
     ASSERT_TRUE(window.openFile(file));
     settle();
     EXPECT_EQ(document().scene().camera.theta, 47.25);
-    auto again = window.state({});
+    auto again = window.shown().now();
     ASSERT_TRUE(again);
     lessons::WindowState expected =
         *shown;  // the scene comes with the picture, not from the file that it was read from
@@ -191,7 +191,7 @@ TEST_F(WindowSlide, APictureOfABufferIsNoPromiseOfAnother) {
 }
 
 TEST_F(WindowSlide, ALargeSlideIsMadeAwayFromTheWindowAndCanBeCancelled) {
-    const auto shown = window.state({});
+    const auto shown = window.shown().now();
     SlideDialog dialog(document(), window.views(), *shown);
     auto* what = dialog.findChild<QComboBox*>("slideWhat");
     what->setCurrentIndex(what->findData(int(What::Space)));
@@ -310,7 +310,7 @@ TEST_F(WindowSlide, EscapeCancelsAFilmAndSaysSoAndThenCloses) {
 }
 
 TEST_F(WindowSlide, TheCrossCancelsASlideFirst) {
-    SlideDialog dialog(document(), window.views(), *window.state({}));
+    SlideDialog dialog(document(), window.views(), *window.shown().now());
     dialog.show();
     auto* what = dialog.findChild<QComboBox*>("slideWhat");
     what->setCurrentIndex(what->findData(int(What::Space)));

@@ -103,7 +103,7 @@ TEST_F(WindowTalk, AShowsTheAlgorithmWithTheLineOfTheStep) {
     EXPECT_TRUE(algorithm->isVisible());
     EXPECT_FALSE(algorithm->currentRect().isEmpty());
     EXPECT_TRUE(view.caption().contains("line 5")) << view.caption().toStdString();
-    EXPECT_TRUE(window.state({})->algorithm);
+    EXPECT_TRUE(window.shown().now()->algorithm);
     EXPECT_TRUE(view.takeKey(Qt::Key_A));
     EXPECT_FALSE(algorithm->isVisible());
 }
@@ -130,10 +130,10 @@ TEST_F(WindowTalk, AComparisonHasNamesAndNoBar) {
 // A cue whose picture is three times as large: what fits is known with its frame, which comes after the state.
 TEST_F(WindowTalk, ACueOfAnotherScaleIsFittedToItsOwnFrame) {
     BufferView& shown = present().views().first();
-    lessons::WindowState state = *window.state({});
+    lessons::WindowState state = *window.shown().now();
     state.set = {"camera.scale=3"};
     state.views[0].zoom.reset();
-    window.showState(state, {}, SceneChanges::Given);
+    window.files().showState(state, {}, SceneChanges::Given);
     window.presentation().lookAt(state);
     EXPECT_TRUE(waitForFrame());
     const auto isFitted = [&] { return shown.canvas()->look().focus == shown.canvas()->content().focus; };

@@ -156,7 +156,7 @@ TEST_F(WindowViews, SizesComeBackToThePixel) {
     QTest::mousePress(handle, Qt::LeftButton, {}, from);
     QTest::mouseMove(handle, from - QPoint(37, 0));
     QTest::mouseRelease(handle, Qt::LeftButton, {}, from - QPoint(37, 0));
-    const auto state = window.state({});
+    const auto state = window.shown().now();
     ASSERT_TRUE(state);
     const auto places = [&] {
         std::vector<QRect> all;
@@ -166,10 +166,10 @@ TEST_F(WindowViews, SizesComeBackToThePixel) {
     const std::vector<QRect> before = places();
     EXPECT_LT(before[0].width(), before[1].width());
     press("Ctrl+Shift+5");
-    window.showState(*state, {}, SceneChanges::Given);
+    window.files().showState(*state, {}, SceneChanges::Given);
     QTest::qWait(50);
     EXPECT_EQ(places(), before);
-    EXPECT_EQ(toToml(*window.state({})), toToml(*state));
+    EXPECT_EQ(toToml(*window.shown().now()), toToml(*state));
     press("Ctrl+Alt+E");
     EXPECT_EQ(views().arrangement(), "buffer | (buffer / buffer) | 3d");
     EXPECT_FALSE(window.actions()[ActionId::EvenViews]->isEnabled());
@@ -291,7 +291,7 @@ TEST_F(WindowViews, LinkedViewsZoomAndMoveTogether) {
     EXPECT_FALSE(views().isLinked());
     a->setZoom(2, QPointF(30, 40));
     EXPECT_EQ(b->zoom(), 8);
-    const auto state = window.state({});
+    const auto state = window.shown().now();
     EXPECT_EQ(state->linked, std::optional(false)) << "a session keeps it";
     press("Ctrl+L");
     EXPECT_EQ(a->zoom(), b->zoom()) << "they stand together again";
@@ -328,24 +328,24 @@ TEST_F(WindowViews, AStateHasMarksAndComparisons) {
             compare.compareWith(source);
             if (compare.mode() != mode) compare.setMode(mode);
             compare.setMetric(pipeline::DifferenceMetric::Squared);
-            const auto kept = window.state({});
+            const auto kept = window.shown().now();
             ASSERT_TRUE(kept);
             ASSERT_TRUE(kept->views[0].compared);
             compare.compareWith(std::nullopt);
             compare.setMetric(pipeline::DifferenceMetric::Error);
             PinnedPixels::of(document()).clear();
             document().select(std::nullopt);
-            window.showState(*kept, {}, SceneChanges::Given);
-            const auto again = window.state({});
+            window.files().showState(*kept, {}, SceneChanges::Given);
+            const auto again = window.shown().now();
             EXPECT_EQ(toToml(*again), toToml(*kept));
             EXPECT_EQ(compare.mode(), mode);
             EXPECT_EQ(again->pins.size(), 2u);
             EXPECT_TRUE(again->selected);
         }
     // The change that "before" meant is kept with it: later the last change is another one.
-    const std::string with = window.state({})->views[0].compared->with;
+    const std::string with = window.shown().now()->views[0].compared->with;
     EXPECT_TRUE(with.starts_with("setting camera.theta=") && with != "setting camera.theta=41") << with;
-    lessons::WindowState wrong = *window.state({});
+    lessons::WindowState wrong = *window.shown().now();
     wrong.views[0].compared->with = "setting shadin=flat";
     EXPECT_EQ(views().lookAt(wrong).size(), 1u);
     EXPECT_FALSE(compare.source());

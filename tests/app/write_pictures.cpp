@@ -12,6 +12,7 @@
 #include "app/desktop/clean_view.h"
 #include "app/desktop/main_window.h"
 #include "app/desktop/presentation.h"
+#include "app/desktop/window_cues.h"
 #include "app/desktop/window_main.h"
 
 namespace {
@@ -63,7 +64,7 @@ bool write(const QImage& picture, const QString& file) {
 bool take(app::MainWindow& window, const QString& tour, const ManualPicture& picture, const QString& folder) {
     window.resize(picture.window);
     auto* part = *picture.part ? window.findChild<QWidget*>(picture.part) : &window;
-    if (!part || !window.openCues(tour, picture.cue)) {
+    if (!part || !window.cues().open(tour, picture.cue)) {
         std::fprintf(stderr, "write_pictures: no cue %s, or no part %s of the window\n", picture.cue, picture.part);
         return false;
     }
@@ -77,7 +78,7 @@ bool take(app::MainWindow& window, const QString& tour, const ManualPicture& pic
 }
 
 bool takeCleanView(app::MainWindow& window, const QString& tour, const QString& folder) {
-    if (!window.openCues(tour, "clean-view")) return false;
+    if (!window.cues().open(tour, "clean-view")) return false;
     window.present();
     app::CleanView* const clean = window.presentation().cleanView();
     if (!clean) return false;

@@ -1,4 +1,5 @@
-// What the command palette finds, in the MainWindow.
+#include "app/desktop/palette_commands.h"
+
 #include <QMenu>
 #include <QPointer>
 
@@ -6,11 +7,14 @@
 #include "app/core/text.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/command_palette.h"
+#include "app/desktop/file_opening.h"
 #include "app/desktop/layout_store.h"
-#include "app/desktop/main_window.h"
-#include "app/desktop/panel_dock.h"
+#include "app/desktop/layouts.h"
+#include "app/desktop/panel_docks.h"
+#include "app/desktop/shown_state.h"
 #include "app/desktop/view_area.h"
 #include "app/desktop/views_room.h"
+#include "app/desktop/window_lessons.h"
 #include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_compare.h"
 #include "app/panels/buffer_overlays.h"
@@ -30,6 +34,7 @@ using pipeline::SettingRef;
 
 // A thousand objects' settings would fill the list.
 constexpr std::size_t kFew = 16;
+constexpr std::size_t kMostSideBySide = 8;
 
 // The field's words for what has another name here.
 struct FieldWords {
@@ -49,7 +54,7 @@ constexpr FieldWords kFieldWords[]{
 
 QString fieldWords(const QString& name) {
     for (const FieldWords& one : kFieldWords)
-        if (name == QLatin1String(one.name)) return MainWindow::tr(one.words);
+        if (name == QLatin1String(one.name)) return PaletteCommands::tr(one.words);
     return {};
 }
 
@@ -103,29 +108,43 @@ bool hasChoices(const pipeline::Setting& setting) {
 
 }  // namespace
 
-void MainWindow::addActionCommands(std::vector<PaletteEntry>& all) {
+PaletteCommands::PaletteCommands(QMainWindow& window, Document& document, const Actions& actions, PanelDocks& docks,
+                                 ViewArea& views, Layouts& layouts, ShownState& shown, WindowLessons& lessons,
+                                 FileOpening& opening)
+    : QObject(&window),
+      m_window(window),
+      m_document(document),
+      m_actions(actions),
+      m_docks(docks),
+      m_views(views),
+      m_layouts(layouts),
+      m_shown(shown),
+      m_lessons(lessons),
+      m_opening(opening) {}
+
+void PaletteCommands::addActionCommands(std::vector<PaletteEntry>& all) {
     for (const ActionRow& row : actionTable()) {
-        QAction* action = (*m_actions)[row.id];
+        QAction* action = m_actions[row.id];
         if (row.id == ActionId::RunCommand) continue;
         all.push_back({action->text(), QString(row.menu).replace('/', QStringLiteral(" › ")), keysText(*action),
                        action->property("whyNot").toString(), [action] { action->trigger(); }});
     }
-    for (PanelDock* dock : m_docks) {
+    for (PanelDock* dock : m_docks.all()) {
         QAction* action = dock->toggleViewAction();
         all.push_back({dock->windowTitle(), tr("Panel"), keysText(*action),
-                       action->isEnabled() ? QString()
-                       : showsScene()      ? whyHidden(dock->objectName())
-                                           : tr("Open a scene first."),
+                       action->isEnabled()  ? QString()
+                       : m_shown.hasScene() ? m_docks.whyHidden(dock->row().id)
+                                            : tr("Open a scene first."),
                        [action] { action->trigger(); }});
     }
-    const QString noLayout = (*m_actions)[ActionId::KeepLayout]->property("whyNot").toString();
+    const QString noLayout = m_actions[ActionId::KeepLayout]->property("whyNot").toString();
     for (const QString& name : keptLayouts())
-        all.push_back({name, tr("View › Layout"), QString(), noLayout, [this, name] { applyKeptLayout(name); }});
+        all.push_back({name, tr("View › Layout"), QString(), noLayout, [this, name] { m_layouts.applyKept(name); }});
 }
 
 // Of the active buffer view, and of the first 3D view.
-void MainWindow::addViewCommands(std::vector<PaletteEntry>& all) {
-    BufferView& view = m_views->activeBuffer();
+void PaletteCommands::addViewCommands(std::vector<PaletteEntry>& all) {
+    BufferView& view = m_views.activeBuffer();
     const std::size_t lights = m_document.scene().lights.size();
     for (const auto& names : {pipeline::allBuffers(lights), pipeline::allDerived(lights)})
         for (const pipeline::BufferName& name : names) {
@@ -134,7 +153,7 @@ void MainWindow::addViewCommands(std::vector<PaletteEntry>& all) {
                            tr("Buffer"),
                            {},
                            {},
-                           [this, name] { m_views->showBuffer(name); },
+                           [this, name] { m_views.showBuffer(name); },
                            isCosine ? tr("cosine Lambert") : QString()});
         }
     const pipeline::BufferInfo& info = bufferInfo(view.buffer().id);
@@ -147,7 +166,7 @@ void MainWindow::addViewCommands(std::vector<PaletteEntry>& all) {
                        [&overlays, id = overlay.id] { overlays.set(id, !overlays.isOn(id)); },
                        tr("overlays")});
     delete m_compareMenu;
-    m_compareMenu = new QMenu(this);
+    m_compareMenu = new QMenu(&m_window);
     view.compare().fillMenu(*m_compareMenu, view.buffer());
     addMenu(all, *m_compareMenu, tr("Compare with"));
     const QString noB = view.compare().source() ? QString() : tr("Choose what to compare with first.");
@@ -158,9 +177,9 @@ void MainWindow::addViewCommands(std::vector<PaletteEntry>& all) {
 
     const auto change = [this](auto alter) {
         return [this, alter] {
-            lessons::SpaceShown state = m_views->view3d().state();
+            lessons::SpaceShown state = m_views.view3d().state();
             alter(state);
-            m_views->view3d().lookAt(state);
+            m_views.view3d().lookAt(state);
         };
     };
     for (const SpaceSwitch& one : kSpaceSwitches)
@@ -182,12 +201,12 @@ void MainWindow::addViewCommands(std::vector<PaletteEntry>& all) {
 }
 
 // Every setting, what it can be, and all of that side by side.
-void MainWindow::addSettingCommands(std::vector<PaletteEntry>& all) {
+void PaletteCommands::addSettingCommands(std::vector<PaletteEntry>& all) {
     const pipeline::Scene& scene = m_document.scene();
     for (const SettingRef& setting : settingsOf(scene)) {
         if (setting.setting->count(scene) > kFew) continue;
         const QString key = toQString(setting.key()), label = labelOf(setting);
-        all.push_back({label, tr("Setting › %1").arg(key), {}, {}, [this, key] { showSetting(key); }});
+        all.push_back({label, tr("Setting › %1").arg(key), {}, {}, [this, key] { m_docks.showSetting(key); }});
         if (!hasChoices(*setting.setting)) continue;
         const QString why = toQString(setting.setting->idle(scene));
         for (std::size_t i = 0; i < setting.setting->choices.size(); ++i)
@@ -207,10 +226,10 @@ void MainWindow::addSettingCommands(std::vector<PaletteEntry>& all) {
 }
 
 // The active buffer once for every value of a setting, aligned at one zoom, each with the value's name.
-void MainWindow::showSideBySide(const SettingRef& setting) {
+void PaletteCommands::showSideBySide(const SettingRef& setting) {
     lessons::WindowState state;
-    m_views->fill(state);
-    lessons::BufferShown shown = m_views->activeBuffer().state();
+    m_views.fill(state);
+    lessons::BufferShown shown = m_views.activeBuffer().state();
     shown.zoom.reset();
     const std::size_t count = setting.setting->choices.size();
     const std::size_t columns = count < 4 ? count : (count + 1) / 2;
@@ -226,26 +245,25 @@ void MainWindow::showSideBySide(const SettingRef& setting) {
     state.arrangement += ")";
     if (count < 4) state.arrangement = state.arrangement.substr(1, state.arrangement.size() - 2);
     state.linked = true;
-    lookAt(state);
-    giveViewsRoom(*this, *m_views);
+    m_shown.lookAt(state);
+    giveViewsRoom(m_window, m_views);
     emit m_document.said(tr("Every view shows one value of %1.").arg(labelOf(setting)));
 }
 
-std::vector<PaletteEntry> MainWindow::commands() {
-    enableActions();
+std::vector<PaletteEntry> PaletteCommands::all() {
     std::vector<PaletteEntry> all;
     addActionCommands(all);
-    if (showsScene() && m_document.frame()) addViewCommands(all);
-    if (showsScene()) addSettingCommands(all);
-    const LessonShelf& shelf = m_lessons->shelf();
+    if (m_shown.hasScene() && m_document.frame()) addViewCommands(all);
+    if (m_shown.hasScene()) addSettingCommands(all);
+    const LessonShelf& shelf = m_docks.panels().lesson->shelf();
     for (int i = 0; i < shelf.rowCount(); ++i) {
         const QString name = shelf.index(i).data(LessonShelf::NameRole).toString();
         all.push_back({shelf.index(i).data(LessonShelf::TitleRole).toString(), tr("Lesson"), QString(), QString(),
-                       [this, name] { openLesson(name); }});
+                       [this, name] { m_lessons.open(name); }});
     }
     for (const pipeline::BuiltInScene& scene : pipeline::builtInScenes())
         all.push_back({toQString(scene.title), tr("Scene"), QString(), QString(),
-                       [this, path = toQString(scene.file.string())] { openFile(path); }, toQString(scene.look)});
+                       [this, path = toQString(scene.file.string())] { m_opening.open(path); }, toQString(scene.look)});
     for (PaletteEntry& entry : all)
         if (entry.words.isEmpty()) entry.words = fieldWords(entry.name);
     return all;

@@ -1,0 +1,52 @@
+#pragma once
+#include <QObject>
+#include <vector>
+
+#include "app/desktop/command_palette.h"
+
+class QMainWindow;
+class QMenu;
+
+namespace pipeline {
+struct SettingRef;
+}
+
+namespace app {
+
+class Actions;
+class Document;
+class FileOpening;
+class Layouts;
+class PanelDocks;
+class ShownState;
+class ViewArea;
+class WindowLessons;
+
+// What the command palette finds: actions, panels, buffers, settings, lessons and scenes.
+class PaletteCommands : public QObject {
+    Q_OBJECT
+public:
+    PaletteCommands(QMainWindow& window, Document& document, const Actions& actions, PanelDocks& docks, ViewArea& views,
+                    Layouts& layouts, ShownState& shown, WindowLessons& lessons, FileOpening& opening);
+
+    std::vector<PaletteEntry> all();
+
+private:
+    void addActionCommands(std::vector<PaletteEntry>& all);
+    void addViewCommands(std::vector<PaletteEntry>& all);
+    void addSettingCommands(std::vector<PaletteEntry>& all);
+    void showSideBySide(const pipeline::SettingRef& setting);
+
+    QMainWindow& m_window;
+    Document& m_document;
+    const Actions& m_actions;
+    PanelDocks& m_docks;
+    ViewArea& m_views;
+    Layouts& m_layouts;
+    ShownState& m_shown;
+    WindowLessons& m_lessons;
+    FileOpening& m_opening;
+    QMenu* m_compareMenu = nullptr;  // what there is to compare with
+};
+
+}  // namespace app

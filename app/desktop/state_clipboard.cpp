@@ -1,0 +1,53 @@
+#include "app/desktop/state_clipboard.h"
+
+#include <QApplication>
+#include <QClipboard>
+
+#include "app/core/document_state.h"
+#include "app/core/text.h"
+#include "app/desktop/scene_files.h"
+#include "app/desktop/shown_state.h"
+#include "app/panels/error_list.h"
+#include "lessons/state/cue_list.h"
+#include "pipeline/formats/toml_writer.h"
+
+namespace app {
+
+StateClipboard::StateClipboard(Document& document, ShownState& shown, SceneFiles& files, ErrorList& errors,
+                               QObject* parent)
+    : QObject(parent), m_document(document), m_shown(shown), m_files(files), m_errors(errors) {}
+
+// A scene that is no part of the program goes along, for a machine that does not have its file.
+void StateClipboard::copy() {
+    auto now = m_shown.now();
+    if (!now) {
+        emit m_document.said(tr("The scene is too large to be copied as text."));
+        return;
+    }
+    if (std::filesystem::path(now->scene).is_absolute())
+        if (const auto text = toTomlScene(m_document.scene())) now->sceneText = *text, now->set.clear();
+    QApplication::clipboard()->setText(toQString(toToml(*now)));
+    emit m_document.said(tr("Copied what you see as text. Ctrl+V in a view shows it again, in any window."));
+}
+
+// Without a scene it is a place in the scene on show.
+void StateClipboard::paste() {
+    const std::string text = QApplication::clipboard()->text().trimmed().toStdString();
+    const auto read = text.empty() ? pipeline::Result<lessons::WindowState>(pipeline::Error{
+                                         {"clipboard", 1, 1}, "no text", "what Ctrl+C in a view has copied"})
+                                   : lessons::readState(text, "clipboard");
+    if (!read) return m_errors.report(tr("This is no state of a window. Nothing has changed."), read.errors());
+    m_errors.hide();
+    const auto tell = [this, place = placeText(*read)] {
+        emit m_document.said(tr("Shows what was copied: %1.").arg(place));
+    };
+    if (read->scene.empty() && read->sceneText.empty() && m_shown.hasScene()) {
+        m_document.replace(m_document.scene(), tr("paste"), m_shown.looksTo(*read));
+        m_shown.showPlace(*read);
+        return tell();
+    }
+    if (!isOpen(m_document, *read, {}) && !m_files.mayLeave()) return;
+    m_files.showState(*read, {}, SceneChanges::Pasted, tell);
+}
+
+}  // namespace app

@@ -1,0 +1,190 @@
+#include "app/desktop/window_cues.h"
+
+#include <QCoreApplication>
+#include <QLayout>
+#include <QMainWindow>
+#include <algorithm>
+
+#include "app/core/document.h"
+#include "app/core/scene_opener.h"
+#include "app/core/shown_name.h"
+#include "app/core/text.h"
+#include "app/desktop/keep_changes.h"
+#include "app/desktop/layout_store.h"
+#include "app/desktop/panel_docks.h"
+#include "app/desktop/presentation.h"
+#include "app/desktop/scene_files.h"
+#include "app/desktop/shown_state.h"
+#include "app/desktop/view_area.h"
+#include "app/desktop/window_layout.h"
+#include "app/panels/cue_panel.h"
+#include "app/panels/error_list.h"
+#include "app/panels/lesson_panel.h"
+#include "app/panels/save_dialog.h"
+
+namespace app {
+
+QString WindowCues::fileFilter() { return tr("Cue lists (*%1)").arg(lessons::kCueEnding); }
+
+WindowCues::WindowCues(QMainWindow& window, Document& document, const SceneOpener& opener, const PanelDocks& docks,
+                       ViewArea& views, WindowLayout& layout, ShownState& shown, SceneFiles& files,
+                       Presentation& presentation, ErrorList& errors)
+    : QObject(&window),
+      m_window(window),
+      m_document(document),
+      m_opener(opener),
+      m_dock(docks[PanelId::Cues]),
+      m_panel(*docks.panels().cues),
+      m_lessons(*docks.panels().lesson),
+      m_views(views),
+      m_layout(layout),
+      m_shown(shown),
+      m_files(files),
+      m_presentation(presentation),
+      m_errors(errors) {
+    connect(&m_panel, &CuePanel::asked, this, [this](int cue) { goTo(cue); });
+    connect(&m_panel, &CuePanel::keepAsked, this, &WindowCues::keep);
+    connect(&m_panel, &CuePanel::replaceAsked, this, &WindowCues::replaceCurrent);
+    connect(&m_panel, &CuePanel::saveAsAsked, this, &WindowCues::saveAs);
+    connect(&presentation, &Presentation::cueAsked, this, [this](int cue) { goTo(cue); });
+    connect(&presentation, &Presentation::ended, this, &WindowCues::endTalk);
+    const auto forget = [this] { m_asked.reset(); };
+    connect(&files, &SceneFiles::asked, this, forget);
+    connect(&files, &SceneFiles::notShown, this, forget);
+    connectModel();
+    reportUnread();
+}
+
+CueModel& WindowCues::model() const { return m_panel.model(); }
+
+void WindowCues::connectModel() {
+    connect(&model(), &CueModel::notRead, this, [this](const pipeline::Errors& errors) {
+        m_errors.report(tr("The cue list before is still open."), errors);
+    });
+    connect(&model(), &CueModel::notWritten, this, [this](const QString& file, const pipeline::Errors& errors) {
+        m_errors.report(tr("%1 could not be written. The cues are still here.").arg(shownName(file)), errors);
+    });
+    connect(&model(), &CueModel::putAside, this, [this](const QString& file) {
+        emit m_document.said(tr("A new list. The cues before are kept in %1.").arg(shownName(file)));
+    });
+}
+
+void WindowCues::reportUnread() {
+    const auto& unread = model().unread();
+    if (unread.empty()) return;
+    const auto tell = [this, unread] {
+        m_errors.report(tr("%1 could not be read. It stays as it is; new cues go into %2.")
+                            .arg(shownName(toQString(unread.front().where.file)), shownName(model().file())),
+                        unread);
+    };
+    tell();
+    // A scene that opens hides what is reported: the session's does so at once.
+    connect(&m_document, &Document::sceneOpened, this, tell,
+            Qt::ConnectionType(Qt::QueuedConnection | Qt::SingleShotConnection));
+}
+
+// A cue is a place of a talk, not of someone's work: it has no bookmarks.
+std::optional<lessons::WindowState> WindowCues::state() const {
+    auto now = m_shown.now(model().folder());
+    if (now) now->bookmarks.clear();
+    return now;
+}
+
+void WindowCues::keep() {
+    const auto now = state();
+    if (!now) return;
+    const int row = model().add({std::string(stageInfo(now->stage).label), {}, {}, *now});
+    emit m_document.said(
+        tr("Kept as cue %1, %2. F2 in the list of cues names it.").arg(row + 1).arg(onOneLine(model().cue(row).name)));
+    raisePanel();
+}
+
+void WindowCues::replaceCurrent() {
+    if (const auto now = state(); now && model().current() >= 0) model().setState(model().current(), *now);
+}
+
+void WindowCues::raisePanel() {
+    if (m_layout.isWide()) m_dock.show(), m_dock.raise();
+}
+
+void WindowCues::goTo(int cue, const Then& then) {
+    if (cue < 0 || cue >= model().size()) return;
+    const lessons::WindowState state = model().cue(cue).state;
+    // A talk is not stopped by a question. Within a file the changes stay, as steps of undo.
+    if (!m_presentation.isOn() && !isOpen(m_document, state, model().folder()) && !m_files.mayLeave()) return;
+    m_files.showState(state, model().folder(), SceneChanges::Given, [this, state, cue, then] {
+        m_asked.reset();
+        m_presentation.lookAt(state);
+        model().setCurrent(cue);
+        if (then) then();
+    });
+    if (m_opener.busy()) m_asked = cue;
+}
+
+bool WindowCues::saveAs() {
+    const QString file =
+        askWhereToSave(&m_window, tr("Save the cue list"), model().file(), fileFilter(), lessons::kCueEnding + 1);
+    return !file.isEmpty() && model().saveAs(file);
+}
+
+bool WindowCues::mayLeave() {
+    if (!model().isUnsaved() || model().write()) return true;
+    switch (askToKeep(&m_window, shownName(model().file()))) {
+        case KeepChanges::Cancel: return false;
+        case KeepChanges::Save: return saveAs();
+        case KeepChanges::Discard: break;
+    }
+    return true;
+}
+
+// From the cue on show, or from the one whose scene is still being read. Outside a talk a clicker turns a lesson's pages.
+void WindowCues::step(int by) {
+    if (!turnsLesson()) return goTo(m_asked.value_or(model().current()) + by);
+    if (!m_lessons.run().turn(by)) emit m_document.said(tr("The page turns after your answer; Alt+S shows it."));
+}
+
+bool WindowCues::turnsLesson() const { return m_lessons.lesson() && !m_presentation.isOn(); }
+
+bool WindowCues::open(const QString& file, const QString& name, const Then& then) {
+    if (!model().open(file)) return false;
+    int first = 0;
+    if (!name.isEmpty()) {
+        const auto found = findCue(model().list(), name.toStdString());
+        if (!found) {
+            m_errors.report(tr("%1 has no such cue.").arg(shownName(file)), found.errors());
+            return false;
+        }
+        first = int(*found);
+    }
+    // The panel first: after a talk the panels stand as they did when it began.
+    goTo(first, [this, then] {
+        raisePanel();
+        if (then) then();
+    });
+    return true;
+}
+
+void WindowCues::present(const QList<QAction*>& keys, bool withNotes) {
+    if (m_presentation.isOn()) return m_presentation.end();
+    if (m_layout.showsScene()) return beginTalk(keys, withNotes);
+    goTo(std::max(0, model().current()), [this, keys, withNotes] { beginTalk(keys, withNotes); });
+}
+
+void WindowCues::beginTalk(const QList<QAction*>& keys, bool withNotes) {
+    const auto now = m_shown.now();
+    if (!now) return;
+    m_beforeTalk = m_window.saveState(kLayoutVersion);
+    m_presentation.begin(*now, keys, withNotes);
+}
+
+void WindowCues::endTalk() {
+    // Letters as large as a talk's have pushed the panels. There is room for their places once all is small again,
+    // also what is behind a tab, which has not heard of it.
+    for (QLayout* layout : m_window.findChildren<QLayout*>()) layout->invalidate();
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
+    m_window.restoreState(m_beforeTalk, kLayoutVersion);
+    m_layout.fitText();
+    m_views.goTo(m_views.active());  // the keys go on where they were during the talk
+}
+
+}  // namespace app

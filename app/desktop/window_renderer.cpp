@@ -1,0 +1,162 @@
+#include "app/desktop/window_renderer.h"
+
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <algorithm>
+#include <utility>
+
+#include "app/core/document.h"
+#include "app/core/renderer_check.h"
+#include "app/core/shown_name.h"
+#include "app/desktop/panel_docks.h"
+#include "app/desktop/scene_files.h"
+#include "app/desktop/view_area.h"
+#include "app/desktop/window_layout.h"
+#include "app/desktop/window_lessons.h"
+#include "app/panels/buffer_compare.h"
+#include "app/panels/buffer_overlays.h"
+#include "app/panels/buffer_view.h"
+#include "app/panels/lesson_panel.h"
+#include "app/panels/renderer_panel.h"
+#include "lessons/library.h"
+#include "pipeline/formats/format_table.h"
+
+namespace app {
+namespace {
+
+// Mine, reference, and below them the classes.
+constexpr const char* kRendererViews = "(buffer | buffer) / buffer";
+
+// The scene in a folder, where there is one and no other.
+QString onlySceneIn(const QString& folder) {
+    QStringList found;
+    for (const QFileInfo& file : QDir(folder).entryInfoList(QDir::Files)) {
+        if (file.fileName() == QLatin1String("mine.toml")) continue;
+        const QString name = file.fileName().toLower();
+        if (name.endsWith(".toml") || name.endsWith(".scene")) found += file.absoluteFilePath();
+    }
+    return found.size() == 1 ? found.front() : QString();
+}
+
+bool isMine(const QString& path, std::size_t lights) {
+    const QFileInfo file(path);
+    return file.isFile() && pipeline::foreign::findHanded(file.completeBaseName().toStdString(), lights).has_value();
+}
+
+}  // namespace
+
+WindowRenderer::WindowRenderer(QWidget& window, Document& document, const PanelDocks& docks, ViewArea& views,
+                               WindowLayout& layout, SceneFiles& files, WindowLessons& lessons)
+    : QObject(&window),
+      m_window(window),
+      m_document(document),
+      m_docks(docks),
+      m_views(views),
+      m_layout(layout),
+      m_files(files),
+      m_lessons(lessons),
+      m_panel(*docks.panels().renderer) {
+    m_docks[PanelId::Renderer].hide();
+    connect(&m_panel, &RendererPanel::folderAsked, this, &WindowRenderer::chooseFolder);
+    connect(&m_panel, &RendererPanel::filesAsked, this, &WindowRenderer::chooseFiles);
+    connect(&m_panel.finding(), &RendererFinding::begun, this, &WindowRenderer::setViews);
+    connect(&m_panel.finding(), &RendererFinding::showAsked, this, &WindowRenderer::showInViews);
+    connect(&m_panel, &RendererPanel::lessonAsked, &lessons, &WindowLessons::openPage);
+    connect(&document.renderer(), &RendererCheck::compared, this, [this] {
+        emit viewsChanged();
+        if (!m_document.renderer().isOpen()) leave();
+    });
+    connect(&lessons, &WindowLessons::begins, this, &WindowRenderer::leave);  // the lesson's scene is another
+}
+
+QString WindowRenderer::startFolder() const {
+    const QStringList& before = m_document.renderer().paths();
+    return before.isEmpty() ? QString() : before.front();
+}
+
+void WindowRenderer::chooseFolder() {
+    checkChosen(
+        {QFileDialog::getExistingDirectory(&m_window, tr("The folder that your renderer writes"), startFolder())});
+}
+
+void WindowRenderer::chooseFiles() {
+    checkChosen(
+        QFileDialog::getOpenFileNames(&m_window, tr("What your renderer has written"), startFolder(),
+                                      tr("Buffers (*.npy *.png *.ppm *.pgm *.pfm *.exr *.csv);;All files (*)")));
+}
+
+void WindowRenderer::checkChosen(QStringList paths) {
+    paths.removeAll(QString());
+    if (!paths.isEmpty()) check(paths);
+}
+
+bool WindowRenderer::accepts(const QStringList& paths) const {
+    if (paths.size() == 1)
+        return QFileInfo(paths.front()).isDir() && lessons::lessonAt(paths.front().toStdString()).empty();
+    const std::size_t lights = m_document.hasScene() ? m_document.scene().lights.size() : 1;
+    return !paths.isEmpty() && std::ranges::all_of(paths, [&](const QString& path) { return isMine(path, lights); });
+}
+
+void WindowRenderer::check(const QStringList& paths) {
+    m_docks.panels().lesson->close();  // its scene is not the one that somebody has drawn
+    if (!m_layout.showsScene()) {
+        const QString scene = paths.size() == 1 ? onlySceneIn(paths.front()) : QString();
+        if (scene.isEmpty()) {
+            const std::string found = shownName(paths.front()).toStdString();
+            emit m_document.failed({{{},
+                                     "there is no scene to compare " + found + " with",
+                                     "open the scene that your renderer draws, then choose the folder again; a folder "
+                                     "may hold its scene"}});
+            return;
+        }
+        m_files.open(scene, [this, paths] { check(paths); });
+        return;
+    }
+    leave();
+    showPanel();
+    m_document.renderer().open(paths);
+}
+
+void WindowRenderer::showPanel() {
+    PanelDock& dock = m_docks[PanelId::Renderer];
+    for (PanelDock* other : m_docks.left())
+        if (other != &dock) other->hide();
+    dock.show();
+    dock.raise();
+    m_layout.fit(WindowLayout::Fit::Always);
+    m_panel.setFocus();
+}
+
+void WindowRenderer::setViews() {
+    if (m_viewsBefore.isEmpty()) m_viewsBefore = QString::fromStdString(m_views.arrangement());
+    m_views.setArrangement(kRendererViews);
+    m_views.setLinked(true);
+    const std::vector<BufferView*> views = m_views.shownBuffers();
+    for (std::size_t i = 0; i < views.size(); ++i) {
+        views[i]->setBuffer(views.front()->buffer());
+        views[i]->compare().compareWith(OtherSource{.kind = OtherSource::Kind::Mine});
+        // The first shows mine; the others the reference, of which Shift shows mine.
+        views[i]->compare().setMode(i == 0 && views.size() > 1 ? CompareMode::B : CompareMode::A);
+        views[i]->features().overlays->set(OverlayId::Classes, i + 1 == views.size());
+    }
+    emit viewsChanged();
+}
+
+void WindowRenderer::showInViews(const pipeline::BufferName& buffer) {
+    if (m_viewsBefore.isEmpty()) return m_views.showBuffer(buffer);
+    for (BufferView* view : m_views.shownBuffers()) view->setBuffer(buffer);
+}
+
+// The views are again as they were.
+void WindowRenderer::leave() {
+    for (BufferView* view : m_views.shownBuffers()) {
+        if (view->compare().isMine()) view->compare().compareWith(std::nullopt);
+        view->features().overlays->set(OverlayId::Classes, false);
+    }
+    if (m_viewsBefore.isEmpty()) return;
+    m_views.setArrangement(std::exchange(m_viewsBefore, QString()).toStdString());
+    emit viewsChanged();
+}
+
+}  // namespace app
