@@ -26,7 +26,7 @@ struct FigureOptions {
     std::string colors = "light";
     double letters = 8, dots = 300;
     int threads = 0;
-    bool noBar = false, scale = false, hasCaption = false;
+    bool noBar = false, scale = false, grid = false, edges = false, hasCaption = false;
 };
 
 int wrongFigure(const std::string& why) {
@@ -131,6 +131,8 @@ Found bufferOf(const FigureOptions& options, const std::shared_ptr<const pipelin
     const pipeline::BufferInfo& info = bufferInfo(named->id);
     if (info.domain != pipeline::Domain::Pixel && info.domain != pipeline::Domain::Texel)
         return {{}, {}, wrongFigure(fmt::format("{} has no pixels, so that there is no picture of it", named->text()))};
+    if (options.edges && info.domain == pipeline::Domain::Texel)
+        return {{}, {}, wrongFigure(fmt::format("--edges: {} is no picture of the camera", named->text()))};
     const bool isMade = pipeline::isDerived(named->id);
     const auto made = derivedWanted(options.derived, isMade ? std::vector{*named} : std::vector<pipeline::BufferName>(),
                                     *scene, std::nullopt);
@@ -143,6 +145,7 @@ Found bufferOf(const FigureOptions& options, const std::shared_ptr<const pipelin
     request.stop = interrupt.token();
     request.wanted = made->buffers | pipeline::setOf({pipeline::BufferId::PolygonId});
     if (!isMade) request.wanted.set(index(named->id));
+    if (options.edges) request.wanted |= pipeline::outlineBuffers();
     int status = kDone;
     if (!fits(*scene, request, options.scene, status)) return {{}, {}, status};
     frame = runFrame(scene, request, nullptr);
@@ -184,7 +187,8 @@ int runFigure(const FigureOptions& options) {
     if (!found.buffer) return found.status;
     pipeline::Figure figure = figureOf(*frame, std::move(*found.buffer));
     if (const std::string wrong = place(options, figure); !wrong.empty()) return wrongFigure(wrong);
-    figure.hasBar = !options.noBar, figure.hasScale = options.scale;
+    figure.hasBar = !options.noBar, figure.hasScale = options.scale, figure.hasGrid = options.grid;
+    if (options.edges) figure.outlines = polygonOutlines(*frame, figure.part);
     figure.width = *width, figure.letters = options.letters, figure.dotsPerInch = options.dots;
     figure.isForProjector = options.colors == "projector";
     figure.caption = options.hasCaption ? options.caption : captionOf(figure, *scene, found.meaning);
@@ -238,6 +242,8 @@ void declareFigure(CLI::App& program, const CliHost&, int& status) {
         ->check(CLI::Range(pipeline::kLeastDots, pipeline::kMostDots))
         ->capture_default_str();
     command->add_flag("--no-bar", options->noBar, "Leave out the palette's bar");
+    command->add_flag("--grid", options->grid, "Draw lines between the pixels");
+    command->add_flag("--edges", options->edges, "Draw the edges of the polygons that go on to the z-buffer");
     command->add_flag("--scale-bar", options->scale, "Show how long some pixels are");
     command->add_option("--colors", options->colors, "Of lines and letters: light, or projector with more contrast")
         ->type_name("THEME")

@@ -81,6 +81,44 @@ FigureSurface pixelsOf(const Figure& figure, const FigureLayout& layout) {
     return pixels;
 }
 
+// Between the pixels, much thinner than they are.
+void drawGrid(cairo_t* c, const Figure& figure, const FigureLayout& layout) {
+    for (int x = 1; x < layout.columns; ++x)
+        cairo_move_to(c, layout.left + x * layout.pixel, layout.top), cairo_rel_line_to(c, 0, layout.pictureHeight());
+    for (int y = 1; y < layout.rows; ++y)
+        cairo_move_to(c, layout.left, layout.top + y * layout.pixel), cairo_rel_line_to(c, layout.pictureWidth(), 0);
+    setInk(c, inkOf(figure).text);
+    cairo_set_line_width(c, std::min(0.25, layout.pixel / 8));
+    cairo_stroke(c);
+}
+
+// A rim of paper keeps them apart from a dark picture.
+void drawOutlines(cairo_t* c, const Figure& figure, const FigureLayout& layout) {
+    for (const Figure::Outline& outline : figure.outlines) {
+        cairo_new_sub_path(c);
+        for (const glm::dvec2& corner : outline)
+            cairo_line_to(c, layout.left + (corner.x - layout.first.x) * layout.pixel,
+                          layout.top + (corner.y - layout.first.y) * layout.pixel);
+        cairo_close_path(c);
+    }
+    cairo_set_line_join(c, CAIRO_LINE_JOIN_ROUND);
+    setInk(c, inkOf(figure).background);
+    cairo_set_line_width(c, 1.25);
+    cairo_stroke_preserve(c);
+    setInk(c, inkOf(figure).text);
+    cairo_set_line_width(c, 0.5);
+    cairo_stroke(c);
+}
+
+void drawLines(cairo_t* c, const Figure& figure, const FigureLayout& layout) {
+    cairo_save(c);
+    cairo_rectangle(c, layout.left, layout.top, layout.pictureWidth(), layout.pictureHeight());
+    cairo_clip(c);
+    if (figure.hasGrid) drawGrid(c, figure, layout);
+    if (!figure.outlines.empty()) drawOutlines(c, figure, layout);
+    cairo_restore(c);
+}
+
 void drawPicture(cairo_t* c, const Figure& figure, const FigureLayout& layout) {
     const FigureSurface pixels = pixelsOf(figure, layout);
     cairo_save(c);
@@ -91,6 +129,7 @@ void drawPicture(cairo_t* c, const Figure& figure, const FigureLayout& layout) {
     cairo_rectangle(c, 0, 0, layout.columns, layout.rows);
     cairo_fill(c);
     cairo_restore(c);
+    drawLines(c, figure, layout);
     setInk(c, inkOf(figure).text);
     cairo_set_line_width(c, 0.5);
     cairo_rectangle(c, layout.left, layout.top, layout.pictureWidth(), layout.pictureHeight());
@@ -287,6 +326,10 @@ FigureSize sizeOf(const Figure& figure) {
 }
 
 Result<std::string> figureFile(const Figure& figure, FigureFormat format) {
+    if (figure.outlines.size() > kMostOutlines)
+        return Error{{},
+                     fmt::format("{} polygons have edges here", figure.outlines.size()),
+                     fmt::format("at most {}: a smaller part, or no edges", kMostOutlines)};
     const FigureLayout layout = measured(figure);
     if (!(layout.pixel >= kLeastPixel))
         return Error{{},

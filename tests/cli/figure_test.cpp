@@ -45,6 +45,7 @@ TEST(FigureCommand, SaysWhatIsWrongBeforeItWrites) {
         {{"--width", "0"}, "20 to 1000 mm"},
         {{"-B", "vertices.world"}, "no pixels"},
         {{"-B", "z_vieww"}, "z_view"},
+        {{"-B", "shadow_buffer.0", "--edges"}, "no picture of the camera"},
         {{"--part", "0,0,9,9", "--pixel", "20,20"}, "outside --part"}};
     for (const auto& [options, words] : wrong) {
         std::vector<std::string> arguments{"figure", "pyramid", "-o", file};

@@ -71,6 +71,52 @@ TEST(Figure, APartHasTheShapeOfItsPixels) {
     EXPECT_NEAR(size.height - edges, (size.width - edges) / 2, 1e-9);
 }
 
+std::size_t occurrences(const std::string& text, std::string_view of) {
+    std::size_t count = 0;
+    for (std::size_t at = text.find(of); at != text.npos; at = text.find(of, at + 1)) ++count;
+    return count;
+}
+
+// A part of 10 × 10 pixels has 9 lines from left to right and 9 from top to bottom between them, one of 5 × 4 has 4 and 3.
+TEST(Figure, AGridHasALineBetweenTwoPixels) {
+    Figure figure = depthFigure();
+    figure.hasBar = false, figure.hasGrid = true;
+    figure.part = Figure::Part{{260, 270}, {269, 279}};
+    const auto many = figureFile(figure, FigureFormat::Svg);
+    figure.part = Figure::Part{{260, 270}, {264, 273}};
+    const auto few = figureFile(figure, FigureFormat::Svg);
+    ASSERT_TRUE(many && few);
+    EXPECT_EQ(occurrences(*many, " L ") - occurrences(*few, " L "), 18u - 7u);
+}
+
+// Of the pyramid's five polygons two are culled: the base and a side (lecture 1).
+TEST(Figure, ItsEdgesAreOfThePolygonsThatGoOn) {
+    const FramePtr frame = test::frameOf(test::pyramid(), outlineBuffers());
+    const auto screen = frame->buffer({BufferId::VerticesScreen});
+    const std::vector<Figure::Outline> all = polygonOutlines(*frame, {});
+    ASSERT_EQ(all.size(), 3u);
+    for (const Figure::Outline& outline : all) {
+        ASSERT_EQ(outline.size(), 3u);
+        for (const glm::dvec2& corner : outline) {
+            bool isVertex = false;
+            for (std::size_t v = 0; v < screen->rows(); ++v)
+                isVertex = isVertex || (screen->value(0, v, 0) == corner.x && screen->value(0, v, 1) == corner.y);
+            EXPECT_TRUE(isVertex);
+        }
+    }
+    // The pyramid is in the middle of the picture.
+    EXPECT_TRUE(polygonOutlines(*frame, Figure::Part{{0, 0}, {9, 9}}).empty());
+    Figure figure =
+        figureOf(*frame, *test::frameOf(test::pyramid(), setOf({BufferId::ZView}))->buffer({BufferId::ZView}));
+    const std::size_t before = figureFile(figure, FigureFormat::Svg)->size();
+    figure.outlines = all;
+    EXPECT_GT(figureFile(figure, FigureFormat::Svg)->size(), before);
+    figure.outlines.resize(kMostOutlines + 1);
+    const auto refused = figureFile(figure, FigureFormat::Svg);
+    ASSERT_FALSE(refused);
+    EXPECT_NE(refused.errors().front().found.find("100001 polygons"), std::string::npos);
+}
+
 TEST(Figure, WithoutRoomForThePictureItIsRefused) {
     Figure figure = depthFigure();
     figure.width = kLeastFigure, figure.letters = kMostLetters;
