@@ -7,6 +7,7 @@
 
 #include "app/core/text.h"
 #include "app/core/theme.h"
+#include "lessons/talk_words.h"
 
 namespace app {
 namespace {
@@ -64,7 +65,7 @@ QString AskPanel::remark() const {
     }
     if (total > 0) return total == 1 ? tr("1 vote so far.") : tr("%1 votes so far.").arg(total);
     const lessons::Cue& now = *m_cues.currentCue();
-    return now.caption.empty() ? tr("Talk to your neighbour, then vote by hand.") : toQString(now.caption);
+    return now.caption.empty() ? tr(lessons::kVoteByHand) : toQString(now.caption);
 }
 
 // Letters are for the votes while a question is on show, digits while one of its fields is chosen.

@@ -11,30 +11,13 @@
 #include "app/panels/algorithm_panel.h"
 #include "app/panels/algorithm_view.h"
 #include "app/panels/math_view.h"
+#include "lessons/talk_words.h"
 
 namespace app {
 namespace {
 
-constexpr int kMostLines = 11;                            // of an algorithm
-constexpr std::size_t kMostEquationLines = 4;             // before the frame buffer's
 constexpr double kAlgorithmWidth = 0.63;                  // of the view's
 constexpr double kAskWidth = 0.52, kAnswerWidth = 0.275;  // likewise, of the choices
-
-// The lines of the equation itself, to the frame buffer: a lecture has no room for where its numbers come from. Of many
-// lights the first lines, but no symbols without their numbers.
-std::vector<pipeline::EquationLine> shortEquation(std::vector<pipeline::EquationLine> lines) {
-    std::vector<pipeline::EquationLine> shown;
-    for (pipeline::EquationLine& line : lines) {
-        const bool isLast = line.role == "frame buffer";
-        const bool isWanted = isLast || line.role == "symbols" || line.role == "numbers" || line.role == "result";
-        if (!isWanted || (!isLast && shown.size() == kMostEquationLines)) continue;
-        line.remark.clear();
-        if (isLast && !shown.empty() && shown.back().role == "symbols") shown.pop_back();
-        shown.push_back(std::move(line));
-        if (isLast) break;
-    }
-    return shown;
-}
 
 }  // namespace
 
@@ -43,7 +26,7 @@ QWidget* CleanView::makeAlgorithm() {
     m_algorithmColumn = new QWidget(this);
     m_algorithm = new AlgorithmView(m_algorithmColumn);
     m_algorithm->setLetters(20.8, 17.6);  // 38 and 32 px in 1080 lines
-    m_algorithm->setMostLines(kMostLines);
+    m_algorithm->setMostLines(int(lessons::kMostAlgorithmRows));
     m_algorithm->setShowsLoop(true);
     m_algorithm->setFocusPolicy(Qt::NoFocus);
     auto* lines = new QVBoxLayout(m_algorithmColumn);
@@ -67,7 +50,7 @@ void CleanView::showEquation() {
     if (!shows) return;
     const pipeline::PixelReport& report = inspected->report;
     const pipeline::Scene& scene = inspected->frame->scene();
-    m_math->setLines(shortEquation(equation(scene, report, m_document.channel(), chosenNumbers())), true);
+    m_math->setLines(lessons::shortEquation(equation(scene, report, m_document.channel(), chosenNumbers())), true);
     const auto& c = report.color;
     // A font set while the row is hidden does not outlive a style sheet that comes meanwhile.
     m_value->setFont(Theme::current().mono(13));

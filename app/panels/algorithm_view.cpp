@@ -10,6 +10,7 @@
 #include "app/core/text.h"
 #include "app/panels/code_words.h"
 #include "app/panels/follow_theme.h"
+#include "lessons/talk_words.h"
 
 namespace app {
 
@@ -92,13 +93,7 @@ AlgorithmView::Sheet AlgorithmView::layOut(int width) const {
             longest = std::max(longest, row.indent * sheet.indent + codeWidth(sheet.code, toQString(row.text)));
         if (sheet.numbers + longest + gap <= width || size <= m_least) break;
     }
-    std::size_t first = 0, last = m_rows.size();
-    if (m_most > 0 && m_rows.size() > std::size_t(m_most)) {
-        const auto now = std::ranges::find(m_rows, LineStatus::Now, &AlgorithmRow::status);
-        const auto at = now == m_rows.end() ? 0 : std::size_t(now - m_rows.begin()), most = std::size_t(m_most);
-        first = std::min(at > most / 2 ? at - most / 2 : 0, m_rows.size() - most);
-        last = first + most;
-    }
+    const auto [first, last] = lessons::rowsAround(m_rows, std::size_t(m_most));
     sheet.above = first, sheet.below = m_rows.size() - last;
     const int line = int(QFontMetrics(sheet.code).ascent() * kPitch + 0.5);
     int y = sheet.above > 0 ? line : 0;

@@ -3,11 +3,13 @@
 #include <QFontMetrics>
 #include <QRegularExpression>
 
+#include "lessons/talk_words.h"
+
 namespace app {
 
 // The words of the lectures' language, which are set bold, and what is between them.
 std::vector<std::pair<QString, bool>> wordsOf(const QString& code) {
-    static const QRegularExpression language(QStringLiteral("\\b(for each|for all|if|then)\\b"));
+    static const QRegularExpression language(QString::fromLatin1(lessons::kLanguageWords));
     std::vector<std::pair<QString, bool>> parts;
     qsizetype begin = 0;
     for (auto found = language.globalMatch(code); found.hasNext();) {

@@ -7,8 +7,10 @@
 #include "app/panels/canvas_flip.h"
 #include "app/panels/condition_bar.h"
 #include "app/panels/overlays.h"
+#include "app/panels/projected_scene.h"
 #include "app/panels/shadow_overlay.h"
 #include "lessons/derived_buffer.h"
+#include "pipeline/plan/needs.h"
 #include "pipeline/run/runner.h"
 #include "pipeline/steps/steps.h"
 
@@ -98,17 +100,18 @@ void clearBackground(const pipeline::Frame& frame, QImage& image) {
 
 // How much larger than on the screen, where the view fits its picture into a usual height. What is drawn over pixels of
 // a certain size is that of the view, and lines and letters grow with it.
-double growthOf(const lessons::BufferShown& view, QSize size) {
+double growthOf(const lessons::BufferShown& view, const PictureLook& look) {
     constexpr double kUsualHeight = 600;
-    if (!view.zoom) return size.height() / kUsualHeight;
-    return std::min(size.width() / view.zoom->view[0], size.height() / view.zoom->view[1]);
+    if (!view.zoom) return look.growth > 0 ? look.growth : look.size.height() / kUsualHeight;
+    return std::min(look.size.width() / view.zoom->view[0], look.size.height() / view.zoom->view[1]);
 }
 
 // content: as it is painted.
-Placement placementOf(const CanvasContent& content, const lessons::BufferShown& view, QSize size) {
+Placement placementOf(const CanvasContent& content, const lessons::BufferShown& view, const PictureLook& look) {
+    const QSize size = look.size;
     const QPointF middle(size.width() / 2.0, size.height() / 2.0);
     if (view.zoom) {
-        const double zoom = view.zoom->factor * growthOf(view, size);
+        const double zoom = view.zoom->factor * growthOf(view, look);
         QPointF center(view.zoom->center[0], view.zoom->center[1]);
         if (view.flipped) center = upsideDown(center, content.size.height());
         return {middle - center * zoom, zoom};
@@ -124,15 +127,33 @@ CanvasContent turnedFor(CanvasContent content, const lessons::BufferShown& view,
     return view.flipped ? upsideDown(content) : content;
 }
 
-// As on the screen, larger; marks but the picked pixel are left out.
+// What a view marks in its picture.
+CanvasContent marksOf(const pipeline::Frame& frame, const lessons::WindowState& state, const lessons::BufferShown& view,
+                      const CanvasContent& content) {
+    CanvasContent marks;
+    marks.size = content.size;
+    const QRect whole({0, 0}, content.size);
+    if (state.pixel) marks.picked = QPoint((*state.pixel)[0], (*state.pixel)[1]);
+    for (const auto& [number, pixel] : state.pins)
+        if (const QPoint at(pixel[0], pixel[1]); whole.contains(at)) marks.pinned.emplace_back(number, at);
+    if (state.selected) marks.marked = outlinesOf(frame, *state.selected);
+    if (view.region && !content.shapes) {
+        const auto& [left, top, right, bottom] = *view.region;
+        if (const QRect part = QRect(QPoint(left, top), QPoint(right, bottom)) & whole; !part.isEmpty())
+            marks.region = part;
+    }
+    return marks;
+}
+
+// As on the screen, larger.
 QImage painted(const CanvasPictures& pictures, const lessons::BufferShown& view, const PictureLook& look,
-               const std::optional<QPoint>& picked, bool showsEdges, const std::stop_token& stop) {
+               const CanvasContent& marks, bool showsEdges, const std::stop_token& stop) {
     const CanvasContent a = turnedFor(pictures.a, view, look);
     QImage image(look.size, QImage::Format_ARGB32_Premultiplied);
     image.fill(Qt::transparent);
     QPainter painter(&image);
-    const double growth = growthOf(view, look.size);
-    Placement placement = placementOf(a, view, look.size);
+    const double growth = growthOf(view, look);
+    Placement placement = placementOf(a, view, look);
     placement.origin /= growth, placement.zoom /= growth;
     const QRect visible = QRectF(QPointF(0, 0), QSizeF(look.size) / growth).toAlignedRect();
     painter.scale(growth, growth);
@@ -145,8 +166,6 @@ QImage painted(const CanvasPictures& pictures, const lessons::BufferShown& view,
     };
     paint(a, {0, 0, border, visible.height()});
     if (pictures.b) paint(turnedFor(*pictures.b, view, look), {border, 0, visible.width() - border, visible.height()});
-    CanvasContent marks;
-    marks.size = pictures.a.size, marks.picked = picked;
     paintMarks(painter, view.flipped ? upsideDown(marks) : marks, placement, visible);
     paintWipe(painter, pictures.wipe, visible);
     return stop.stop_requested() ? QImage() : image;
@@ -159,7 +178,9 @@ pipeline::FramePtr frameOf(const lessons::WindowState& state, std::shared_ptr<co
     pipeline::FrameRequest request{
         .wanted = pipeline::setOf({pipeline::BufferId::Color, pipeline::BufferId::PolygonId}), .stop = stop};
     for (const lessons::BufferShown& view : state.views) {
-        if (const auto name = pipeline::findBuffer(view.buffer)) request.wanted.set(index(name->id));
+        // As in the window, showing a buffer does not compute what the scene has no use for.
+        if (const auto name = pipeline::findBuffer(view.buffer); name && whyUseless(*scene, name->id).empty())
+            request.wanted.set(index(name->id));
         for (const pipeline::BufferName& name : derivedIn(view))
             if (const auto needed = buffersFor(name, recipeOf(state, *scene), *scene)) request.wanted |= *needed;
         if (const auto name = pipeline::findAnyBuffer(view.buffer))
@@ -171,16 +192,11 @@ pipeline::FramePtr frameOf(const lessons::WindowState& state, std::shared_ptr<co
     return steps.frameAt(steps.momentOf(*state.place), 0, stop);
 }
 
-QImage pictureOf(const pipeline::Frame& frame, const lessons::WindowState& state, const lessons::BufferShown& view,
-                 const PictureLook& look, const std::stop_token& stop) {
+std::optional<ShownBuffer> shownOf(const pipeline::Frame& frame, const lessons::WindowState& state,
+                                   const lessons::BufferShown& view, const PictureLook& look,
+                                   const std::stop_token& stop) {
     const auto name = pipeline::findAnyBuffer(view.buffer);
     if (!name) return {};
-    const bool onPixels = bufferInfo(name->id).domain != pipeline::Domain::Texel;
-    const auto picked = look.marks && state.pixel && onPixels
-                            ? std::optional(QPoint((*state.pixel)[0], (*state.pixel)[1]))
-                            : std::nullopt;
-    const bool showsEdges = overlaysOf(view)[index(OverlayId::Edges)];
-    if (look.compared) return painted(*look.compared, view, look, picked, showsEdges, stop);
     const Maker make{frame, recipeOf(state, frame.scene()), look, stop};
     auto shown = shownIn(make, *name, view);
     if (!shown) return {};
@@ -189,7 +205,24 @@ QImage pictureOf(const pipeline::Frame& frame, const lessons::WindowState& state
     CanvasContent& content = shown->content;
     if (look.transparent && !content.image.isNull() && isColorPicture(bufferInfo(name->id), view.channel))
         clearBackground(frame, content.image);
-    return painted({content, {}, {}}, view, look, picked, showsEdges, stop);
+    return stop.stop_requested() ? std::nullopt : std::move(shown);
+}
+
+QImage pictureOf(const pipeline::Frame& frame, const lessons::WindowState& state, const lessons::BufferShown& view,
+                 const PictureLook& look, const std::stop_token& stop) {
+    const auto name = pipeline::findAnyBuffer(view.buffer);
+    if (!name) return {};
+    std::optional<CanvasPictures> alone;
+    if (!look.compared) {
+        const auto shown = shownOf(frame, state, view, look, stop);
+        if (!shown) return {};
+        alone = CanvasPictures{shown->content, {}, {}};
+    }
+    const CanvasPictures& pictures = look.compared ? *look.compared : *alone;
+    const bool onPixels = bufferInfo(name->id).domain != pipeline::Domain::Texel;
+    CanvasContent marks;
+    if (look.marks && onPixels) marks = marksOf(frame, state, view, pictures.a);
+    return painted(pictures, view, look, marks, overlaysOf(view)[index(OverlayId::Edges)], stop);
 }
 
 }  // namespace app

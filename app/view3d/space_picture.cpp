@@ -58,7 +58,7 @@ ViewShot shotOf(glm::ivec2 size, bool isPoint, bool isWorld, bool transparent) {
 
 pipeline::Result<SpacePicture> spacePicture(const lessons::WindowState& state, const lessons::SpaceShown& shown,
                                             const std::shared_ptr<const pipeline::Scene>& scene, glm::ivec2 size,
-                                            const std::stop_token& stop) {
+                                            double pixelRatio, const std::stop_token& stop) {
     pipeline::Errors errors;
     const ViewOptions options = optionsOf(shown, errors);
     const auto space = spaceNamed(shown.space);
@@ -73,7 +73,8 @@ pipeline::Result<SpacePicture> spacePicture(const lessons::WindowState& state, c
         content = map ? std::make_shared<const ViewContent>(inSpace(*world, *map)) : nullptr;
     }
     if (!content) return pipeline::Error{{}, "this scene has no " + nameOf(*space), {}};
-    const ViewShot shot = shotOf(size, isPoint, space->space == ViewSpace::World, false);
+    ViewShot shot = shotOf(size, isPoint, space->space == ViewSpace::World, false);
+    if (pixelRatio > 0) shot.pixelRatio = pixelRatio;
     const glm::dvec2 logical = glm::dvec2(size) / shot.pixelRatio;
     if (!shown.camera)
         return SpacePicture{content, options, firstCamera(*content, options, isPoint, logical, false), shot};

@@ -9,10 +9,10 @@ ViewOptions optionsOf(const lessons::SpaceShown& shown, pipeline::Errors& errors
 std::optional<SpaceId> spaceNamed(std::string_view name);  // "eye", "light 0 -x"
 
 // What a 3D view of a state shows of its scene, at its place in the frame, as the window's own view of that size shows
-// it. Errors: a space that the scene does not have; "stopped".
+// it. pixelRatio: of the shot; 0: by its height. Errors: a space that the scene does not have; "stopped".
 pipeline::Result<SpacePicture> spacePicture(const lessons::WindowState& state, const lessons::SpaceShown& shown,
                                             const std::shared_ptr<const pipeline::Scene>& scene, glm::ivec2 size,
-                                            const std::stop_token& stop = {});
+                                            double pixelRatio = 0, const std::stop_token& stop = {});
 // How such a view frames what it shows where nobody has moved its camera. size: logical pixels.
 OrbitCamera firstCamera(const ViewContent& content, const ViewOptions& options, bool isPoint, glm::dvec2 size,
                         bool orthographic);

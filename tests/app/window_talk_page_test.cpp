@@ -70,7 +70,7 @@ TEST_F(WindowTalkPage, EveryCuesPictureIsTheWindows) {
                                        .view = std::size_t(view.number)};
             const auto slide = slidePicture(document(), window.views(), request);
             ASSERT_TRUE(slide) << format(slide.errors());
-            const QImage page = imageOf(drawCueView(state, shared, view, {800, 600}, {}));
+            const QImage page = imageOf(drawCueView(state, shared, view, {{800, 600}}, {}));
             EXPECT_EQ(page, slide->convertToFormat(QImage::Format_ARGB32))
                 << model.cue(i).name << ", " << (isBuffer ? "buffer " : "3D view ") << view.number;
             ++(isBuffer ? buffers : spaces);

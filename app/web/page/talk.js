@@ -7,7 +7,8 @@ const one = (selector, root = document) => root.querySelector(selector);
 const all = (selector, root = document) => [...root.querySelectorAll(selector)];
 
 const cues = all('.cue'), minutes = Number(document.body.dataset.minutes);
-const captionOf = cue => one('.caption', cue).textContent;
+/** What the audience reads: a question or an answer, then the caption. */
+const captionOf = cue => [...all('.title', cue), one('.caption', cue)].map(part => part.textContent.trim()).join(' ');
 const noteOf = cue => one('.said', cue)?.textContent || '';
 const nameOf = cue => one('h2', cue).textContent;
 let at = 0, began = 0;
