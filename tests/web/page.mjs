@@ -142,6 +142,14 @@ try {
   expect('no error came of the worker', soft.log.length === 0, soft.log);
   await soft.close();
 
+  // Why a pixel of the night side is dark is a sentence, not a formula: with its spaces, and once.
+  const night = await browser.open('file://' + write('night.html', 'export', 'ambient'));
+  await night.run('pick([211, 268])');
+  const why = await night.run('document.querySelector("#why").textContent');
+  expect('a sentence below the equation keeps its spaces', why.includes('is not above 0, so light 0 adds nothing here.'), why);
+  expect('and is there once', why.split('adds').length === 2 && !/\p{L}{25}/u.test(why), why);
+  await night.close();
+
   // A lesson: its questions are judged as in the window.
   const q = await browser.open('file://' + pyramid + '?page=2');
   expect('?page=2 opens the second page', (await q.run('page.number')) === 1);

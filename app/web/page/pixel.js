@@ -22,15 +22,16 @@ function mathPart(part) {
 
 function fillEquation(box, lines) {
   const rows = lines.flatMap(line => [line, ...(line.role === 'result' && view.was ? [null] : [])]);  // null: the line before
-  const kinds = rows.map(line => (line === null ? 'was' : 'line' + (line.role === 'row' ? ' row' : line.text.startsWith('=') ? ' more' : '')));
+  const kinds = rows.map(line => (line === null ? 'was' : line.role === 'note' ? 'note' : 'line' + (line.role === 'row' ? ' row' : line.text.startsWith('=') ? ' more' : '')));
   fillKept(box, kinds.map(kind => [kind, () => {
     const made = element('div', { className: kind });
-    if (kind !== 'was') made.setAttribute('role', 'math');
+    if (kind.startsWith('line')) made.setAttribute('role', 'math');
     return made;
   }]));
   rows.forEach((line, i) => {
-    if (line) fillLine(box.children[i], line);
-    else if (box.children[i].textContent !== view.was) box.children[i].textContent = view.was;
+    const words = line === null ? view.was : line.text, row = box.children[i];
+    if (line && line.role !== 'note') fillLine(row, line);
+    else if (row.textContent !== words) row.textContent = words;
   });
 }
 
@@ -58,13 +59,14 @@ function drawPixel() {
   one('#seen').textContent = !report.covered ? 'Nothing is drawn here.'
     : `Polygon ${report.polygon}, object ${report.object}` + (report.interpolation ? `, interpolated ${report.interpolation.split(':')[0]}` : '');
   all('#channel button').forEach((button, i) => button.setAttribute('aria-pressed', String(i === view.channel)));
-  const lines = report.equation && !hides('equation') ? report.equation : [], terms = termRows(), rows = fragmentRows();
+  const told = termNotes(), terms = termRows(), rows = fragmentRows();
+  const lines = report.equation && !hides('equation') ? report.equation.filter(line => line.role !== 'note' || !told.includes(line.text)) : [];
   /** @type {[string, () => Element][]} */
   const parts = [];
   if (lines.length) parts.push(['equation', () => element('div', { className: 'equation' })]);
   else if (hides('equation') && report.covered) parts.push(kept('The equation is hidden until you answer the question.'));
   if (terms.length) parts.push(['terms', () => table('terms', 'Terms')]);
-  parts.push(...termNotes().map(kept), ...lines.filter(line => line.remark && line.role !== 'row').map(line => kept(line.remark)));
+  parts.push(...told.map(kept), ...lines.filter(line => line.remark && line.role !== 'row').map(line => kept(line.remark)));
   if (rows.length) parts.push(['fragments', () => table('fragments', 'Fragments')]);
   fillKept(box, parts);
   if (lines.length) fillEquation(one('.equation', box), lines);
