@@ -137,16 +137,12 @@ void Document::setScene(Scene scene, KeptScene kept) {
     m_whole.reset();
     m_stepper.setWhole(nullptr);
     forgetCheck();
-    m_pixel.reset();
-    m_hovered.reset();
-    m_selection.reset();
+    m_pointing.reset(m_scene);
     m_oldestValid = m_ticket + 1;
     m_work.forgetStopped();
     emit sceneOpened();
     emit keptChanged();
-    emit pixelChanged();
-    emit selectionChanged();
-    emit hoverChanged();
+    m_pointing.tellReset();
     emit sceneChanged();
     emit said(tr("%1 is open.").arg(QString::fromStdString(m_scene->name)));
     requestFrameSoon();
@@ -222,8 +218,7 @@ void Document::replace(Scene scene, const QString& text, Looks looks) {
 
 void Document::setSceneValue(std::shared_ptr<const Scene> scene) {
     m_scene = std::move(scene);
-    pick(m_pixel);  // the picture may have become smaller
-    select(m_selection);
+    m_pointing.setScene(m_scene);
     emit sceneChanged();
     requestFrameSoon();
 }
@@ -253,41 +248,6 @@ void Document::nextStage() {
 
 void Document::previousStage() {
     if (index(m_stage) > 0) setStage(pipeline::kStages[index(m_stage) - 1]);
-}
-
-void Document::pick(std::optional<glm::ivec2> pixel) {
-    if (!hasScene()) pixel.reset();
-    if (pixel)
-        *pixel = glm::clamp(*pixel, glm::ivec2(0), glm::ivec2(m_scene->settings.width, m_scene->settings.height) - 1);
-    if (pixel == m_pixel) return;
-    m_pixel = pixel;
-    if (pixel) select(std::nullopt);
-    emit pixelChanged();
-}
-
-void Document::select(std::optional<lessons::Selection> selection) {
-    if (selection && !(hasScene() && isIn(*m_scene, *selection))) selection.reset();
-    if (selection == m_selection) return;
-    m_selection = selection;
-    emit selectionChanged();
-}
-
-void Document::hover(std::optional<glm::ivec2> pixel) {
-    if (pixel == m_hovered) return;
-    m_hovered = pixel;
-    emit hoverChanged();
-}
-
-void Document::setChannel(int channel) {
-    if (channel == m_channel) return;
-    m_channel = channel;
-    emit channelChanged();
-}
-
-void Document::point(const QString& refers) {
-    if (refers == m_pointed) return;
-    m_pointed = refers;
-    emit pointedChanged();
 }
 
 void Document::want(const QObject* who, BufferSet buffers, When when) {

@@ -12,10 +12,10 @@
 
 #include "app/core/frame_worker.h"
 #include "app/core/opened_scene.h"
+#include "app/core/pointing.h"
 #include "app/core/stepper.h"
 #include "app/core/work_list.h"
 #include "lessons/hidden.h"
-#include "lessons/state/selection.h"
 #include "pipeline/core/result.h"
 #include "pipeline/run/frame.h"
 #include "pipeline/scene/settings_table.h"
@@ -34,9 +34,8 @@ struct SettingChange {
     double before = 0, after = 0;
 };
 
-// The state of the window: scene, current stage, picked pixel and newest frame. Lives in the GUI thread and holds
-// values; the FrameWorker computes. Panels observe it and send it intents. They never call a stage and never know
-// another panel.
+// The state of the window: scene, current stage and newest frame. Lives in the GUI thread and holds values; the
+// FrameWorker computes. Panels observe it and send it intents. They never call a stage and never know another panel.
 class Document : public QObject {
     Q_OBJECT
 public:
@@ -57,15 +56,10 @@ public:
     WorkList& work() { return m_work; }                    // this, and the work that views wait for
     bool isMoving() const { return m_moving.isActive(); }  // a slider or a handle is being dragged
     pipeline::StageId stage() const { return m_stage; }
-    std::optional<glm::ivec2> pixel() const { return m_pixel; }
+    Pointing& pointing() { return m_pointing; }
+    const Pointing& pointing() const { return m_pointing; }
     // The report on the picked pixel in the current frame.
     PixelInspection& inspection() { return *m_inspection; }
-    // The selection apart from the pixel; picking a pixel clears it.
-    const std::optional<lessons::Selection>& selection() const { return m_selection; }
-    std::optional<glm::ivec2> hovered() const { return m_hovered; }
-    int channel() const { return m_channel; }  // 0 r, 1 g, 2 b: for the equation
-    // The buffer or setting of the equation's symbol under the cursor; empty if there is none.
-    const QString& pointed() const { return m_pointed; }
     // One for each stage, computed in idle time after each frame; empty before.
     const StageErrors& errors() const { return m_check.errors; }
     // The number of NaN values in the frame's buffers; known together with the errors.
@@ -130,11 +124,6 @@ public:
     void setStage(pipeline::StageId stage);  // also leaves the inside of a stage
     void nextStage();
     void previousStage();
-    void pick(std::optional<glm::ivec2> pixel);                // clamped to the picture
-    void select(std::optional<lessons::Selection> selection);  // nothing if the scene has no such element
-    void hover(std::optional<glm::ivec2> pixel);
-    void setChannel(int channel);
-    void point(const QString& refers);
     // The buffers that `who` shows; buffers that nobody wants are not computed. Forgotten when `who` is deleted.
     // AtRest: not while a slider or a handle moves.
     enum class When { Always, AtRest };
@@ -150,11 +139,6 @@ signals:
     void frameReady();
     void errorsReady();  // errors() and nanCount() belong to frame()
     void stageChanged();
-    void pixelChanged();
-    void selectionChanged();
-    void hoverChanged();
-    void channelChanged();
-    void pointedChanged();
     void hiddenChanged();
     void busyChanged(bool busy);                  // a frame is being computed
     void failed(const pipeline::Errors& errors);  // a refused change, or a file that cannot be read
@@ -188,10 +172,7 @@ private:
     pipeline::FramePtr m_frame, m_whole;
     Stepper m_stepper;
     pipeline::StageId m_stage = pipeline::StageId::Shading;
-    std::optional<glm::ivec2> m_pixel, m_hovered;
-    std::optional<lessons::Selection> m_selection;
-    int m_channel = 2;
-    QString m_pointed;
+    Pointing m_pointing;
     FrameCheck m_check;
     bool m_checked = false;
     struct Want {

@@ -2,7 +2,6 @@
 
 #include "app/core/derived_buffers.h"
 #include "app/core/mix_model.h"
-#include "app/core/pinned_pixels.h"
 #include "app/core/text.h"
 #include "lessons/state/state_scene.h"
 #include "pipeline/formats/toml_writer.h"
@@ -52,13 +51,13 @@ Result<lessons::WindowState> stateOf(const Document& document, const fs::path& f
     state.place = document.stepper().place();
     state.step = document.stepper().level();
     state.algorithm = document.stepper().showsAlgorithm();
-    if (const auto pixel = document.pixel()) state.pixel = {pixel->x, pixel->y};
-    state.channel = document.channel();
+    if (const auto pixel = document.pointing().pixel()) state.pixel = {pixel->x, pixel->y};
+    state.channel = document.pointing().channel();
     state.condition = document.derived().text().toStdString();
     state.mix = mixText(document.mixer().mix());
     state.bookmarks = document.stepper().bookmarks();
-    if (const PinnedPixels* pins = PinnedPixels::find(document)) state.pins = pins->all();
-    state.selected = document.selection();
+    state.pins = document.pointing().pins().all();
+    state.selected = document.pointing().selection();
     return state;
 }
 
@@ -89,13 +88,14 @@ void showPlace(Document& document, const lessons::WindowState& state) {
     if (!state.bookmarks.empty()) stepper.setBookmarks(state.bookmarks);
     document.setStage(state.stage);
     if (state.place) stepper.goTo(*state.place);
-    document.setChannel(state.channel);
+    document.pointing().setChannel(state.channel);
     document.derived().setText(toQString(state.condition));
     const auto mix = pipeline::parseMix(state.mix, document.scene().lights.size());
     mix ? document.mixer().set(*mix) : document.mixer().reset();  // of lights that the scene no longer has
-    document.pick(state.pixel ? std::optional(glm::ivec2((*state.pixel)[0], (*state.pixel)[1])) : std::nullopt);
-    PinnedPixels::of(document).set(state.pins);
-    document.select(state.selected);
+    document.pointing().pick(state.pixel ? std::optional(glm::ivec2((*state.pixel)[0], (*state.pixel)[1]))
+                                         : std::nullopt);
+    document.pointing().pins().set(state.pins);
+    document.pointing().select(state.selected);
 }
 
 QString placeText(const lessons::WindowState& state) {

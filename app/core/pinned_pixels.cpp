@@ -4,24 +4,17 @@
 
 namespace app {
 
-PinnedPixels& PinnedPixels::of(Document& document) {
-    if (auto* pins = document.findChild<PinnedPixels*>()) return *pins;
-    return *new PinnedPixels(document);
-}
+PinnedPixels::PinnedPixels(QObject* parent) : QObject(parent) {}
 
-const PinnedPixels* PinnedPixels::find(const Document& document) { return document.findChild<PinnedPixels*>(); }
-
-PinnedPixels::PinnedPixels(Document& document) : QObject(&document), m_document(document) {
-    connect(&document, &Document::sceneOpened, this, &PinnedPixels::clear);
-    connect(&document, &Document::sceneChanged, this, &PinnedPixels::changed);
+void PinnedPixels::setPictureSize(glm::ivec2 size) {
+    m_size = size;
+    emit changed();
 }
 
 std::optional<glm::ivec2> PinnedPixels::pin(int number) const {
-    if (number < 1 || number > kMost || !m_document.hasScene()) return {};
+    if (number < 1 || number > kMost) return {};
     const auto& pin = m_pins[std::size_t(number - 1)];
-    const pipeline::Settings& settings = m_document.scene().settings;
-    if (!pin || pin->x >= settings.width || pin->y >= settings.height) return {};
-    return pin;
+    return pin && pin->x < m_size.x && pin->y < m_size.y ? pin : std::nullopt;
 }
 
 bool PinnedPixels::toggle(glm::ivec2 pixel) {

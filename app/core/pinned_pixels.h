@@ -6,21 +6,18 @@
 
 #include <glm/glm.hpp>
 
-#include "app/core/document.h"
-
 namespace app {
 
-// Up to nine pixels that stay marked in every buffer view, with numbers 1 to 9. Forgotten with the scene. A pin outside
-// a smaller picture counts as absent.
+// Up to nine pixels that stay marked in every buffer view, with numbers 1 to 9. A pin outside a smaller picture counts
+// as absent.
 class PinnedPixels : public QObject {
     Q_OBJECT
 public:
     static constexpr int kMost = 9;
 
-    // The document's own, created on first use.
-    static PinnedPixels& of(Document& document);
-    static const PinnedPixels* find(const Document& document);  // null if it does not exist yet
+    explicit PinnedPixels(QObject* parent = nullptr);
 
+    void setPictureSize(glm::ivec2 size);             // in pixels
     std::optional<glm::ivec2> pin(int number) const;  // 1 to 9
     // Gives the pixel the smallest free number, or removes its pin. false: all nine are in use.
     bool toggle(glm::ivec2 pixel);
@@ -34,9 +31,7 @@ signals:
     void changed();
 
 private:
-    explicit PinnedPixels(Document& document);
-
-    Document& m_document;
+    glm::ivec2 m_size{0};
     std::array<std::optional<glm::ivec2>, kMost> m_pins;
 };
 

@@ -7,7 +7,7 @@ namespace app {
 
 PixelInspection::PixelInspection(Document& document) : m_document(document) {
     connect(&document, &Document::frameReady, this, &PixelInspection::ask);
-    connect(&document, &Document::pixelChanged, this, &PixelInspection::ask);
+    connect(&document.pointing(), &Pointing::pixelChanged, this, &PixelInspection::ask);
     connect(&m_job, &BackgroundJob::busyChanged, this, &PixelInspection::busyChanged);
     document.work().add(
         this, tr("the picked pixel"), [this] { m_job.forget(); },
@@ -20,7 +20,7 @@ PixelInspection::PixelInspection(Document& document) : m_document(document) {
 
 void PixelInspection::ask() {
     const pipeline::FramePtr& frame = m_document.frame();
-    const auto pixel = m_document.pixel();
+    const auto pixel = m_document.pointing().pixel();
     if (!frame || !pixel) {
         m_job.forget();
         m_askedFrame.reset();

@@ -84,7 +84,7 @@ CleanView::CleanView(Document& document, CueModel& cues, const SceneOpener& open
         if (!std::exchange(m_cursorHidden, true)) QApplication::setOverrideCursor(Qt::BlankCursor);
     });
     connect(&document.inspection(), &PixelInspection::changed, this, &CleanView::showEquation);
-    connect(&document, &Document::channelChanged, this, &CleanView::showEquation);
+    connect(&document.pointing(), &Pointing::channelChanged, this, &CleanView::showEquation);
     connect(&NumberStyle::current(), &NumberStyle::changed, this, &CleanView::showEquation);
     connect(&document, &Document::stageChanged, this, &CleanView::showCaption);
     connect(&document.stepper(), &Stepper::changed, this, [this] {

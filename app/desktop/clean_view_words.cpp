@@ -50,7 +50,8 @@ void CleanView::showEquation() {
     if (!shows) return;
     const pipeline::PixelReport& report = inspected->report;
     const pipeline::Scene& scene = inspected->frame->scene();
-    m_math->setLines(lessons::shortEquation(equation(scene, report, m_document.channel(), chosenNumbers())), true);
+    m_math->setLines(lessons::shortEquation(equation(scene, report, m_document.pointing().channel(), chosenNumbers())),
+                     true);
     const auto& c = report.color;
     // A font set while the row is hidden does not outlive a style sheet that comes meanwhile.
     m_value->setFont(Theme::current().mono(13));

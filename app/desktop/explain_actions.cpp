@@ -57,11 +57,11 @@ void enableExplainActions(Actions& actions, const Document& document, InspectorP
         actions.setEnabled(id, hasScene && can, hasScene ? whyNot : Document::tr("Open a scene first."));
     };
     const bool covered = inspector.report() && inspector.report()->covered;
-    const QString noEquation =
-        document.pixel() ? Document::tr("Nothing was drawn at this pixel.") : Document::tr("Pick a pixel first.");
+    const QString noEquation = document.pointing().pixel() ? Document::tr("Nothing was drawn at this pixel.")
+                                                           : Document::tr("Pick a pixel first.");
     for (const Copy& copy : kCopies) enable(copy.id, covered, noEquation);
     for (const A id : {A::Condition, A::StopWhere, A::CopyPicture}) enable(id, true, {});
-    enable(A::CopyValue, document.pixel().has_value(), Document::tr("Pick a pixel first."));
+    enable(A::CopyValue, document.pointing().pixel().has_value(), Document::tr("Pick a pixel first."));
     const EquationSection& equation = inspector.equation();
     enable(A::KeepResult, covered && equation.canKeep(),
            covered ? Document::tr("Nothing has changed the result since the pixel was picked.") : noEquation);

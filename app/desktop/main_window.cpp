@@ -144,11 +144,11 @@ void MainWindow::connectDocument() {
     });
     connect(&m_document, &Document::sceneChanged, this, &MainWindow::enableActions);
     connect(&m_document, &Document::frameReady, this, &MainWindow::enableActions);
-    connect(&m_document, &Document::pixelChanged, this, &MainWindow::enableActions);
+    connect(&m_document.pointing(), &Pointing::pixelChanged, this, &MainWindow::enableActions);
     connect(&m_document.inspection(), &PixelInspection::changed, this, &MainWindow::enableActions);
     connect(&m_document, &Document::stageChanged, this, &MainWindow::enableActions);
-    connect(&m_document, &Document::channelChanged, this, &MainWindow::enableActions);
-    connect(&m_document, &Document::selectionChanged, this, &MainWindow::enableActions);
+    connect(&m_document.pointing(), &Pointing::channelChanged, this, &MainWindow::enableActions);
+    connect(&m_document.pointing(), &Pointing::selectionChanged, this, &MainWindow::enableActions);
     connect(&m_document.stepper(), &Stepper::changed, this,
             [this] { enableStepActions(*m_actions, m_document, m_layout->showsViews()); });
     connect(m_document.undoStack(), &QUndoStack::indexChanged, this, &MainWindow::enableActions);

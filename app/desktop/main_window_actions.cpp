@@ -133,9 +133,9 @@ void MainWindow::connectActions() {
     on(A::PreviousStage, [this] { m_document.previousStage(); });
     on(A::GoToPixel, [this] {
         const auto& settings = m_document.scene().settings;
-        m_pixelField->open({settings.width, settings.height}, m_document.pixel());
+        m_pixelField->open({settings.width, settings.height}, m_document.pointing().pixel());
     });
-    on(A::Unpick, [this] { m_document.pick(std::nullopt); });
+    on(A::Unpick, [this] { m_document.pointing().pick(std::nullopt); });
     on(A::Study, [this] { showStudy(); });
     on(A::Check, [this] { showChecks(); });
     on(A::WrongPicture, [this] { showWrongPicture(); });
@@ -162,9 +162,9 @@ void MainWindow::connectActions() {
     for (std::size_t i = 0; i < kThemeActions.size(); ++i)
         on(kThemeActions[i], [i] { Theme::current().set(ThemeId(i)); });
     for (std::size_t i = 0; i < kChannelActions.size(); ++i)
-        on(kChannelActions[i], [this, i] { m_document.setChannel(int(i)); });
+        on(kChannelActions[i], [this, i] { m_document.pointing().setChannel(int(i)); });
     connect(m_pixelField, &PixelField::entered, this, [this](glm::ivec2 pixel) {
-        m_document.pick(pixel);
+        m_document.pointing().pick(pixel);
         views().focusBuffer();  // whose arrows move it on
     });
 
@@ -226,7 +226,7 @@ void MainWindow::enableActions() {
         scene ? mayTell ? tr("The first frame is not ready yet.") : tr("After your answer.") : noScene);
     m_actions->setEnabled(A::WorstPixel, scene && m_document.renderer().report(),
                           scene ? tr("Check your renderer first: File, Check my renderer.") : noScene);
-    m_actions->setEnabled(A::Unpick, scene && m_document.pixel(), tr("Pick a pixel first."));
+    m_actions->setEnabled(A::Unpick, scene && m_document.pointing().pixel(), tr("Pick a pixel first."));
     m_actions->setEnabled(A::NextStage, scene && m_document.stage() != pipeline::StageId::Shading,
                           scene ? tr("Already at the last stage; Ctrl+← goes back.") : noScene);
     m_actions->setEnabled(A::PreviousStage, scene && m_document.stage() != pipeline::StageId::Transform,
@@ -241,7 +241,7 @@ void MainWindow::enableActions() {
     actions[A::Undo]->setText(undo.canUndo() ? tr("Undo %1").arg(undo.undoText()) : tr("Undo"));
     actions[A::Redo]->setText(undo.canRedo() ? tr("Redo %1").arg(undo.redoText()) : tr("Redo"));
     actions[kStageActions[index(m_document.stage())]]->setChecked(true);
-    actions[kChannelActions[std::size_t(m_document.channel())]]->setChecked(true);
+    actions[kChannelActions[std::size_t(m_document.pointing().channel())]]->setChecked(true);
     actions[A::RestoreSession]->setChecked(SessionFile::isWanted());
     actions[A::Thumbnails]->setChecked(views().hasThumbnails());
     m_docks->enable(scene);
@@ -313,7 +313,7 @@ void MainWindow::showContracts() {
                     BufferView& view = views().activeBuffer();
                     view.setBuffer(buffer);
                     view.features().overlays->set(OverlayId::Violators, true);
-                    if (worst) m_document.pick(worst);
+                    if (worst) m_document.pointing().pick(worst);
                 });
     }
     const QWidget& card = m_top->strip().card(m_document.stage());

@@ -13,8 +13,8 @@ Session::Session(Document& document, const QString& folder, std::function<std::o
     connect(&document, &Document::sceneOpened, this, &Session::saveSoon);
     connect(&document, &Document::sceneChanged, this, &Session::saveSoon);
     connect(&document, &Document::stageChanged, this, &Session::saveSoon);
-    connect(&document, &Document::pixelChanged, this, &Session::saveSoon);
-    connect(&document, &Document::channelChanged, this, &Session::saveSoon);
+    connect(&document.pointing(), &Pointing::pixelChanged, this, &Session::saveSoon);
+    connect(&document.pointing(), &Pointing::channelChanged, this, &Session::saveSoon);
     connect(&document.stepper(), &Stepper::changed, this, &Session::saveSoon);
     // A first frame has come of it: that scene does not end the program. One of the two files is always there.
     connect(&document, &Document::frameReady, this, [this] {

@@ -77,7 +77,7 @@ Result<SlideContent> slideContent(const Document& document, const ViewArea& view
     content.frame = document.frame();
     lessons::WindowState& state = content.state;
     views.fill(state);
-    if (const auto pixel = document.pixel()) state.pixel = {pixel->x, pixel->y};
+    if (const auto pixel = document.pointing().pixel()) state.pixel = {pixel->x, pixel->y};
     state.condition = document.derived().text().toStdString();
     state.mix = mixText(document.mixer().mix());
     for (const pipeline::BufferName& name : pipeline::allDerived(document.frame()->scene().lights.size()))

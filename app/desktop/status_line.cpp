@@ -78,7 +78,7 @@ StatusLine::StatusLine(Document& document, const SceneOpener& opener, QWidget* p
     const unsigned threads = std::max(1u, std::thread::hardware_concurrency());
     m_threads->setText(threads == 1 ? tr("1 thread") : tr("%1 threads").arg(threads));
     connect(&document, &Document::said, this, &StatusLine::say);
-    connect(&document, &Document::hoverChanged, this, &StatusLine::showHovered);
+    connect(&document.pointing(), &Pointing::hoverChanged, this, &StatusLine::showHovered);
     connect(&document, &Document::frameReady, this, &StatusLine::showHovered);
     connect(&document, &Document::frameReady, this, &StatusLine::showCheck);
     connect(&document, &Document::errorsReady, this, &StatusLine::showCheck);
@@ -94,7 +94,7 @@ void StatusLine::say(const QString& sentence) {
 }
 
 void StatusLine::showHovered() {
-    const auto pixel = m_document.hovered();
+    const auto pixel = m_document.pointing().hovered();
     const lessons::Hidden& hidden = m_document.hidden();
     const bool known =
         pixel && m_document.frame() && !hidden.hides({BufferId::PolygonId}) && !hidden.hides({BufferId::Color});

@@ -16,7 +16,7 @@ std::optional<pipeline::Moment> aim(const Document& document) {
     if (!steps) return std::nullopt;
     // From the end of the frame, from the beginning.
     const pipeline::Moment from = document.stepper().isInside() ? *document.stepper().moment() : steps->first();
-    if (const auto& selection = document.selection()) {
+    if (const auto& selection = document.pointing().selection()) {
         using Kind = lessons::Selection::Kind;
         using Thing = pipeline::Steps::Thing;
         if (selection->kind == Kind::Light) return std::nullopt;
@@ -25,7 +25,7 @@ std::optional<pipeline::Moment> aim(const Document& document) {
                                                                : Thing::Vertex;
         return steps->nextAt(from, thing, std::uint32_t(selection->index));
     }
-    return document.pixel() ? steps->nextAt(from, *document.pixel()) : std::nullopt;
+    return document.pointing().pixel() ? steps->nextAt(from, *document.pointing().pixel()) : std::nullopt;
 }
 
 void runToSelection(Document& document) {
@@ -68,7 +68,8 @@ void enableStepActions(Actions& actions, const Document& document, bool hasScene
     enable(A::FirstStep, !first, Document::tr("Already at the first step."));
     enable(A::LastStep, stepper.isInside(), Document::tr("The whole frame is on show."));
     const bool selected =
-        document.pixel() || (document.selection() && document.selection()->kind != lessons::Selection::Kind::Light);
+        document.pointing().pixel() ||
+        (document.pointing().selection() && document.pointing().selection()->kind != lessons::Selection::Kind::Light);
     enable(A::RunToSelection, selected, Document::tr("Pick a pixel, or select a polygon, an object or a vertex."));
     enable(A::Bookmark, stepper.isInside(), Document::tr("The whole frame is on show; step inside it first."));
     actions[A::Bookmark]->setChecked(stepper.bookmarkHere() >= 0);

@@ -25,7 +25,7 @@ public:
         if (m_kind != ThingKind::Pixel) addList();
         followTheme(this, [this] { m_said->setFont(Theme::current().text()); });
         if (m_kind == ThingKind::Pixel)
-            connect(&document, &Document::pixelChanged, this, &PickBody::takePixel);
+            connect(&document.pointing(), &Pointing::pixelChanged, this, &PickBody::takePixel);
         else
             new PickWatch(document, this, [this](const lessons::Thing& thing) {
                 if (thing.kind == m_kind) take(thing);
@@ -60,7 +60,7 @@ private:
         });
     }
     void takePixel() {
-        const auto pixel = m_document.pixel();
+        const auto pixel = m_document.pointing().pixel();
         if (!pixel) return;
         lessons::Pick pick;
         pick.x = pixel->x, pick.y = pixel->y;

@@ -125,9 +125,11 @@ void BufferCompare::goToWorst() {
     const std::size_t worst = *m_found->worst;
     const auto columns = m_found->values.columns();
     switch (m_found->values.info->domain) {
-        case Domain::Pixel: return m_document.pick(glm::ivec2(worst % columns, worst / columns));
-        case Domain::Polygon: return m_document.select(lessons::Selection{lessons::Selection::Kind::Polygon, worst});
-        case Domain::Vertex: return m_document.select(lessons::Selection{lessons::Selection::Kind::Vertex, worst});
+        case Domain::Pixel: return m_document.pointing().pick(glm::ivec2(worst % columns, worst / columns));
+        case Domain::Polygon:
+            return m_document.pointing().select(lessons::Selection{lessons::Selection::Kind::Polygon, worst});
+        case Domain::Vertex:
+            return m_document.pointing().select(lessons::Selection{lessons::Selection::Kind::Vertex, worst});
         case Domain::Texel: break;
     }
 }

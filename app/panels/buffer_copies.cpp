@@ -26,7 +26,7 @@ QString BufferCopies::whyNoValue() const {
     const auto& shown = view().shown();
     if (!shown) return tr("There is no picture.");
     if (const QString why = app::whyNoValue(*shown->buffer.info); !why.isEmpty()) return why;
-    const auto pixel = view().document().pixel();
+    const auto pixel = view().document().pointing().pixel();
     if (!pixel) return tr("Pick a pixel first.");
     // It lies in the scene's picture, which may be larger than the one of the frame on show.
     const bool isShown = QRect(QPoint(0, 0), shown->content.size).contains(pixel->x, pixel->y);
@@ -39,7 +39,7 @@ void BufferCopies::copyValue() {
         emit document.said(why);
         return;
     }
-    const glm::ivec2 pixel = *document.pixel();
+    const glm::ivec2 pixel = *document.pointing().pixel();
     const ShownBuffer& shown = *view().shown();
     const QString text = copiedValue(shown.buffer, pixel, shown.hasValue({pixel.x, pixel.y}));
     QApplication::clipboard()->setText(text);

@@ -31,7 +31,7 @@ OverlayChoice::OverlayChoice(BufferView& view)
     connect(&view.document().renderer(), &RendererCheck::compared, this, [this] {
         if (isOn(OverlayId::Classes)) this->view().refresh();
     });
-    connect(&view.document(), &Document::pixelChanged, this, &OverlayChoice::showEdgeFunctions);
+    connect(&view.document().pointing(), &Pointing::pixelChanged, this, &OverlayChoice::showEdgeFunctions);
 }
 
 void OverlayChoice::set(OverlayId overlay, bool shown) {
@@ -53,7 +53,7 @@ void OverlayChoice::showChoice() {
 }
 
 void OverlayChoice::showEdgeFunctions() {
-    const std::optional<glm::ivec2> pixel = view().document().pixel();
+    const std::optional<glm::ivec2> pixel = view().document().pointing().pixel();
     const bool shows =
         isOn(OverlayId::EdgeFunctions) && view().frame() && pixel && takesOverlays(bufferInfo(view().buffer().id));
     view().canvas()->setEdgeView(shows ? edgeViewAt(*view().frame(), *pixel) : std::nullopt);

@@ -17,7 +17,7 @@ namespace app {
 
 PinMarks::PinMarks(BufferView& view, const PixelReadout& readout)
     : BufferFeature(view),
-      m_pins(PinnedPixels::of(view.document())),
+      m_pins(view.document().pointing().pins()),
       m_readout(readout),
       m_label(labelOver(view.canvas())) {
     QMenu& more = *view.header().menu();
@@ -41,7 +41,7 @@ bool PinMarks::press(const QKeyEvent& key) {
 
 void PinMarks::toggle() {
     Document& document = view().document();
-    const auto pixel = document.pixel();
+    const auto pixel = document.pointing().pixel();
     if (!view().isOfPixels()) return;
     if (!pixel) {
         emit document.said(tr("Pick a pixel first."));
@@ -52,7 +52,7 @@ void PinMarks::toggle() {
 }
 
 void PinMarks::goTo(int number) {
-    if (const auto pixel = m_pins.pin(number)) view().document().pick(*pixel);
+    if (const auto pixel = m_pins.pin(number)) view().document().pointing().pick(*pixel);
 }
 
 void PinMarks::copy() const { QApplication::clipboard()->setText(m_label->text()); }

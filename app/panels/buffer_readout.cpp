@@ -28,7 +28,7 @@ PixelReadout::PixelReadout(BufferView& view, const BufferCompare& compare)
     : BufferFeature(view), m_compare(compare), m_label(labelOver(view.canvas())) {
     Document& document = view.document();
     connect(view.canvas(), &BufferCanvas::picked, this, [this, &document](QPoint pixel) {
-        if (this->view().isOfPixels()) document.pick(toVector(pixel));
+        if (this->view().isOfPixels()) document.pointing().pick(toVector(pixel));
     });
     connect(view.canvas(), &BufferCanvas::nudged, this, &PixelReadout::nudge);
     connect(view.canvas(), &BufferCanvas::hovered, this, &PixelReadout::hover);
@@ -36,13 +36,13 @@ PixelReadout::PixelReadout(BufferView& view, const BufferCompare& compare)
         show();
         this->view().place();
     };
-    connect(&document, &Document::pixelChanged, this, follow);
-    connect(&document, &Document::hoverChanged, this, follow);
+    connect(&document.pointing(), &Pointing::pixelChanged, this, follow);
+    connect(&document.pointing(), &Pointing::hoverChanged, this, follow);
 }
 
 void PixelReadout::hover(std::optional<QPoint> pixel) {
     m_localHover = pixel;
-    if (view().isOfPixels()) view().document().hover(toVector(pixel));
+    if (view().isOfPixels()) view().document().pointing().hover(toVector(pixel));
     show();
     view().place();
 }
@@ -51,18 +51,18 @@ void PixelReadout::nudge(QPoint by) {
     Document& document = view().document();
     if (!view().isOfPixels() || !document.hasScene()) return;
     const pipeline::Settings& settings = document.scene().settings;
-    const auto from = document.pixel().value_or(glm::ivec2(settings.width, settings.height) / 2);
-    document.pick(from + glm::ivec2(by.x(), by.y()));
+    const auto from = document.pointing().pixel().value_or(glm::ivec2(settings.width, settings.height) / 2);
+    document.pointing().pick(from + glm::ivec2(by.x(), by.y()));
 }
 
 void PixelReadout::show() {
     const Document& document = view().document();
     BufferCanvas& canvas = *view().canvas();
     const bool isOfPixels = view().isOfPixels();
-    canvas.setPicked(isOfPixels ? toPoint(document.pixel()) : texelOf(document.pixel()));
-    canvas.setHovered(isOfPixels     ? toPoint(document.hovered())
+    canvas.setPicked(isOfPixels ? toPoint(document.pointing().pixel()) : texelOf(document.pointing().pixel()));
+    canvas.setHovered(isOfPixels     ? toPoint(document.pointing().hovered())
                       : m_localHover ? m_localHover
-                                     : texelOf(document.hovered()));
+                                     : texelOf(document.pointing().hovered()));
     const CanvasContent& content = canvas.content();
     const std::optional<QPoint> pixel = content.hovered ? content.hovered : content.picked;
     m_label->setText(pixel && view().shown() ? at(*pixel) : QString());

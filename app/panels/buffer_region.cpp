@@ -30,7 +30,7 @@ void RegionMark::set(const std::optional<Region>& region) {
 
 void RegionMark::measure() {
     if (!view().shown()) return;
-    const PinnedPixels& pins = PinnedPixels::of(view().document());
+    const PinnedPixels& pins = view().document().pointing().pins();
     if (const auto a = pins.pin(1), b = pins.pin(2); a && b && view().isOfPixels()) return set(Region{*a, *b});
     const QRect seen = view().canvas()->visiblePart();
     set(Region{{seen.left(), seen.top()}, {seen.right(), seen.bottom()}});

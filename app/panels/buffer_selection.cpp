@@ -7,13 +7,13 @@
 namespace app {
 
 SelectionMark::SelectionMark(BufferView& view) : BufferFeature(view) {
-    connect(&view.document(), &Document::selectionChanged, this, &SelectionMark::show);
+    connect(&view.document().pointing(), &Pointing::selectionChanged, this, &SelectionMark::show);
     connect(&m_job, &BackgroundJob::busyChanged, this, &SelectionMark::busyChanged);
 }
 
 // The outline of an object of many polygons takes longer than a frame: the latest outline stays until then.
 void SelectionMark::show() {
-    const auto& selection = view().document().selection();
+    const auto& selection = view().document().pointing().selection();
     const pipeline::FramePtr& frame = view().frame();
     const bool marks = frame && selection && view().isOfPixels();
     if (!marks || !isLarge(*frame)) {

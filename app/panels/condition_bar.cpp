@@ -89,7 +89,7 @@ ConditionBar::ConditionBar(Document& document, QWidget* parent)
     connect(this, &ConditionBar::changed, this, &ConditionBar::watchPlay);
     connect(&stepper, &Stepper::stopped, this, [this](const QObject* who) {
         if (who != this) return;
-        m_document.pick(m_stopsAt);
+        m_document.pointing().pick(m_stopsAt);
         emit m_document.said(tr("Play stopped: the condition holds at %1, %2.").arg(m_stopsAt.x).arg(m_stopsAt.y));
     });
     connect(&m_watching, &BackgroundJob::progressed, this,
@@ -190,7 +190,8 @@ void ConditionBar::tell() {
 void ConditionBar::goTo(bool next) {
     const auto found = mask();
     if (!found) return;
-    if (const auto pixel = lessons::nextHolding(*found, m_document.pixel(), next)) m_document.pick(*pixel);
+    if (const auto pixel = lessons::nextHolding(*found, m_document.pointing().pixel(), next))
+        m_document.pointing().pick(*pixel);
 }
 
 void ConditionBar::keyPressEvent(QKeyEvent* event) {

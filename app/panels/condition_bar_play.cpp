@@ -18,7 +18,7 @@ void ConditionBar::runToStop() {
         [this](const std::optional<lessons::ConditionStop>& found) {
             if (!found) return say(tr("No later step makes it hold at a pixel."), false);
             m_document.stepper().goTo(found->moment);
-            m_document.pick(found->pixel);
+            m_document.pointing().pick(found->pixel);
             emit m_document.said(tr("The condition holds at %1, %2.").arg(found->pixel.x).arg(found->pixel.y));
         });
 }

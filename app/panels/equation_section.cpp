@@ -90,12 +90,12 @@ EquationSection::EquationSection(Document& document, QWidget* parent)
     column->addWidget(m_math);
     m_math->setAccessibleName(tr("Illumination equation"));
 
-    connect(m_channels, &Segmented::chosen, &document, &Document::setChannel);
+    connect(m_channels, &Segmented::chosen, &document.pointing(), &Pointing::setChannel);
     connect(m_keep, &QToolButton::clicked, this, &EquationSection::setKept);
     connect(m_math, &MathView::pointedAt, this, [this](const QString& refers) {
         const bool isMaximum = refers == "i_max" && m_now.scene;  // no buffer and no setting: other views have none
         if (isMaximum) m_math->setToolTip(maximumText(*m_now.scene, m_now.report.iMax));
-        m_document.point(isMaximum ? QString() : refers);
+        m_document.pointing().setSymbol(isMaximum ? QString() : refers);
     });
     connect(m_math, &MathView::activated, this, [this](const QString& refers) {
         if (const auto name = pipeline::findBuffer(refers.toStdString())) return emit bufferAsked(*name);
@@ -131,7 +131,7 @@ QString EquationSection::sentence() const {
 }
 
 void EquationSection::show(const pipeline::Frame& frame, const pipeline::PixelReport& report) {
-    const int channel = m_document.channel();
+    const int channel = m_document.pointing().channel();
     m_channels->setCurrent(channel);
     static const QStringList names{tr("red"), tr("green"), tr("blue")};
     m_model->setText(QStringLiteral("%1, %2").arg(modelName(frame.scene().settings.model), names[channel]));

@@ -199,8 +199,10 @@ void ExportDialog::showOrder() {
     const auto scene = sceneToExport();
     QStringList more = m_changes.words(*scene);
     if (m_views->isChecked()) more.prepend("--views");
-    if (m_views->isChecked() && m_document.pixel())
-        more.insert(1, QStringLiteral("--pixel %1,%2").arg(m_document.pixel()->x).arg(m_document.pixel()->y));
+    if (m_views->isChecked() && m_document.pointing().pixel())
+        more.insert(1, QStringLiteral("--pixel %1,%2")
+                           .arg(m_document.pointing().pixel()->x)
+                           .arg(m_document.pointing().pixel()->y));
     foot().setCommand(exportCommand(*scene, more, wanted, m_document.derived().recipe(), m_buffers->isAllChosen()));
     const bool ready = !wanted.buffers.empty() && !wanted.formats.empty() && !field().text().isEmpty() &&
                        m_width->hasAcceptableInput() && m_height->hasAcceptableInput();
@@ -215,7 +217,7 @@ void ExportDialog::start() {
     const pipeline::ExportRequest wanted = request();
     WriteMore more;
     if (m_views->isChecked())
-        more = [write = m_writeViews, pixel = m_document.pixel()](const auto& frame, const auto& folder) {
+        more = [write = m_writeViews, pixel = m_document.pointing().pixel()](const auto& frame, const auto& folder) {
             return write(frame, pixel, folder);
         };
     auto* job =

@@ -37,13 +37,13 @@ InspectorPanel::InspectorPanel(Document& document, QWidget* parent) : QWidget(pa
         const WorkList& work = document.work();
         m_working->setStopped(work.isStopped(&document.inspection()) || work.isStopped(&document));
     });
-    connect(&document, &Document::channelChanged, this, &InspectorPanel::refresh);
+    connect(&document.pointing(), &Pointing::channelChanged, this, &InspectorPanel::refresh);
     connect(&NumberStyle::current(), &NumberStyle::changed, this, &InspectorPanel::refresh);
     connect(m_fragments, &FragmentsSection::polygonAsked, this, [this](std::uint32_t polygon) {
-        m_document.select(lessons::Selection{lessons::Selection::Kind::Polygon, polygon});
+        m_document.pointing().select(lessons::Selection{lessons::Selection::Kind::Polygon, polygon});
     });
-    connect(&document, &Document::selectionChanged, this, [this] {
-        const auto& thing = m_document.selection();
+    connect(&document.pointing(), &Pointing::selectionChanged, this, [this] {
+        const auto& thing = m_document.pointing().selection();
         const bool isPolygon = thing && thing->kind == lessons::Selection::Kind::Polygon;
         m_fragments->setSelected(isPolygon ? std::optional(std::uint32_t(thing->index)) : std::nullopt);
     });
@@ -162,16 +162,16 @@ void InspectorPanel::refresh() {
         m_equationFold->setSentence(m_equation->sentence());
     }
     if (isLit) {
-        m_terms->show(report, m_document.channel());
+        m_terms->show(report, m_document.pointing().channel());
         m_termsFold->setSentence(
-            tr("of I in %1").arg(QStringList{tr("red"), tr("green"), tr("blue")}[m_document.channel()]));
+            tr("of I in %1").arg(QStringList{tr("red"), tr("green"), tr("blue")}[m_document.pointing().channel()]));
     }
     stack->setCurrentWidget(m_scroll);
 }
 
 void InspectorPanel::showLayers() {
     if (m_shown->report.layers.empty() || !m_shown->report.isShaded) return;
-    m_layers->show(m_shown->report, m_document.channel());
+    m_layers->show(m_shown->report, m_document.pointing().channel());
     m_layersFold->setSentence(m_layers->sentence());
 }
 

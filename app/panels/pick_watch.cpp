@@ -8,13 +8,13 @@ using lessons::ThingKind;
 
 PickWatch::PickWatch(Document& document, QObject* parent, Took took)
     : QObject(parent), m_document(document), m_took(std::move(took)) {
-    connect(&document, &Document::pixelChanged, this, &PickWatch::takePixel);
-    connect(&document, &Document::selectionChanged, this, &PickWatch::takeSelection);
+    connect(&document.pointing(), &Pointing::pixelChanged, this, &PickWatch::takePixel);
+    connect(&document.pointing(), &Pointing::selectionChanged, this, &PickWatch::takeSelection);
     document.want(this, pipeline::setOf({pipeline::BufferId::PolygonId}));
 }
 
 void PickWatch::takePixel() {
-    const auto pixel = m_document.pixel();
+    const auto pixel = m_document.pointing().pixel();
     const pipeline::FramePtr& frame = m_document.wholeFrame();
     const auto polygon = pixel && frame ? lessons::polygonAt(*frame, *pixel) : std::nullopt;
     if (!polygon) return;
@@ -23,7 +23,7 @@ void PickWatch::takePixel() {
 }
 
 void PickWatch::takeSelection() {
-    const auto& selected = m_document.selection();
+    const auto& selected = m_document.pointing().selection();
     if (!selected) return;
     using Kind = lessons::Selection::Kind;
     switch (selected->kind) {

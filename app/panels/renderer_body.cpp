@@ -115,8 +115,8 @@ RendererBody::RendererBody(RendererFinding& finding, QWidget* parent) : QWidget(
     connect(m_error, &RendererError::lessonAsked, this, &RendererBody::lessonAsked);
     connect(m_error, &RendererError::rowsStated, this, &RendererBody::stateRows);
     connect(&finding, &RendererFinding::changed, this, &RendererBody::showReport);
-    connect(&finding.document(), &Document::pixelChanged, this, &RendererBody::showPlace);
-    connect(&finding.document(), &Document::selectionChanged, this, &RendererBody::showPlace);
+    connect(&finding.document().pointing(), &Pointing::pixelChanged, this, &RendererBody::showPlace);
+    connect(&finding.document().pointing(), &Pointing::selectionChanged, this, &RendererBody::showPlace);
     followTheme(this, [button] {
         const Theme& theme = Theme::current();
         button->setContentsMargins(theme.px(12), theme.px(2), theme.px(12), theme.px(8));

@@ -78,12 +78,12 @@ void RendererFinding::goToWorst() {
         if (m_worst.empty() && first->worst) {
             const auto domain = bufferInfo(first->name.buffer.id).domain;
             if (domain == pipeline::Domain::Polygon || domain == pipeline::Domain::Vertex)
-                m_document.select(lessons::Selection{domain == pipeline::Domain::Polygon ? Kind::Polygon : Kind::Vertex,
-                                                     *first->worst});
+                m_document.pointing().select(lessons::Selection{
+                    domain == pipeline::Domain::Polygon ? Kind::Polygon : Kind::Vertex, *first->worst});
         }
     }
     if (m_worst.empty()) return;
-    m_document.pick(m_worst[m_nextWorst]);
+    m_document.pointing().pick(m_worst[m_nextWorst]);
     m_nextWorst = (m_nextWorst + 1) % m_worst.size();
 }
 

@@ -25,13 +25,13 @@ struct Place {
 // The selection goes before the pixel, which may still be picked.
 std::optional<Place> placeOf(const Document& document, const foreign::Report& report) {
     using Kind = lessons::Selection::Kind;
-    if (const auto& selection = document.selection()) {
+    if (const auto& selection = document.pointing().selection()) {
         if (selection->kind == Kind::Vertex)
             return Place{Domain::Vertex, selection->index, RendererValues::tr("Vertex %1").arg(selection->index)};
         if (selection->kind == Kind::Polygon)
             return Place{Domain::Polygon, selection->index, RendererValues::tr("Polygon %1").arg(selection->index)};
     }
-    const auto pixel = document.pixel();
+    const auto pixel = document.pointing().pixel();
     const auto width = int(report.reference->context.width), height = int(report.reference->context.height);
     if (!pixel || pixel->x >= width || pixel->y >= height) return {};
     return Place{Domain::Pixel, std::size_t(pixel->y) * std::size_t(width) + std::size_t(pixel->x),

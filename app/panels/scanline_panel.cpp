@@ -58,13 +58,14 @@ ScanlinePanel::ScanlinePanel(Document& document, QWidget* parent)
     connect(m_csv, &QToolButton::clicked, this, [this] { save(tr("Save the section"), "csv", csv()); });
     connect(m_svg, &QToolButton::clicked, this, [this] { save(tr("Save the plot"), "svg", svg()); });
     connect(m_plot, &ScanlinePlotView::hovered, this, [this](std::optional<int> x) {
-        m_document.hover(x ? std::optional(glm::ivec2(*x, m_row)) : std::nullopt);
+        m_document.pointing().hover(x ? std::optional(glm::ivec2(*x, m_row)) : std::nullopt);
     });
-    connect(m_plot, &ScanlinePlotView::picked, this, [this](int x) { m_document.pick(glm::ivec2(x, m_row)); });
+    connect(m_plot, &ScanlinePlotView::picked, this,
+            [this](int x) { m_document.pointing().pick(glm::ivec2(x, m_row)); });
     connect(m_plot, &ScanlinePlotView::rowAsked, this, [this](int by) {
-        const auto pixel = m_document.pixel();
+        const auto pixel = m_document.pointing().pixel();
         if (pixel && pixel->y == m_row)
-            m_document.pick(glm::ivec2(pixel->x, pixel->y + by));  // the mark goes along
+            m_document.pointing().pick(glm::ivec2(pixel->x, pixel->y + by));  // the mark goes along
         else
             setRow(m_row + by);
     });
@@ -75,13 +76,13 @@ ScanlinePanel::ScanlinePanel(Document& document, QWidget* parent)
     });
     // Of another height it has other rows.
     connect(&document, &Document::sceneChanged, this, [this] { goTo(m_row); });
-    connect(&document, &Document::pixelChanged, this, [this] {
-        if (m_document.pixel()) setRow(m_document.pixel()->y);
+    connect(&document.pointing(), &Pointing::pixelChanged, this, [this] {
+        if (m_document.pointing().pixel()) setRow(m_document.pointing().pixel()->y);
         showMarks();
     });
-    connect(&document, &Document::hoverChanged, this, &ScanlinePanel::showMarks);
-    connect(&document, &Document::channelChanged, this,
-            [this] { m_plot->setSection(m_section, m_document.channel()); });
+    connect(&document.pointing(), &Pointing::hoverChanged, this, &ScanlinePanel::showMarks);
+    connect(&document.pointing(), &Pointing::channelChanged, this,
+            [this] { m_plot->setSection(m_section, m_document.pointing().channel()); });
 }
 
 void ScanlinePanel::setRow(int row) {
@@ -104,7 +105,7 @@ void ScanlinePanel::goTo(int row) {
 
 void ScanlinePanel::showEvent(QShowEvent*) {
     want();
-    if (m_document.pixel()) setRow(m_document.pixel()->y);
+    if (m_document.pointing().pixel()) setRow(m_document.pointing().pixel()->y);
     compute();
 }
 
@@ -128,7 +129,7 @@ void ScanlinePanel::compute() {
             if (!section) return;
             m_section = section;
             if (!m_isRowChosen) setRow(section->row);
-            m_plot->setSection(section, m_document.channel());
+            m_plot->setSection(section, m_document.pointing().channel());
             m_plot->setSentence(tr("Nothing is drawn in row %1.").arg(section->row));
             m_said->setText(section->empty()
                                 ? QString()
@@ -146,15 +147,16 @@ void ScanlinePanel::showMarks() {
     const auto inRow = [row](std::optional<glm::ivec2> pixel) {
         return pixel && pixel->y == row ? std::optional(pixel->x) : std::nullopt;
     };
-    m_plot->setMarks(inRow(m_document.pixel()), inRow(m_document.hovered()));
+    m_plot->setMarks(inRow(m_document.pointing().pixel()), inRow(m_document.pointing().hovered()));
 }
 
 QString ScanlinePanel::csv() const { return m_section ? toQString(sectionCsv(*m_section)) : QString(); }
 
 QString ScanlinePanel::svg() const {
     if (!m_section || m_section->empty()) return {};
-    const pipeline::PlotDrawing drawing = layOut(
-        pipeline::ScanlinePlot{m_section.get(), m_document.channel(), std::nullopt, std::nullopt}, {1200, 600, 16});
+    const pipeline::PlotDrawing drawing =
+        layOut(pipeline::ScanlinePlot{m_section.get(), m_document.pointing().channel(), std::nullopt, std::nullopt},
+               {1200, 600, 16});
     constexpr std::array kThemes{pipeline::PlotTheme::Dark, pipeline::PlotTheme::Light, pipeline::PlotTheme::Projector};
     return toQString(plotSvg(drawing, kThemes[std::size_t(Theme::current().id())]));
 }

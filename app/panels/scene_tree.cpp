@@ -89,7 +89,7 @@ SceneTree::SceneTree(Document& document, QWidget* parent) : QListWidget(parent),
         setCurrentRow(material == m_rows.end() ? 0 : int(material - m_rows.begin()));
     });
     connect(&document, &Document::sceneChanged, this, &SceneTree::rebuild);
-    connect(&document, &Document::selectionChanged, this, &SceneTree::followSelection);
+    connect(&document.pointing(), &Pointing::selectionChanged, this, &SceneTree::followSelection);
     if (document.hasScene()) rebuild();
 }
 
@@ -100,7 +100,7 @@ QSize SceneTree::sizeHint() const {
 
 // An object or a light that is selected elsewhere shows its settings.
 void SceneTree::followSelection() {
-    const auto& selection = m_document.selection();
+    const auto& selection = m_document.pointing().selection();
     if (!selection) return;
     const bool isLight = selection->kind == lessons::Selection::Kind::Light;
     if (!isLight && selection->kind != lessons::Selection::Kind::Object) return;

@@ -77,7 +77,7 @@ SettingRow::SettingRow(Document& document, pipeline::SettingRef setting, QGridLa
     }
     connect(&document, &Document::sceneChanged, this, &SettingRow::showScene);
     connect(document.undoStack(), &QUndoStack::indexChanged, this, &SettingRow::showScene);
-    connect(&document, &Document::pointedChanged, this, &SettingRow::showPointed);
+    connect(&document.pointing(), &Pointing::symbolChanged, this, &SettingRow::showPointed);
     place();
     showScene();
     showPointed();
@@ -177,7 +177,7 @@ void SettingRow::showScene() {
 
 // The equation's symbol for this setting is under the cursor.
 void SettingRow::showPointed() {
-    const bool isPointed = toQString(m_setting.key()) == m_document.pointed();
+    const bool isPointed = toQString(m_setting.key()) == m_document.pointing().symbol();
     m_label->setProperty("pointed", isPointed);
     m_label->style()->polish(m_label);
     for (QWidget* control : m_controls)

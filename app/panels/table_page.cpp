@@ -30,10 +30,11 @@ TablePage::TablePage(Document& document, pipeline::TableId table, QWidget* paren
     connect(&NumberStyle::current(), &NumberStyle::changed, this, [this] {
         if (m_shown) fitColumns();
     });
-    connect(&document, &Document::selectionChanged, this, &TablePage::markRows);
-    connect(&document, &Document::pixelChanged, this, &TablePage::markRows);
-    connect(&document, &Document::hoverChanged, this, [this] {
-        if (m_shown && isVisible()) m_model->setPointed(lessons::rowsOf(*m_shown, m_table, {}, m_document.hovered()));
+    connect(&document.pointing(), &Pointing::selectionChanged, this, &TablePage::markRows);
+    connect(&document.pointing(), &Pointing::pixelChanged, this, &TablePage::markRows);
+    connect(&document.pointing(), &Pointing::hoverChanged, this, [this] {
+        if (m_shown && isVisible())
+            m_model->setPointed(lessons::rowsOf(*m_shown, m_table, {}, m_document.pointing().hovered()));
     });
     connect(m_view->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
             [this](const QModelIndex& now) { choose(now.row()); });
@@ -138,7 +139,8 @@ void TablePage::fitColumns() {
 
 void TablePage::markRows() {
     if (!m_shown || !isVisible()) return;
-    const auto rows = lessons::rowsOf(*m_shown, m_table, m_document.selection(), m_document.pixel());
+    const auto rows =
+        lessons::rowsOf(*m_shown, m_table, m_document.pointing().selection(), m_document.pointing().pixel());
     m_marks = true;
     QItemSelection chosen;
     for (const std::uint32_t row : rows) {
@@ -161,7 +163,7 @@ void TablePage::markRows() {
 
 void TablePage::choose(int place) {
     if (m_marks || place < 0 || place >= m_model->rowCount()) return;
-    m_document.select(lessons::selectionOf(m_table, m_model->rowAt(place)));
+    m_document.pointing().select(lessons::selectionOf(m_table, m_model->rowAt(place)));
 }
 
 std::vector<int> TablePage::chosenPlaces() const {

@@ -31,7 +31,7 @@ ThumbnailStrip::ThumbnailStrip(Document& document, QWidget* parent) : QWidget(pa
     connect(&document, &Document::sceneOpened, this, &ThumbnailStrip::rebuild);
     connect(&document, &Document::hiddenChanged, this, &ThumbnailStrip::rebuild);
     connect(&document.derived(), &DerivedBuffers::changed, this, &ThumbnailStrip::takeDerived);
-    connect(&document, &Document::pointedChanged, this, qOverload<>(&ThumbnailStrip::update));
+    connect(&document.pointing(), &Pointing::symbolChanged, this, qOverload<>(&ThumbnailStrip::update));
     followTheme(this, [this] {
         updateGeometry();
         refresh();
@@ -135,7 +135,7 @@ void ThumbnailStrip::paintItem(QPainter& painter, const Item& item, const QRect&
     const QRect label(rect.left() + 2, rect.bottom() - theme.px(20), rect.width() - 4, theme.px(19));
     painter.drawText(label, Qt::AlignCenter,
                      painter.fontMetrics().elidedText(toQString(item.name.text()), Qt::ElideMiddle, label.width()));
-    const bool isPointed = toQString(item.name.text()) == m_document.pointed();
+    const bool isPointed = toQString(item.name.text()) == m_document.pointing().symbol();
     if (isMarked || isPointed) {
         painter.setPen(QPen(isPointed ? c.accent : c.focus, 2));
         painter.setBrush(Qt::NoBrush);

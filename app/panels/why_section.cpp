@@ -102,15 +102,15 @@ void WhySection::go(std::size_t row) {
     m_document.setStage(m_rows[row].stage);
     emit bufferAsked({m_rows[row].buffer});
     using Kind = lessons::Selection::Kind;
-    if (row == 3 && m_polygon) m_document.select(lessons::Selection{Kind::Polygon, *m_polygon});
-    if (row == 5 && m_object) m_document.select(lessons::Selection{Kind::Object, *m_object});
+    if (row == 3 && m_polygon) m_document.pointing().select(lessons::Selection{Kind::Polygon, *m_polygon});
+    if (row == 5 && m_object) m_document.pointing().select(lessons::Selection{Kind::Object, *m_object});
 }
 
 // To the light's buffer, with what stands before the light selected.
 void WhySection::goToShadow(int light) {
     m_document.setStage(StageId::ShadowBuffer);
     emit bufferAsked({BufferId::ShadowBuffer, light});
-    m_document.select(
+    m_document.pointing().select(
         lessons::Selection{lessons::Selection::Kind::Polygon, std::size_t(m_blockers[std::size_t(light)])});
 }
 
@@ -122,7 +122,7 @@ void WhySection::follow(const QString& link) {
     }
     if (link.startsWith("shadow:")) return goToShadow(link.section(':', 1).toInt());
     go(4);
-    m_document.select(
+    m_document.pointing().select(
         lessons::Selection{lessons::Selection::Kind::Vertex, std::size_t(link.section(':', 1).toULongLong())});
 }
 

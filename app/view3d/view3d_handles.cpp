@@ -10,14 +10,14 @@ namespace {
 
 // The object that is selected, or that the picked pixel shows.
 std::optional<std::size_t> ownerOf(const Document& document) {
-    const auto& selection = document.selection();
+    const auto& selection = document.pointing().selection();
     const pipeline::Frame& frame = *document.frame();
     if (selection && !isIn(frame.scene(), *selection)) return {};  // of a scene whose frame is on its way
     const auto ofPolygon = [&](std::size_t polygon) { return frame.placeOf(int(polygon)).object; };
     if (selection && selection->kind == lessons::Selection::Kind::Object) return selection->index;
     if (selection && selection->kind == lessons::Selection::Kind::Polygon) return ofPolygon(selection->index);
-    if (selection || !document.pixel()) return {};
-    const auto polygon = lessons::polygonAt(frame, *document.pixel());
+    if (selection || !document.pointing().pixel()) return {};
+    const auto polygon = lessons::polygonAt(frame, *document.pointing().pixel());
     if (!polygon) return {};
     return ofPolygon(*polygon);
 }

@@ -36,7 +36,7 @@ View3dPanel::View3dPanel(Document& document, QWidget* parent) : QWidget(parent),
 
     connect(m_view, &SceneView::clicked, this, &View3dPanel::pick);
     connect(m_view, &SceneView::hovered, this, &View3dPanel::hover);
-    connect(m_view, &SceneView::left, this, [this] { m_document.hover({}); });
+    connect(m_view, &SceneView::left, this, [this] { m_document.pointing().hover({}); });
     connect(m_view, &SceneView::dragged, this, &View3dPanel::drag);
     connect(m_view, &SceneView::dragCancelled, this, &View3dPanel::cancelDrag);
     connect(m_view, &SceneView::handleHovered, this, &View3dPanel::showNumbers);
@@ -68,9 +68,10 @@ View3dPanel::View3dPanel(Document& document, QWidget* parent) : QWidget(parent),
     connect(&document, &Document::sceneChanged, this, &View3dPanel::dropDrag);
     connect(&document, &Document::frameReady, this, &View3dPanel::takeFrame);
     connect(&document.inspection(), &PixelInspection::changed, this, &View3dPanel::takePixel);
-    connect(&document, &Document::selectionChanged, this, &View3dPanel::takeSelection);
-    connect(&document, &Document::hoverChanged, this, &View3dPanel::takeHover);
-    connect(&document, &Document::pointedChanged, this, [this] { m_view->pointAt(vectorsOf(m_document.pointed())); });
+    connect(&document.pointing(), &Pointing::selectionChanged, this, &View3dPanel::takeSelection);
+    connect(&document.pointing(), &Pointing::hoverChanged, this, &View3dPanel::takeHover);
+    connect(&document.pointing(), &Pointing::symbolChanged, this,
+            [this] { m_view->pointAt(vectorsOf(m_document.pointing().symbol())); });
     connect(&Theme::current(), &Theme::changed, this, &View3dPanel::applyTheme);
     showSpace();
     applyTheme();
@@ -271,7 +272,7 @@ void View3dPanel::takeFrame() {
     const bool inside = stepper.isInside() && stepper.steps();
     const pipeline::FramePtr& frame = m_document.frame();
     const bool inTransform = inside && frame->until() == pipeline::StageId::Transform;
-    const Made made{frame, m_document.pixel(), m_document.selection()};
+    const Made made{frame, m_document.pointing().pixel(), m_document.pointing().selection()};
     const auto& inspected = m_document.inspection().newest();
     const bool isKnown = made.pixel && inspected && inspected->frame == frame && inspected->report.pixel == *made.pixel;
     const auto build = [made, before = m_view->content(), known = isKnown ? inspected : nullptr, frusta = wantsFrusta(),
@@ -319,8 +320,8 @@ void View3dPanel::showContent(const Built& built, const Made& made) {
     else if (m_awaited && !m_moving.busy() && mapOf(*content, *m_awaited))
         setSpace(*m_awaited);
     // Picked and selected meanwhile.
-    if (m_document.selection() != made.selection) takeSelection();
-    if (m_document.pixel() != made.pixel) takePixel();
+    if (m_document.pointing().selection() != made.selection) takeSelection();
+    if (m_document.pointing().pixel() != made.pixel) takePixel();
 }
 
 void View3dPanel::takePixel() {
@@ -338,7 +339,7 @@ void View3dPanel::takePixel() {
 
 void View3dPanel::takeSelection() {
     if (!m_view->content() || misses() || m_building.busy()) return;
-    m_made.selection = m_document.selection();
+    m_made.selection = m_document.pointing().selection();
     m_view->setContent(
         std::make_shared<const ViewContent>(withSelection(*m_view->content(), *m_made.frame, m_made.selection)), false);
     showHandles();
@@ -346,7 +347,7 @@ void View3dPanel::takeSelection() {
 
 void View3dPanel::takeHover() {
     const auto& content = m_view->content();
-    const auto pixel = m_document.hovered();
+    const auto pixel = m_document.pointing().hovered();
     m_view->setProbe(content && pixel && !isPutAway(*this) ? pointShownBy(*content, *pixel) : std::nullopt);
 }
 
@@ -355,14 +356,14 @@ void View3dPanel::pick(const Hit& hit) {
     if (!m_made.frame || !m_view->content()) return;
     const Shown shown = pixelShowing(*m_made.frame, *m_view->content(), hit);
     if (shown.pixel)
-        m_document.pick(shown.pixel);
+        m_document.pointing().pick(shown.pixel);
     else
         emit m_document.said(toQString(shown.whyNot));
 }
 
 void View3dPanel::hover(const std::optional<Hit>& hit) {
     if (!m_made.frame || !m_view->content()) return;
-    m_document.hover(hit ? pixelShowing(*m_made.frame, *m_view->content(), *hit).pixel : std::nullopt);
+    m_document.pointing().hover(hit ? pixelShowing(*m_made.frame, *m_view->content(), *hit).pixel : std::nullopt);
 }
 
 }  // namespace app

@@ -202,12 +202,12 @@ TEST_F(AskingLesson, TheKeyboardAloneGoesThroughTheLesson) {
 TEST_F(AskingLesson, AClickInAViewTogglesItsOption) {
     panel->goTo(2);
     ASSERT_TRUE(isFilled());
-    document.select(lessons::Selection{lessons::Selection::Kind::Polygon, 1});
+    document.pointing().select(lessons::Selection{lessons::Selection::Kind::Polygon, 1});
     EXPECT_TRUE(part<QAbstractButton>("option1").isChecked());
     panel->goTo(3);
     ASSERT_TRUE(isFilled());
     EXPECT_EQ(panel->banner(), "Click the polygon that answers the question.");
-    document.select(lessons::Selection{lessons::Selection::Kind::Polygon, 1});
+    document.pointing().select(lessons::Selection{lessons::Selection::Kind::Polygon, 1});
     EXPECT_EQ(part<QLabel>("picked").text(), "Your polygon: 1");
     click("check");
     EXPECT_TRUE(panel->run().isSettled());

@@ -138,9 +138,9 @@ TEST_F(BufferCompareTest, LuminanceIsComparedWithLuminance) {
 TEST_F(BufferCompareTest, TheWorstPixelIsPicked) {
     compareWith(setting("shading", kPhong));
     compare.goToWorst();
-    ASSERT_TRUE(document.pixel());
+    ASSERT_TRUE(document.pointing().pixel());
     const auto& values = compare.found()->values;
-    const auto at = *document.pixel();
+    const auto at = *document.pointing().pixel();
     EXPECT_EQ(std::abs(values.value(std::size_t(at.x), std::size_t(at.y))), compare.found()->largest);
 }
 
@@ -164,7 +164,7 @@ TEST_F(BufferCompareTest, TheWipeFollowsItsHandle) {
     QApplication::sendEvent(&canvas(), &move);
     QTest::mouseRelease(&canvas(), Qt::LeftButton, {}, QPoint(80, 100));
     EXPECT_EQ(canvas().wipe().border(canvas().width()), 80);
-    EXPECT_FALSE(document.pixel());  // dragging the handle picks nothing
+    EXPECT_FALSE(document.pointing().pixel());  // dragging the handle picks nothing
 }
 
 // Whoever chooses B in a menu goes on with T, W and D, wherever the keys were before.

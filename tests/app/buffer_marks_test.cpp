@@ -77,7 +77,7 @@ TEST_F(BufferMarksTest, WhereNothingWasDrawnThereIsNoValue) {
                                10000);
     };
     ASSERT_TRUE(show({BufferId::Shadow, 0}));
-    document.pick(glm::ivec2(5, 5));
+    document.pointing().pick(glm::ivec2(5, 5));
     ASSERT_EQ(qAlpha(view.canvas()->content().image.pixel(kBackground)), 0);
     const auto says = [this](const QString& words) {
         const auto labels = view.findChildren<QLabel*>();
@@ -87,10 +87,10 @@ TEST_F(BufferMarksTest, WhereNothingWasDrawnThereIsNoValue) {
     EXPECT_TRUE(says("x 5 y 5 → no value, 1.0000 is stored"));
     view.features().copies->copyValue();
     EXPECT_EQ(QApplication::clipboard()->text(), "shadow.0 at 5, 5: no value, 1 is stored");
-    document.pick(glm::ivec2(268, 281));
+    document.pointing().pick(glm::ivec2(268, 281));
     EXPECT_TRUE(says("x 268 y 281 → 1.0000"));
     ASSERT_TRUE(show({BufferId::Color}));
-    document.pick(glm::ivec2(5, 5));
+    document.pointing().pick(glm::ivec2(5, 5));
     EXPECT_TRUE(says("x 5 y 5 → 0 0 0")) << "the frame buffer's ground is a colour";
 }
 
@@ -129,8 +129,7 @@ TEST(RegionStatistics, AreStableFarFromZero) {
 }
 
 TEST_F(BufferMarksTest, PinsTakeTheLeastFreeNumber) {
-    PinnedPixels& pins = PinnedPixels::of(document);
-    EXPECT_EQ(&pins, &PinnedPixels::of(document)) << "there is one set";
+    PinnedPixels& pins = document.pointing().pins();
     for (int i = 0; i < 9; ++i) EXPECT_TRUE(pins.toggle({i, 0}));
     EXPECT_FALSE(pins.toggle({20, 20})) << "nine are all";
     EXPECT_TRUE(pins.toggle({4, 0})) << "and a pinned one lets go";
@@ -148,7 +147,7 @@ TEST_F(BufferMarksTest, PinsTakeTheLeastFreeNumber) {
 }
 
 TEST_F(BufferMarksTest, EveryViewShowsThePinsAndItsOwnValues) {
-    document.pick(kOnPolygon2);
+    document.pointing().pick(kOnPolygon2);
     QTest::keyClick(&view, Qt::Key_P);
     for (BufferView* v : {&view, &other}) {
         ASSERT_EQ(v->canvas()->content().pinned.size(), 1u);
@@ -162,9 +161,9 @@ TEST_F(BufferMarksTest, EveryViewShowsThePinsAndItsOwnValues) {
     // z_view of the picked pixel differs from its colour, 37 93 167.
     EXPECT_TRUE(table(view).startsWith("1  x 268 y 281 → 6")) << table(view).toStdString();
     EXPECT_EQ(table(other), "1  x 268 y 281 → 37 93 167");
-    document.pick(glm::ivec2{1, 1});
+    document.pointing().pick(glm::ivec2{1, 1});
     QTest::keyClick(&view, Qt::Key_1);
-    EXPECT_EQ(document.pixel(), kOnPolygon2);
+    EXPECT_EQ(document.pointing().pixel(), kOnPolygon2);
     QTest::keyClick(&view, Qt::Key_P, Qt::ShiftModifier);
     EXPECT_TRUE(other.canvas()->content().pinned.empty());
 }
@@ -179,7 +178,7 @@ TEST_F(BufferMarksTest, ADraggedRegionTellsItsStatistics) {
     ASSERT_TRUE(panel->isVisibleTo(&view));
     EXPECT_EQ(canvas.content().region, QRect(QPoint(260, 276), QPoint(269, 280)));
     EXPECT_TRUE(panel->text().contains("10 × 5 from 260, 276")) << panel->text().toStdString();
-    EXPECT_FALSE(document.pixel()) << "it picks nothing";
+    EXPECT_FALSE(document.pointing().pixel()) << "it picks nothing";
     QTest::keyClick(&view, Qt::Key_Escape);
     EXPECT_FALSE(panel->isVisibleTo(&view));
     EXPECT_FALSE(canvas.content().region);
@@ -200,7 +199,7 @@ TEST_F(BufferMarksTest, TheStatisticsOfALargeRegionComeLater) {
 }
 
 TEST_F(BufferMarksTest, WithoutAMouseItMeasuresBetweenTwoPins) {
-    PinnedPixels& pins = PinnedPixels::of(document);
+    PinnedPixels& pins = document.pointing().pins();
     pins.toggle({265, 290});
     pins.toggle({260, 280});
     QTest::keyClick(&view, Qt::Key_M);
@@ -216,7 +215,7 @@ TEST_F(BufferMarksTest, TurnedOverThePictureKeepsItsNumbers) {
     EXPECT_EQ(painted.image.pixel(268, 479 - 281), upright.pixel(268, 281));
     EXPECT_EQ(painted.text(268, 479 - 281), canvas.content().text(268, 281));
     QTest::mouseClick(&canvas, Qt::LeftButton, {}, widgetAt({268, 281}));
-    EXPECT_EQ(document.pixel(), kOnPolygon2) << "a click picks the pixel that is seen";
+    EXPECT_EQ(document.pointing().pixel(), kOnPolygon2) << "a click picks the pixel that is seen";
     EXPECT_EQ(canvas.pixelAt(widgetAt({268, 281})), QPoint(268, 281));
     // At 1:1 a click falls on a border between rows: it is of the row below it, as it is painted.
     canvas.setZoom(1);
@@ -228,7 +227,7 @@ TEST_F(BufferMarksTest, TurnedOverThePictureKeepsItsNumbers) {
     }
     canvas.fit(false);
     QTest::keyClick(&canvas, Qt::Key_Up);
-    EXPECT_EQ(document.pixel(), glm::ivec2(268, 282)) << "up on the screen is the next row";
+    EXPECT_EQ(document.pointing().pixel(), glm::ivec2(268, 282)) << "up on the screen is the next row";
     const app::CanvasContent twice = app::upsideDown(app::upsideDown(canvas.content()));
     EXPECT_EQ(twice.image, canvas.content().image);
     const QRectF part(200, 250, 80, 60);
@@ -238,7 +237,7 @@ TEST_F(BufferMarksTest, TurnedOverThePictureKeepsItsNumbers) {
 
 TEST_F(BufferMarksTest, TheLoupeEnlargesThePickedPixelAlsoTurnedOver) {
     view.features().loupe->set(true);
-    document.pick(kOnPolygon2);
+    document.pointing().pick(kOnPolygon2);
     auto* loupe = view.canvas()->findChild<app::Loupe*>();
     // Between the dot in the pixel's centre and the frame around it, which is 12 wide.
     const auto inside = [&] { return loupe->grab().toImage().pixelColor(loupe->rect().center() + QPoint(3, 0)); };
@@ -285,7 +284,7 @@ TEST_F(BufferMarksTest, TurnedOverItFitsTheSamePart) {
 // In a view that gets its size while it is hidden, as in a window that is about to open, the picture has its size later;
 // what stands over it stays at its corners.
 TEST_F(BufferMarksTest, WordsStandAtTheCornersOfAPictureThatGrewUnseen) {
-    document.pick(kOnPolygon2);
+    document.pointing().pick(kOnPolygon2);
     QLabel* readout = nullptr;
     for (QLabel* label : view.canvas()->findChildren<QLabel*>())
         if (label->text().startsWith("x 268")) readout = label;

@@ -111,19 +111,19 @@ TEST(BufferViewPutAway, WantsNothingAndShowsTheNewestFrameWhenItComesBack) {
 
 TEST_F(BufferViewTest, AClickPicksThePixelUnderIt) {
     QTest::mouseClick(&canvas(), Qt::LeftButton, {}, widgetAt(kOnPolygon2));
-    ASSERT_TRUE(document.pixel());
-    EXPECT_EQ(*document.pixel(), glm::ivec2(268, 281));
+    ASSERT_TRUE(document.pointing().pixel());
+    EXPECT_EQ(*document.pointing().pixel(), glm::ivec2(268, 281));
     EXPECT_EQ(canvas().content().picked, kOnPolygon2);
 }
 
 TEST_F(BufferViewTest, ArrowKeysMoveThePickedPixelByOneAndWithShiftByTen) {
-    document.pick(glm::ivec2(100, 100));
+    document.pointing().pick(glm::ivec2(100, 100));
     QTest::keyClick(&canvas(), Qt::Key_Left);
     QTest::keyClick(&canvas(), Qt::Key_Down, Qt::ShiftModifier);
-    EXPECT_EQ(*document.pixel(), glm::ivec2(99, 110));
-    document.pick(glm::ivec2(0, 0));
+    EXPECT_EQ(*document.pointing().pixel(), glm::ivec2(99, 110));
+    document.pointing().pick(glm::ivec2(0, 0));
     QTest::keyClick(&canvas(), Qt::Key_Up);  // stays in the picture
-    EXPECT_EQ(*document.pixel(), glm::ivec2(0, 0));
+    EXPECT_EQ(*document.pointing().pixel(), glm::ivec2(0, 0));
 }
 
 TEST_F(BufferViewTest, DraggingMovesThePictureAndPicksNothing) {
@@ -137,7 +137,7 @@ TEST_F(BufferViewTest, DraggingMovesThePictureAndPicksNothing) {
     }
     QTest::mouseRelease(&canvas(), Qt::LeftButton, {}, QPoint(240, 200));
     EXPECT_EQ(canvas().placement().origin - before, QPointF(40, 0));
-    EXPECT_FALSE(document.pixel());
+    EXPECT_FALSE(document.pointing().pixel());
 }
 
 TEST_F(BufferViewTest, TheWheelZoomsToTheCursorInWholeSteps) {
@@ -214,7 +214,7 @@ TEST_F(BufferViewTest, ALeftOutBufferTellsWhyAndIsComputedWhenAskedFor) {
     EXPECT_TRUE(document.frame()->buffer({BufferId::ShadowBuffer, 0}));
     EXPECT_EQ(image().size(), QSize(1024, 1024));  // texels of the light, not pixels of the picture
     QTest::mouseClick(&canvas(), Qt::LeftButton, {}, canvas().rect().center());
-    EXPECT_FALSE(document.pixel());
+    EXPECT_FALSE(document.pointing().pixel());
 }
 
 TEST_F(BufferViewTest, RangeAndChannelAreKeptPerBuffer) {
@@ -299,10 +299,10 @@ TEST_F(BufferViewTest, EdgeFunctionsAreThoseOfThePickedPixelsTriangle) {
     show({BufferId::Color});
     view.features().overlays->set(app::OverlayId::EdgeFunctions, true);
     EXPECT_FALSE(canvas().content().edgeView);
-    document.pick(glm::ivec2(kOnPolygon2.x(), kOnPolygon2.y()));
+    document.pointing().pick(glm::ivec2(kOnPolygon2.x(), kOnPolygon2.y()));
     ASSERT_TRUE(canvas().content().edgeView);
     EXPECT_EQ(canvas().content().edgeView->polygon, 2u);
-    document.pick(glm::ivec2(kBackground.x(), kBackground.y()));
+    document.pointing().pick(glm::ivec2(kBackground.x(), kBackground.y()));
     EXPECT_FALSE(canvas().content().edgeView);
 }
 
@@ -346,12 +346,12 @@ TEST_F(BufferViewTest, PlayStopsWhereAConditionBeginsToHold) {
     ASSERT_TRUE(QTest::qWaitFor([&] { return stepper.isInside() && stepper.isSettled(); }, 20000));
     const pipeline::Moment searched = *stepper.moment();
     stepper.leave();
-    document.pick({});
+    document.pointing().pick({});
     stepper.setSpeed(16);
     stepper.setPlaying(true);
     ASSERT_TRUE(QTest::qWaitFor([&] { return !stepper.isPlaying(); }, 30000));
     EXPECT_EQ(*stepper.moment(), searched);
-    ASSERT_TRUE(document.pixel());
+    ASSERT_TRUE(document.pointing().pixel());
     ASSERT_TRUE(QTest::qWaitFor([&] { return stepper.isSettled() && !document.busy(); }, 10000));
     stepper.setPlaying(true);
     EXPECT_TRUE(QTest::qWaitFor([&] { return !stepper.isInside() || *stepper.moment() > searched; }, 30000));
@@ -375,9 +375,11 @@ TEST_F(BufferViewTest, AConditionVeilsThePixelsForWhichItDoesNotHold) {
     ASSERT_EQ(canvas().content().overlays.size(), 1u);
     EXPECT_NE(qAlpha(canvas().content().overlays[0].pixel(kBackground)), 0);
     view.condition().goTo(true);
-    ASSERT_TRUE(document.pixel());
-    EXPECT_LT(z.value(std::size_t(document.pixel()->x), std::size_t(document.pixel()->y)), 700);
-    EXPECT_EQ(qAlpha(canvas().content().overlays[0].pixel(document.pixel()->x, document.pixel()->y)), 0);
+    ASSERT_TRUE(document.pointing().pixel());
+    EXPECT_LT(z.value(std::size_t(document.pointing().pixel()->x), std::size_t(document.pointing().pixel()->y)), 700);
+    EXPECT_EQ(
+        qAlpha(canvas().content().overlays[0].pixel(document.pointing().pixel()->x, document.pointing().pixel()->y)),
+        0);
     ASSERT_TRUE(QTest::qWaitFor([&] { return document.stepper().steps() != nullptr; }, 10000));
     view.condition().runToStop();
     ASSERT_TRUE(

@@ -26,7 +26,8 @@ protected:
     app::ConditionBar& bar() { return view.condition(); }
     // A search that goes on brings the stepper to its end, and picks a pixel.
     void expectNothingMoves() {
-        EXPECT_FALSE(QTest::qWaitFor([this] { return document.stepper().isInside() || document.pixel(); }, 1500));
+        EXPECT_FALSE(
+            QTest::qWaitFor([this] { return document.stepper().isInside() || document.pointing().pixel(); }, 1500));
     }
     app::Document document;
     app::BufferView view{document};
@@ -44,7 +45,8 @@ TEST_F(ConditionSearch, AnotherTextEndsIt) {
 }
 
 TEST_F(ConditionSearch, LeftAloneItArrives) {
-    EXPECT_TRUE(QTest::qWaitFor([this] { return document.stepper().isInside() && document.pixel(); }, 20000));
+    EXPECT_TRUE(
+        QTest::qWaitFor([this] { return document.stepper().isInside() && document.pointing().pixel(); }, 20000));
 }
 
 }  // namespace

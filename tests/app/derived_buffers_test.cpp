@@ -236,7 +236,7 @@ TEST_F(DerivedBuffersTest, APictureOfAStateShowsIt) {
 
 TEST_F(DerivedBuffersTest, CopiesAValueWithAllItsDigits) {
     EXPECT_EQ(view.features().copies->whyNoValue(), "Pick a pixel first.");
-    document.pick(glm::ivec2(80, 60));
+    document.pointing().pick(glm::ivec2(80, 60));
     view.setBuffer({BufferId::ZView});
     ASSERT_TRUE(shows({BufferId::ZView}));
     ASSERT_EQ(view.features().copies->whyNoValue(), "");
@@ -255,7 +255,7 @@ TEST_F(DerivedBuffersTest, CopiesNoValueOfAPixelThatThePictureDoesNotHave) {
     view.setBuffer({BufferId::ZView});
     ASSERT_TRUE(shows({BufferId::ZView}));
     document.change(*findSetting(document.scene(), "width"), 200);
-    document.pick(glm::ivec2(180, 60));
+    document.pointing().pick(glm::ivec2(180, 60));
     QApplication::clipboard()->setText("mine");
     EXPECT_EQ(view.features().copies->whyNoValue(), "The picture on show does not have this pixel yet.");
     view.features().copies->copyValue();

@@ -243,10 +243,10 @@ TEST_F(DocumentTest, AViewThatHasCaughtUpLetsTheNextFrameBeginAtOnce) {
 }
 
 TEST_F(DocumentTest, PickedPixelStaysInThePicture) {
-    document.pick(glm::ivec2(10000, -3));
-    EXPECT_EQ(document.pixel(), glm::ivec2(639, 0));
+    document.pointing().pick(glm::ivec2(10000, -3));
+    EXPECT_EQ(document.pointing().pixel(), glm::ivec2(639, 0));
     document.change(setting("width"), 100);
-    EXPECT_EQ(document.pixel(), glm::ivec2(99, 0));
+    EXPECT_EQ(document.pointing().pixel(), glm::ivec2(99, 0));
 }
 
 TEST_F(DocumentTest, StagesEndAtTheFirstAndTheLast) {

@@ -166,7 +166,8 @@ TEST_F(ForeignText, OfASceneIsShownAsItIsEverywhere) {
     EXPECT_EQ(document().scene().name, kHostile);
     EXPECT_TRUE(isShown(kHostile)) << "the title";
     EXPECT_TRUE(window.windowTitle().startsWith(kHostile));
-    document().pick(glm::ivec2(document().scene().settings.width / 2, document().scene().settings.height / 2));
+    document().pointing().pick(
+        glm::ivec2(document().scene().settings.width / 2, document().scene().settings.height / 2));
     ASSERT_TRUE(waitForFrame());
     for (ActionId id : {ActionId::CopyState}) window.actions()[id]->trigger();
     expectPlain("a scene, a pixel of its object picked");
@@ -180,7 +181,8 @@ TEST_F(ForeignText, OfAModelIsShownAsItIsEverywhere) {
                                                "\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nusemtl <b>x</b>\nf 3 2 1\n");
     ASSERT_TRUE(window.openFile(folder.filePath("m.obj")));
     ASSERT_TRUE(waitForFrame());
-    document().pick(glm::ivec2(document().scene().settings.width / 2, document().scene().settings.height / 2));
+    document().pointing().pick(
+        glm::ivec2(document().scene().settings.width / 2, document().scene().settings.height / 2));
     ASSERT_TRUE(waitForFrame());
     ASSERT_FALSE(document().scene().objects.empty());
     EXPECT_NE(document().scene().objects[0].name.find("<img"), std::string::npos);
@@ -219,7 +221,7 @@ TEST_F(ForeignText, OfAPictureIsShownAsItIs) {
     ASSERT_TRUE(window.openFile(folder.filePath("out/color.png")));
     ASSERT_TRUE(waitForFrame());
     ASSERT_TRUE(QTest::qWaitFor([&] { return document().scene().name == kHostile; }, 30000));
-    document().pick(glm::ivec2(scene.settings.width / 2, scene.settings.height / 2));
+    document().pointing().pick(glm::ivec2(scene.settings.width / 2, scene.settings.height / 2));
     ASSERT_TRUE(waitForFrame());
     expectPlain("a picture that carries its scene");
 }
@@ -229,7 +231,8 @@ TEST_F(ForeignText, WithLineEndsStaysOnOneLine) {
     writeForeign(folder.filePath(name), scene().mid(scene().indexOf("look")));  // its title is the file's name
     ASSERT_TRUE(window.openFile(folder.filePath(name)));
     ASSERT_TRUE(waitForFrame());
-    document().pick(glm::ivec2(document().scene().settings.width / 2, document().scene().settings.height / 2));
+    document().pointing().pick(
+        glm::ivec2(document().scene().settings.width / 2, document().scene().settings.height / 2));
     ASSERT_TRUE(waitForFrame());
     expectPlain("a scene of lines");
     EXPECT_TRUE(window.windowTitle().startsWith("one?two?[31m.toml")) << window.windowTitle().toStdString();

@@ -29,6 +29,7 @@ namespace {
 
 using app::Document;
 using app::InspectorPanel;
+using app::Pointing;
 
 struct InspectorPanelTest : testing::Test {
     Document document;
@@ -38,7 +39,7 @@ struct InspectorPanelTest : testing::Test {
         panel.resize(456, 900);
         panel.show();
         document.setScene(test::pyramid());
-        document.pick(glm::ivec2(268, 281));
+        document.pointing().pick(glm::ivec2(268, 281));
         EXPECT_TRUE(QTest::qWaitFor([&] { return panel.report() != nullptr; }, 10000));
     }
     QString equation() { return panel.equation().math()->asText(); }
@@ -65,7 +66,7 @@ TEST_F(InspectorPanelTest, OverTheBackgroundItShowsWhatTranslucentSurfacesMakeOf
     pipeline::Scene scene = test::pyramid();
     scene.objects[0].material.alpha = 0.5;
     document.setScene(scene);
-    document.pick(glm::ivec2(268, 281));
+    document.pointing().pick(glm::ivec2(268, 281));
     EXPECT_TRUE(QTest::qWaitFor([&] { return shows("Background, behind translucent surfaces."); }, 10000));
     EXPECT_TRUE(panel.equation().math()->isVisible());
     EXPECT_TRUE(equation().contains("= 84")) << equation().toStdString();
@@ -80,7 +81,7 @@ TEST_F(InspectorPanelTest, NamesNoFileWhereTheMeshComesFromNone) {
     mesh->polygonPlaces.assign(5, {22, 3});
     scene.objects[0].mesh = mesh;
     document.setScene(scene);
-    document.pick(glm::ivec2(268, 281));
+    document.pointing().pick(glm::ivec2(268, 281));
     const auto rows = panel.findChild<app::WhySection*>()->findChildren<QLabel*>();
     const auto names = [](const QLabel* label) { return label->isVisible() && label->text() == "pyramid"; };
     EXPECT_TRUE(QTest::qWaitFor([&] { return std::any_of(rows.begin(), rows.end(), names); }, 10000));
@@ -93,7 +94,7 @@ TEST_F(InspectorPanelTest, SaysThatAPixelIsNotDrawnYet) {
         EXPECT_TRUE(shows("Nothing is drawn here yet."));
     }
     // Of a pixel of the background.
-    document.pick(glm::ivec2(10, 10));
+    document.pointing().pick(glm::ivec2(10, 10));
     document.stepper().goTo(*pipeline::parsePlace("z-buffer/start"));
     EXPECT_TRUE(QTest::qWaitFor([&] { return shows("0 came, 0 won"); }, 10000));
     document.stepper().goTo(*pipeline::parsePlace("shading/start"));
@@ -102,7 +103,7 @@ TEST_F(InspectorPanelTest, SaysThatAPixelIsNotDrawnYet) {
 
 // Red: k_r = 0.2, so 0.2·50 + 0.2·77.46 + 0.025 = 25.517.
 TEST_F(InspectorPanelTest, FollowsTheChannel) {
-    document.setChannel(0);
+    document.pointing().setChannel(0);
     EXPECT_TRUE(equation().contains("25.517")) << equation().toStdString();
 }
 
@@ -121,7 +122,7 @@ TEST_F(InspectorPanelTest, TellsWhatTheNumbersWereBeforeAChange) {
     ASSERT_TRUE(QTest::qWaitFor([&] { return equation().contains("0.998"); }, 10000));
     EXPECT_TRUE(equation().contains("was 45.000 + 69.714 + 0.025 = 114.739")) << equation().toStdString();
     EXPECT_TRUE(equation().contains("= 8")) << "the exponent's value before";
-    document.pick(glm::ivec2(269, 281));  // another pixel: nothing was changed there
+    document.pointing().pick(glm::ivec2(269, 281));  // another pixel: nothing was changed there
     EXPECT_FALSE(equation().contains("was "));
 }
 
@@ -155,12 +156,13 @@ TEST_F(InspectorPanelTest, ComparesWithTheStartOfADrag) {
 }
 
 TEST_F(InspectorPanelTest, APointedSymbolIsKnownToTheOtherViews) {
-    QSignalSpy changed(&document, &Document::pointedChanged);
+    QSignalSpy changed(&document.pointing(), &Pointing::symbolChanged);
     emit panel.equation().math()->pointedAt("n_dot_l.0");
     ASSERT_EQ(changed.size(), 1);
-    EXPECT_EQ(app::vectorsOf(document.pointed()), (std::vector{pipeline::VectorCode::N, pipeline::VectorCode::L}));
+    EXPECT_EQ(app::vectorsOf(document.pointing().symbol()),
+              (std::vector{pipeline::VectorCode::N, pipeline::VectorCode::L}));
     emit panel.equation().math()->pointedAt("material.0.n");
-    EXPECT_TRUE(app::vectorsOf(document.pointed()).empty());
+    EXPECT_TRUE(app::vectorsOf(document.pointing().symbol()).empty());
 }
 
 // Lecture 1: 0.9·50 + 100·(0.9 + 0.4) = 175.
@@ -169,7 +171,7 @@ TEST_F(InspectorPanelTest, TheMaximumSaysWhatItIsMadeOf) {
     const QString says = panel.equation().math()->toolTip();
     EXPECT_TRUE(says.startsWith("I_max, the intensity that 255 stands for: the most that ")) << says.toStdString();
     EXPECT_TRUE(says.endsWith(" = 0.9·50 + 100·(0.9 + 0.4) = 175.")) << says.toStdString();
-    EXPECT_EQ(document.pointed(), "") << "no buffer and no setting";
+    EXPECT_EQ(document.pointing().symbol(), "") << "no buffer and no setting";
     pipeline::Scene scene = document.scene();
     scene.settings.model = pipeline::Model::BlinnPhong;
     EXPECT_TRUE(app::maximumText(scene, 1).contains(": 1 in this model"));
@@ -208,7 +210,7 @@ TEST_F(InspectorPanelTest, StripsMixTheTerms) {
 }
 
 TEST_F(InspectorPanelTest, BackgroundSaysSoAndHasNoEquation) {
-    document.pick(glm::ivec2(3, 3));
+    document.pointing().pick(glm::ivec2(3, 3));
     EXPECT_FALSE(panel.report()->covered);
     EXPECT_TRUE(shows("Background: nothing was drawn here."));
     EXPECT_FALSE(panel.equation().isVisible());
@@ -233,7 +235,7 @@ TEST(LayersSection, EveryLayerAddsItsShareOfThePixel) {
 }
 
 TEST_F(InspectorPanelTest, WithoutAPixelItSaysWhatToDo) {
-    document.pick(std::nullopt);
+    document.pointing().pick(std::nullopt);
     EXPECT_TRUE(shows("Click a pixel to see why it has its colour."));
 }
 
@@ -281,13 +283,13 @@ TEST_F(InspectorPanelTest, ARowOfTheFragmentsSelectsItsPolygon) {
         const auto& r = *panel.report();
         return std::size_t(i < r.fragments.size() ? r.fragments[i].polygon : r.culled[i - r.fragments.size()].polygon);
     };
-    EXPECT_EQ(document.selection(), (lessons::Selection{lessons::Selection::Kind::Polygon, polygonAt(0)}));
-    EXPECT_TRUE(document.pixel()) << "the pixel stays picked";
+    EXPECT_EQ(document.pointing().selection(), (lessons::Selection{lessons::Selection::Kind::Polygon, polygonAt(0)}));
+    EXPECT_TRUE(document.pointing().pixel()) << "the pixel stays picked";
     if (rows->rows().size() < 2) return;
     rows->setFocus();
     QTest::keyClick(rows, Qt::Key_Down);
     QTest::keyClick(rows, Qt::Key_Return);
-    EXPECT_EQ(document.selection(), (lessons::Selection{lessons::Selection::Kind::Polygon, polygonAt(1)}));
+    EXPECT_EQ(document.pointing().selection(), (lessons::Selection{lessons::Selection::Kind::Polygon, polygonAt(1)}));
 }
 
 TEST_F(InspectorPanelTest, PolygonVerticesAndObjectAreJumps) {
@@ -295,15 +297,16 @@ TEST_F(InspectorPanelTest, PolygonVerticesAndObjectAreJumps) {
     const auto buttons = why->findChildren<QToolButton*>();
     ASSERT_EQ(buttons.size(), 7);
     buttons[3]->click();
-    EXPECT_EQ(document.selection(), (lessons::Selection{lessons::Selection::Kind::Polygon, 2}));
+    EXPECT_EQ(document.pointing().selection(), (lessons::Selection{lessons::Selection::Kind::Polygon, 2}));
     EXPECT_EQ(document.stage(), pipeline::StageId::Cull);
     const int vertex = panel.report()->vertices[1];
     for (auto* label : why->findChildren<QLabel*>())
         if (label->text().contains("vertex:")) emit label->linkActivated(QString("vertex:%1").arg(vertex));
-    EXPECT_EQ(document.selection(), (lessons::Selection{lessons::Selection::Kind::Vertex, std::size_t(vertex)}));
+    EXPECT_EQ(document.pointing().selection(),
+              (lessons::Selection{lessons::Selection::Kind::Vertex, std::size_t(vertex)}));
     EXPECT_EQ(document.stage(), pipeline::StageId::Transform);
     buttons[5]->click();
-    EXPECT_EQ(document.selection(), (lessons::Selection{lessons::Selection::Kind::Object, 0}));
+    EXPECT_EQ(document.pointing().selection(), (lessons::Selection{lessons::Selection::Kind::Object, 0}));
 }
 
 // Below the box stands its top, polygon 7, nearest to the light.
@@ -319,13 +322,13 @@ TEST_F(InspectorPanelTest, TheShadowIsAJumpToWhatCastsIt) {
     const auto shadow = why->findChildren<QToolButton*>()[6];
     EXPECT_FALSE(shadow->isVisible()) << "the pyramid casts none";
     document.setScene(scene);
-    document.pick(*shadowed);
+    document.pointing().pick(*shadowed);
     ASSERT_TRUE(QTest::qWaitFor([&] { return shadow->isVisible(); }, 10000));
     QSignalSpy buffers(why, &app::WhySection::bufferAsked);
     shadow->click();
     ASSERT_EQ(buffers.size(), 1);
     EXPECT_EQ(buffers[0][0].value<pipeline::BufferName>(), (pipeline::BufferName{pipeline::BufferId::ShadowBuffer, 0}));
-    EXPECT_EQ(document.selection(), (lessons::Selection{lessons::Selection::Kind::Polygon, 7}));
+    EXPECT_EQ(document.pointing().selection(), (lessons::Selection{lessons::Selection::Kind::Polygon, 7}));
     EXPECT_EQ(document.stage(), pipeline::StageId::ShadowBuffer);
 }
 

@@ -71,13 +71,13 @@ TEST_F(LessonPanelTest, APageSetsTheWindow) {
     ASSERT_TRUE(panel->open("pyramid"));
     goTo(4);  // Which polygon is nearest
     EXPECT_EQ(document.stage(), pipeline::StageId::ZBuffer);
-    EXPECT_FALSE(document.pixel());
+    EXPECT_FALSE(document.pointing().pixel());
     EXPECT_EQ(document.scene().settings.cull, pipeline::CullMode::None);
     EXPECT_EQ(buffers, (std::vector<std::string>{"z_view"}));
     goTo(6);  // the next page does not keep what this one has set
     EXPECT_EQ(document.scene().settings.cull, pipeline::CullMode::Back);
     EXPECT_EQ(document.stage(), pipeline::StageId::Shading);
-    EXPECT_EQ(document.pixel(), glm::ivec2(268, 281));
+    EXPECT_EQ(document.pointing().pixel(), glm::ivec2(268, 281));
     EXPECT_EQ(buffers, (std::vector<std::string>{"color"}));
 }
 

@@ -45,7 +45,7 @@ TEST_F(LuminanceTest, LuminanceIsOneNumberInPlaceOfThree) {
     const double x = diffuse.value(268, 281, 0) / 20;
     EXPECT_NEAR(shown.value(268, 281), 46.51 * x, 46.51 * 1e-6);
     EXPECT_EQ(view.shown()->source.shape, diffuse.shape);
-    document.pick(glm::ivec2(268, 281));
+    document.pointing().pick(glm::ivec2(268, 281));
     EXPECT_FALSE(view.shown()->scale.histogram.empty()) << "it has a range and a histogram";
     EXPECT_EQ(qAlpha(view.canvas()->content().image.pixel(QPoint(5, 5))), 0);
     EXPECT_EQ(view.state().channel, lessons::ShownChannel::Luminance);

@@ -35,19 +35,19 @@ struct PixelInspectionTest : testing::Test {
 TEST_F(PixelInspectionTest, ASmallSceneIsInspectedAtOnceAndOnce) {
     open(test::pyramid());
     QSignalSpy changed(&inspection, &PixelInspection::changed);
-    document.pick(kOnPyramid);
+    document.pointing().pick(kOnPyramid);
     ASSERT_TRUE(inspection.newest());
     EXPECT_EQ(inspection.newest()->report.polygon, 2);
     EXPECT_EQ(inspection.newest()->frame, document.frame());
     EXPECT_EQ(changed.size(), 1);
-    document.pick({});
+    document.pointing().pick({});
     EXPECT_FALSE(inspection.newest());
 }
 
 TEST_F(PixelInspectionTest, OfManyPolygonsItComesFromElsewhereAndIsTheSame) {
     open(test::manyPolygons());
     ASSERT_TRUE(app::isLarge(*document.frame()));
-    document.pick(kOnPyramid);
+    document.pointing().pick(kOnPyramid);
     EXPECT_TRUE(inspection.busy());
     EXPECT_FALSE(inspection.newest()) << "the window does not wait for it";
     ASSERT_TRUE(finished());
@@ -62,7 +62,7 @@ TEST_F(PixelInspectionTest, OfManyPolygonsItComesFromElsewhereAndIsTheSame) {
 TEST_F(PixelInspectionTest, OfManyPixelsInARowTheNewestComesLast) {
     open(test::manyPolygons());
     QSignalSpy changed(&inspection, &PixelInspection::changed);
-    for (int x = 0; x < 50; ++x) document.pick(kOnPyramid + glm::ivec2(x, 0));
+    for (int x = 0; x < 50; ++x) document.pointing().pick(kOnPyramid + glm::ivec2(x, 0));
     ASSERT_TRUE(finished());
     EXPECT_EQ(inspection.newest()->report.pixel, kOnPyramid + glm::ivec2(49, 0));
     EXPECT_LE(changed.size(), 2);
@@ -70,7 +70,7 @@ TEST_F(PixelInspectionTest, OfManyPixelsInARowTheNewestComesLast) {
 
 TEST_F(PixelInspectionTest, AnotherSceneHasNoPixelOfTheOneBefore) {
     open(test::manyPolygons());
-    document.pick(kOnPyramid);
+    document.pointing().pick(kOnPyramid);
     document.setScene(test::pyramid());
     EXPECT_FALSE(inspection.busy());
     EXPECT_FALSE(inspection.newest());

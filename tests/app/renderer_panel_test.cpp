@@ -81,12 +81,12 @@ TEST_F(RendererPanelTest, NamesTheFirstWrongStageAndTheError) {
 
 TEST_F(RendererPanelTest, PicksTheWorstPixelAndGoesToTheNext) {
     open(Defect::LRaw);  // all that a light reaches is too bright
-    ASSERT_TRUE(document.pixel());
+    ASSERT_TRUE(document.pointing().pixel());
     const auto worst = worstPixels(*renderer().report());
     ASSERT_GT(worst.size(), 1u);
-    EXPECT_EQ(*document.pixel(), worst[0]);
+    EXPECT_EQ(*document.pointing().pixel(), worst[0]);
     panel.finding().goToWorst();
-    EXPECT_EQ(*document.pixel(), worst[1]);
+    EXPECT_EQ(*document.pointing().pixel(), worst[1]);
     for (std::size_t i = 0; i < worst.size(); ++i)
         for (std::size_t j = 0; j < i; ++j) {
             const glm::ivec2 apart = glm::abs(worst[i] - worst[j]);

@@ -36,7 +36,7 @@ struct ScanlinePanelTest : testing::Test {
 };
 
 TEST_F(ScanlinePanelTest, FollowsThePickedPixelsRow) {
-    document.pick(glm::ivec2(268, 281));
+    document.pointing().pick(glm::ivec2(268, 281));
     ASSERT_TRUE(waitForRow(281));
     EXPECT_EQ(panel.section()->winnerAt(268), 2);
     EXPECT_FALSE(panel.plot()->drawing().lines.empty());
@@ -45,15 +45,15 @@ TEST_F(ScanlinePanelTest, FollowsThePickedPixelsRow) {
 }
 
 TEST_F(ScanlinePanelTest, ItsCursorIsThatOfEveryView) {
-    document.pick(glm::ivec2(268, 281));
+    document.pointing().pick(glm::ivec2(268, 281));
     ASSERT_TRUE(waitForRow(281));
     QTest::mouseMove(panel.plot(), placeOf(260));
-    ASSERT_TRUE(QTest::qWaitFor([&] { return document.hovered().has_value(); }, 5000));
-    EXPECT_EQ(document.hovered(), glm::ivec2(260, 281));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return document.pointing().hovered().has_value(); }, 5000));
+    EXPECT_EQ(document.pointing().hovered(), glm::ivec2(260, 281));
     QTest::mouseClick(panel.plot(), Qt::LeftButton, Qt::NoModifier, placeOf(262));
-    EXPECT_EQ(document.pixel(), glm::ivec2(262, 281));
+    EXPECT_EQ(document.pointing().pixel(), glm::ivec2(262, 281));
     QTest::keyClick(panel.plot(), Qt::Key_Down);
-    EXPECT_EQ(document.pixel(), glm::ivec2(262, 282)) << "the mark goes along";
+    EXPECT_EQ(document.pointing().pixel(), glm::ivec2(262, 282)) << "the mark goes along";
     ASSERT_TRUE(waitForRow(282));
 }
 

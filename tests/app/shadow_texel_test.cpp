@@ -72,11 +72,11 @@ TEST(ShadowTexel, IsMarkedWhereThePixelIs) {
     const glm::ivec2 pixel(scene.settings.width / 2, scene.settings.height / 2);
     const auto texel = app::shadowTexel(*document.frame(), 0, pixel);
     ASSERT_TRUE(texel);
-    document.hover(pixel);
+    document.pointing().hover(pixel);
     EXPECT_EQ(view.canvas()->content().hovered, QPoint(texel->x, texel->y));
-    document.hover(std::nullopt);
+    document.pointing().hover(std::nullopt);
     EXPECT_FALSE(view.canvas()->content().hovered);
-    document.pick(pixel);
+    document.pointing().pick(pixel);
     EXPECT_EQ(view.canvas()->content().picked, QPoint(texel->x, texel->y));
 }
 

@@ -216,10 +216,10 @@ TEST_F(DepthView, TheWorstPixelOfALargeFrameIsPickedOnceItIsFound) {
     view.compare().compareWith(OtherSource{.kind = OtherSource::Kind::Buffer, .buffer = {BufferId::Overdraw}});
     ASSERT_FALSE(view.compare().found());
     view.compare().goToWorst();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return document.pixel().has_value(); }, 20000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return document.pointing().pixel().has_value(); }, 20000));
     const auto& found = *view.compare().found();
     const auto columns = found.values.columns();
-    EXPECT_EQ(*document.pixel(), glm::ivec2(*found.worst % columns, *found.worst / columns));
+    EXPECT_EQ(*document.pointing().pixel(), glm::ivec2(*found.worst % columns, *found.worst / columns));
 }
 
 // A picture that is given up leaves the one before, until it is gone on with.
@@ -241,16 +241,16 @@ TEST_F(DepthView, WhatIsSelectedAmongManyPolygonsIsMarkedWithoutWaitingForIt) {
     document.setScene(test::manyPolygons());
     const auto& marked = view.canvas()->content().marked;
     ASSERT_TRUE(QTest::qWaitFor([&] { return !document.busy() && view.shown(); }, 20000));
-    document.select(lessons::Selection{lessons::Selection::Kind::Object, 0});
+    document.pointing().select(lessons::Selection{lessons::Selection::Kind::Object, 0});
     EXPECT_TRUE(marked.empty()) << "the window does not wait for it";
-    const auto outlines = app::outlinesOf(*document.frame(), *document.selection());
+    const auto outlines = app::outlinesOf(*document.frame(), *document.pointing().selection());
     ASSERT_EQ(outlines.size(), 1u);
     ASSERT_TRUE(QTest::qWaitFor([&] { return marked == outlines; }, 10000));
-    document.select({});
+    document.pointing().select({});
     EXPECT_TRUE(marked.empty());
     // Given up before it was found.
-    document.select(lessons::Selection{lessons::Selection::Kind::Object, 0});
-    document.select({});
+    document.pointing().select(lessons::Selection{lessons::Selection::Kind::Object, 0});
+    document.pointing().select({});
     QTest::qWait(200);
     EXPECT_TRUE(marked.empty());
 }

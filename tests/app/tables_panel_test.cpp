@@ -15,6 +15,7 @@
 namespace {
 
 using app::Document;
+using app::Pointing;
 using app::TablePage;
 using lessons::Selection;
 using pipeline::TableFormat;
@@ -71,9 +72,9 @@ TEST_F(TablesPanelTest, FollowsEveryChangeOfTheFrame) {
 }
 
 TEST_F(TablesPanelTest, AClickedRowIsSelectedEverywhere) {
-    QSignalSpy selected(&document, &Document::selectionChanged);
+    QSignalSpy selected(&document.pointing(), &Pointing::selectionChanged);
     click(polygons(), 3);
-    EXPECT_EQ(document.selection(), (lessons::Selection{lessons::Selection::Kind::Polygon, 3}));
+    EXPECT_EQ(document.pointing().selection(), (lessons::Selection{lessons::Selection::Kind::Polygon, 3}));
     EXPECT_EQ(selected.size(), 1);
     EXPECT_EQ(chosen(show(TableId::Vertices)), (std::vector{0, 3, 4})) << "the corners of Back";
     EXPECT_EQ(chosen(show(TableId::Objects)), std::vector{0});
@@ -82,11 +83,11 @@ TEST_F(TablesPanelTest, AClickedRowIsSelectedEverywhere) {
 // Pixel (268, 281) shows polygon 2, whose corners are 2, 3 and 4.
 TEST_F(TablesPanelTest, ThePickedPixelsPolygonIsMarked) {
     click(polygons(), 0);
-    document.pick(glm::ivec2(268, 281));
-    EXPECT_FALSE(document.selection()) << "picking forgets what was selected";
+    document.pointing().pick(glm::ivec2(268, 281));
+    EXPECT_FALSE(document.pointing().selection()) << "picking forgets what was selected";
     EXPECT_EQ(chosen(polygons()), std::vector{2});
     EXPECT_EQ(chosen(show(TableId::Vertices)), (std::vector{2, 3, 4}));
-    document.pick(glm::ivec2(1, 1));
+    document.pointing().pick(glm::ivec2(1, 1));
     EXPECT_TRUE(chosen(panel.page(TableId::Vertices)).empty());
 }
 
@@ -98,14 +99,14 @@ TEST_F(TablesPanelTest, WhatIsUnderTheCursorElsewhereStandsOut) {
         return places;
     };
     click(polygons(), 0);
-    document.hover(glm::ivec2(268, 281));
+    document.pointing().hover(glm::ivec2(268, 281));
     EXPECT_EQ(pointed(polygons()), std::vector{2});
-    EXPECT_EQ(document.selection(), (lessons::Selection{lessons::Selection::Kind::Polygon, 0}))
+    EXPECT_EQ(document.pointing().selection(), (lessons::Selection{lessons::Selection::Kind::Polygon, 0}))
         << "hovering changes nothing";
-    document.hover(std::nullopt);
+    document.pointing().hover(std::nullopt);
     EXPECT_TRUE(pointed(polygons()).empty());
     TablePage& vertices = show(TableId::Vertices);
-    document.hover(glm::ivec2(268, 281));
+    document.pointing().hover(glm::ivec2(268, 281));
     EXPECT_EQ(pointed(vertices), (std::vector{2, 3, 4}));
 }
 
@@ -117,9 +118,9 @@ TEST_F(TablesPanelTest, SortsByValueAndKeepsWhatIsSelected) {
     for (int place = 0; place < 5; ++place) order << text(polygons(), place, "polygon");
     EXPECT_EQ(order.join(' '), "4 0 3 1 2");
     EXPECT_EQ(chosen(polygons()), std::vector{2});
-    EXPECT_EQ(document.selection(), (lessons::Selection{lessons::Selection::Kind::Polygon, 3}));
+    EXPECT_EQ(document.pointing().selection(), (lessons::Selection{lessons::Selection::Kind::Polygon, 3}));
     click(polygons(), 0);
-    EXPECT_EQ(document.selection(), (lessons::Selection{lessons::Selection::Kind::Polygon, 4}));
+    EXPECT_EQ(document.pointing().selection(), (lessons::Selection{lessons::Selection::Kind::Polygon, 4}));
     // The order holds when the frame changes.
     document.change(*pipeline::findSetting(document.scene(), "object.0.sx"), 1.9);
     QTest::qWait(300);
@@ -172,8 +173,8 @@ TEST_F(TablesPanelTest, AnotherSceneTakesTheSelectionAway) {
     pipeline::Scene scene = test::pyramid();
     scene.objects.clear();
     document.setScene(scene);
-    EXPECT_FALSE(document.selection());
+    EXPECT_FALSE(document.pointing().selection());
     EXPECT_TRUE(QTest::qWaitFor([&] { return document.frame() && polygons().model().rowCount() == 0; }, 10000));
-    document.select(lessons::Selection{lessons::Selection::Kind::Polygon, 0});
-    EXPECT_FALSE(document.selection()) << "there is no such polygon";
+    document.pointing().select(lessons::Selection{lessons::Selection::Kind::Polygon, 0});
+    EXPECT_FALSE(document.pointing().selection()) << "there is no such polygon";
 }

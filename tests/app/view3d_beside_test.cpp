@@ -33,7 +33,7 @@ TEST_F(View3dBeside, TheWindowDoesNotWaitForAPicture) {
     {
         const std::lock_guard turnOfVtk(app::vtkTurn());
         turn();
-        document.pick(glm::ivec2{268, 281});
+        document.pointing().pick(glm::ivec2{268, 281});
         ASSERT_TRUE(QTest::qWaitFor([&] { return working->isVisible(); }, 5000)) << "it says that it is at work";
         EXPECT_FALSE(view.isDrawn());
         EXPECT_EQ(vtk.shown(), before) << "letters stay at what the picture shows";

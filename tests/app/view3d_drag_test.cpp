@@ -143,7 +143,7 @@ TEST_F(View3dDrag, ThePointerReadsThePictureThatTheViewIsOf) {
     document.edit(flat, "flat", app::Document::Change::Done);
     for (int x = 40; x < view.width(); x += 40)
         for (int y = 40; y < view.height(); y += 40) send(QEvent::MouseMove, {x, y}, Qt::NoButton, Qt::NoButton);
-    document.select(lessons::Selection{lessons::Selection::Kind::Polygon, 4});
+    document.pointing().select(lessons::Selection{lessons::Selection::Kind::Polygon, 4});
     ASSERT_TRUE(QTest::qWaitFor([&] { return !document.busy(); }));
 }
 

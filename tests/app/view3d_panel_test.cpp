@@ -82,7 +82,7 @@ TEST_F(View3dWindow, ShowsTheSceneInTheFrameBuffersColours) {
 
 TEST_F(View3dWindow, APickedPixelBringsItsVectors) {
     openPyramid();
-    document.pick(kRightFace);
+    document.pointing().pick(kRightFace);
     const QImage image = picture();
     int letters = 0;
     for (const app::Label& label : view.drawing().labels) {
@@ -92,7 +92,7 @@ TEST_F(View3dWindow, APickedPixelBringsItsVectors) {
             << label.text;
     }
     EXPECT_EQ(letters, 5);
-    document.pick(glm::ivec2{1, 1});  // background
+    document.pointing().pick(glm::ivec2{1, 1});  // background
     EXPECT_TRUE(view.drawing().vectors.empty());
 }
 
@@ -108,11 +108,11 @@ TEST_F(View3dWindow, ThemesSwitchLive) {
 TEST_F(View3dWindow, AClickPicksThePixelThatShowsThePoint) {
     openPyramid();
     clickAt({335, 125, 50}, Qt::RightButton);
-    ASSERT_TRUE(document.pixel());
+    ASSERT_TRUE(document.pointing().pixel());
     // Where lecture 1's camera puts that point: 320 + 200 · (−210 sin 45°) / z_v and 240 − 200 y_v / z_v with
     // z_v = 1000 − 460 sin 60° cos 45° − 25 = 693.31, y_v = −460 cos 60° cos 45° + 50 sin 60° = −119.33.
-    EXPECT_NEAR(document.pixel()->x, 277.2, 1.5);
-    EXPECT_NEAR(document.pixel()->y, 274.4, 1.5);
+    EXPECT_NEAR(document.pointing().pixel()->x, 277.2, 1.5);
+    EXPECT_NEAR(document.pointing().pixel()->y, 274.4, 1.5);
 }
 
 TEST_F(View3dWindow, AClickOnWhatTheEyeDoesNotSeeSaysWhy) {
@@ -121,7 +121,7 @@ TEST_F(View3dWindow, AClickOnWhatTheEyeDoesNotSeeSaysWhy) {
     ASSERT_TRUE(QTest::qWaitFor([&] { return view.camera().forward == Vec3d(0, 1, 0); }, 5000));
     QSignalSpy said(&document, &Document::said);
     clickAt({335, 25, 50});
-    EXPECT_FALSE(document.pixel());
+    EXPECT_FALSE(document.pointing().pixel());
     ASSERT_EQ(said.count(), 1);
     EXPECT_TRUE(said[0][0].toString().contains("polygon 0"));
 }
@@ -134,7 +134,7 @@ TEST_F(View3dWindow, DraggingOrbitsAndPicksNothing) {
     QTest::mouseMove(&view, middle + QPoint(40, 10));
     QTest::mouseMove(&view, middle + QPoint(80, 20));
     QTest::mouseRelease(&view, Qt::LeftButton, {}, middle + QPoint(80, 20));
-    EXPECT_FALSE(document.pixel());
+    EXPECT_FALSE(document.pointing().pixel());
     EXPECT_GT(glm::length(view.camera().forward - before.forward), 0.1);
     EXPECT_EQ(view.camera().target, before.target);
 }
@@ -175,7 +175,7 @@ TEST_F(View3dWindow, TheSceneStandsAboveTheLegend) {
 
 TEST_F(View3dWindow, TheLegendHidesAVector) {
     openPyramid();
-    document.pick(kRightFace);
+    document.pointing().pick(kRightFace);
     ASSERT_EQ(view.drawing().vectors.size(), 5u);
     app::ViewOptions options = view.options();
     options.shown[std::size_t(app::VectorCode::R)] = false;
@@ -196,7 +196,7 @@ TEST_F(View3dWindow, AtThePointTheDiscIsThePolygonsColour) {
     openPyramid();
     panel.setSpace({app::ViewSpace::Point});
     EXPECT_TRUE(view.drawing().vectors.empty());
-    document.pick(kRightFace);
+    document.pointing().pick(kRightFace);
     ASSERT_EQ(view.drawing().vectors.size(), 5u);
     // 0.35 of (37, 93, 167) over white: 255 − 0.35 (255 − c).
     EXPECT_GT(countNear(picture(), at({-0.3, -0.3, 0}), 12, QColor(179, 198, 224)), 100);
@@ -214,7 +214,7 @@ const app::Handle& lightHandle(const SceneView& view) { return view.handles().fr
 
 TEST_F(View3dWindow, ADraggedLightIsOneStepOfUndo) {
     openPyramid();
-    document.pick(kRightFace);
+    document.pointing().pick(kRightFace);
     const pipeline::Scene before = document.scene();
     ASSERT_EQ(lightHandle(view).name, "light 0");
     const QPoint at = view.mapFrom(&panel, this->at(lightHandle(view).at));
@@ -253,7 +253,7 @@ TEST_F(View3dWindow, EscapePutsADraggedHandleBack) {
 // The object's handle: M turns instead of moving, a drag around its ring is one step, Shift while it lasts is fine.
 TEST_F(View3dWindow, AnObjectIsTurnedByItsRing) {
     openPyramid();
-    document.pick(kRightFace);
+    document.pointing().pick(kRightFace);
     QTest::keyClick(&view, Qt::Key_M);
     ASSERT_EQ(view.handles().back().tool, app::HandleTool::Turn);
     const pipeline::Scene before = document.scene();
@@ -314,16 +314,16 @@ TEST_F(View3dWindow, KeysGoFromSpaceToSpace) {
 TEST_F(View3dWindow, AClickPicksInEverySpace) {
     openPyramid();
     for (const app::ViewSpace space : {app::ViewSpace::Eye, app::ViewSpace::Clip, app::ViewSpace::Screen}) {
-        document.pick({});
+        document.pointing().pick({});
         panel.setSpace({space});
         ASSERT_TRUE(QTest::qWaitFor([&] { return !view.isMoving(); }, 5000));
         view.go(app::ViewPreset::Eye);
         QTest::qWait(400);
         const auto map = app::mapOf(*view.content(), {space});
         clickAt(map->toSpace({335, 125, 50}));
-        ASSERT_TRUE(document.pixel()) << int(space);
-        EXPECT_NEAR(document.pixel()->x, 277.2, 1.5);
-        EXPECT_NEAR(document.pixel()->y, 274.4, 1.5);
+        ASSERT_TRUE(document.pointing().pixel()) << int(space);
+        EXPECT_NEAR(document.pointing().pixel()->x, 277.2, 1.5);
+        EXPECT_NEAR(document.pointing().pixel()->y, 274.4, 1.5);
     }
 }
 
@@ -391,7 +391,7 @@ TEST(View3dWithoutOpenGl, SaysSoAndGoesOn) {
     QSignalSpy ready(&document, &Document::frameReady);
     document.setScene(test::pyramid());
     ASSERT_TRUE(ready.wait());
-    document.pick(kRightFace);
+    document.pointing().pick(kRightFace);
     EXPECT_EQ(panel.view().problem(), "This machine gives no OpenGL 3.2. Buffers still work.");
     bool found = false;
     for (const QLabel* label : panel.view().findChildren<QLabel*>())

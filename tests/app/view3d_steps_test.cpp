@@ -12,7 +12,7 @@ class View3dSteps : public ShownView3d {};
 // Of the pyramid, inside the transform stage: nothing of what later stages find, and a colour where all corners are.
 TEST_F(View3dSteps, InsideTheTransformStageItShowsNothingOfLaterStages) {
     openPyramid();
-    document.pick(glm::ivec2(268, 281));
+    document.pointing().pick(glm::ivec2(268, 281));
     ASSERT_TRUE(waitUntilDrawn());
     const auto positions = view.content()->mesh->positions;
     for (const char* place : {"transform/start", "transform/vertex=3", "transform"}) {

@@ -206,7 +206,7 @@ std::vector<double> click(app::MainWindow& window) {
         const glm::ivec2 pixel(width * i / (kClicks + 1), height * (1 + i % 3) / 4);
         QElapsedTimer time;
         time.start();
-        document.pick(pixel);
+        document.pointing().pick(pixel);
         runUntil(
             [&] {
                 const auto& inspected = document.inspection().newest();
@@ -217,7 +217,7 @@ std::vector<double> click(app::MainWindow& window) {
         window.repaint();
         times.push_back(double(time.nsecsElapsed()) / 1e6);
     }
-    document.pick({});
+    document.pointing().pick({});
     settle(window);
     std::ranges::sort(times);
     return times;

@@ -39,7 +39,7 @@ protected:
     // Three cues that differ in scene, setting, place, buffer, zoom and pixel.
     void makeThree() {
         openPyramid();
-        document().pick(glm::ivec2(268, 281));
+        document().pointing().pick(glm::ivec2(268, 281));
         press("Ctrl+B");
         document().change(*findSetting(document().scene(), "camera.theta"), 47.25);
         settle();
@@ -267,12 +267,12 @@ TEST_F(WindowCues, PresentingEndsAfterAClickOnAPicture) {
     QTest::mouseClick(&canvas, Qt::LeftButton, {}, canvas.rect().center());
     ASSERT_EQ(QApplication::focusWidget(), &canvas);
     EXPECT_TRUE(isLeftByEscape(canvas));
-    EXPECT_TRUE(document().pixel());
+    EXPECT_TRUE(document().pointing().pixel());
 }
 
 TEST_F(WindowCues, PresentingShowsTheViewsAsTheyStandForthAndBack) {
     openPyramid();
-    document().pick(glm::ivec2(268, 281));
+    document().pointing().pick(glm::ivec2(268, 281));
     const std::vector<std::string> arrangements{"four", "2: buffer | 1: (buffer / 3d)", "compare"};
     for (const std::string& arrangement : arrangements) {
         ASSERT_TRUE(window.views().setArrangement(arrangement));

@@ -49,7 +49,7 @@ TEST_F(WindowExport, WritesTheFrameThatTheWindowShows) {
 // As `export --views` does.
 TEST_F(WindowExport, WritesTheViewsThatTheCommandLineWrites) {
     openPyramid();
-    document().pick(glm::ivec2(268, 281));
+    document().pointing().pick(glm::ivec2(268, 281));
     ASSERT_TRUE(waitForFrame());
     ExportDialog* dialog = openDialog();
     auto* views = dialog->findChild<QCheckBox*>("exportViews");

@@ -62,7 +62,7 @@ TEST(TabOrder, ReadsColumnsUnderABar) {
 TEST_F(WindowKeyboard, TabGoesThroughTheWholeWindowAndBack) {
     openPyramid();
     for (const char* panel : {"tables", "scanline"}) find<QDockWidget>(panel)->show();
-    document().pick(glm::ivec2(280, 257));
+    document().pointing().pick(glm::ivec2(280, 257));
     ASSERT_TRUE(waitForFrame());
     QTest::qWait(300);  // what the pixel shows comes and goes
     const QList<QWidget*> order = tabOrder(window);
@@ -142,7 +142,7 @@ TEST_F(WindowKeyboard, ArrowsMoveThePixelThatWasGoneTo) {
     field->setText("280, 257");
     press("Return");
     press("Right");
-    EXPECT_EQ(document().pixel(), glm::ivec2(281, 257));
+    EXPECT_EQ(document().pointing().pixel(), glm::ivec2(281, 257));
     ASSERT_TRUE(waitForFrame());
     EXPECT_TRUE(canvas()->accessibleDescription().startsWith("x 281 y 257 → "))
         << canvas()->accessibleDescription().toStdString();
@@ -244,7 +244,7 @@ TEST_F(WindowKeyboard, EveryMenuHasALetterThatNoCommandHas) {
 
 TEST_F(WindowKeyboard, TheEquationsRingGoesWithTheFocus) {
     openPyramid();
-    document().pick(glm::ivec2(280, 257));
+    document().pointing().pick(glm::ivec2(280, 257));
     ASSERT_TRUE(waitForFrame());
     auto* equation = window.findChild<MathView*>();
     ASSERT_NE(equation, nullptr);

@@ -46,7 +46,7 @@ TEST_F(WindowLesson, TheUsersSceneComesBackWithItsChangesAndItsSteps) {
     document().change(theta, 50);
     document().undoStack()->undo();
     document().setStage(pipeline::StageId::Cull);
-    document().pick(glm::ivec2(300, 200));
+    document().pointing().pick(glm::ivec2(300, 200));
     ASSERT_TRUE(waitForFrame());
     const bool hadScene = shows("scene"), hadInspector = shows("inspector");
     const auto state = window.shown().now();

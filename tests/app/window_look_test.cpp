@@ -62,7 +62,7 @@ TEST_F(WindowLook, PictureIsTheFrameInEveryTheme) {
 
 TEST_F(WindowLook, NothingIsCutInAnySizeAndTheme) {
     openPyramid();
-    document().pick(glm::ivec2(268, 281));
+    document().pointing().pick(glm::ivec2(268, 281));
     for (const QSize size : {QSize(1024, 640), QSize(1280, 720), QSize(1600, 900)}) {
         for (const ThemeId theme : {ThemeId::Light, ThemeId::Dark, ThemeId::Projector}) {
             SCOPED_TRACE(testing::Message() << size.width() << " x " << size.height() << ", theme " << int(theme));
@@ -86,12 +86,12 @@ TEST_F(WindowLook, TheSentenceAtTheFootHasRoom) {
     auto* error = find<QLabel>("statusError");
     emit document().said("5 stages ran, 1 left out.");
     EXPECT_TRUE(error->isVisible());
-    document().hover(glm::ivec2(268, 281));
+    document().pointing().hover(glm::ivec2(268, 281));
     emit document().said("The eye does not see that point: polygon 3 is turned away or hidden there.");
     QTest::qWait(50);
     EXPECT_FALSE(error->isVisible());
     EXPECT_LE(sentence->sizeHint().width(), sentence->width());
-    document().hover(std::nullopt);
+    document().pointing().hover(std::nullopt);
     EXPECT_FALSE(error->isVisible()) << "not while the cursor moves";
     emit document().said("5 stages ran, 1 left out.");
     EXPECT_TRUE(error->isVisible());

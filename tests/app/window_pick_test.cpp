@@ -19,12 +19,12 @@ using WindowPick = WindowTest;
 TEST_F(WindowPick, ClickPicksThePixelAndArrowsMoveIt) {
     openPyramid();
     QTest::mouseClick(canvas(), Qt::LeftButton, Qt::NoModifier, onCanvas({330, 250}));
-    ASSERT_EQ(document().pixel(), glm::ivec2(330, 250));
+    ASSERT_EQ(document().pointing().pixel(), glm::ivec2(330, 250));
     QTest::keyClick(canvas(), Qt::Key_Right);
     QTest::keyClick(canvas(), Qt::Key_Down);
-    EXPECT_EQ(document().pixel(), glm::ivec2(331, 251));
+    EXPECT_EQ(document().pointing().pixel(), glm::ivec2(331, 251));
     QTest::keyClick(canvas(), Qt::Key_Left, Qt::ShiftModifier);
-    EXPECT_EQ(document().pixel(), glm::ivec2(321, 251));
+    EXPECT_EQ(document().pointing().pixel(), glm::ivec2(321, 251));
 }
 
 TEST_F(WindowPick, InspectorFollowsThePickedPixel) {
@@ -42,7 +42,7 @@ TEST_F(WindowPick, InspectorFollowsThePickedPixel) {
 // So that digits stand below each other, and do not move when one changes.
 TEST_F(WindowPick, NumbersHaveTheFaceForNumbersFromTheStart) {
     openPyramid();
-    document().pick(glm::ivec2(268, 281));
+    document().pointing().pick(glm::ivec2(268, 281));
     EXPECT_TRUE(waitForFrame());
     int found = 0;
     for (const QLabel* label : window.findChildren<QLabel*>()) {
@@ -66,7 +66,7 @@ TEST_F(WindowPick, ARowOfATableIsMarkedInEveryView) {
     ASSERT_TRUE(QTest::qWaitFor([&] { return page.model().rowCount() == 5; }));
     const QPoint row = page.view().visualRect(page.model().index(1, 0)).center();
     QTest::mouseClick(page.view().viewport(), Qt::LeftButton, Qt::NoModifier, row);
-    ASSERT_EQ(document().selection(), (lessons::Selection{lessons::Selection::Kind::Polygon, 1}));
+    ASSERT_EQ(document().pointing().selection(), (lessons::Selection{lessons::Selection::Kind::Polygon, 1}));
     ASSERT_EQ(canvas()->content().marked.size(), 1u);
     EXPECT_EQ(canvas()->content().marked[0].size(), 3);
     // Vertex 1 of the pyramid stands at (226.67, 286.67) in the picture.
@@ -76,7 +76,7 @@ TEST_F(WindowPick, ARowOfATableIsMarkedInEveryView) {
     const auto& content = find<SceneView>("sceneView")->content();
     EXPECT_EQ(content->markedLoop, (std::vector<std::uint32_t>{1, 2, 4}));
     QTest::mouseClick(canvas(), Qt::LeftButton, Qt::NoModifier, onCanvas({268, 281}));
-    EXPECT_FALSE(document().selection());
+    EXPECT_FALSE(document().pointing().selection());
     EXPECT_TRUE(canvas()->content().marked.empty());
 }
 
@@ -89,7 +89,7 @@ TEST_F(WindowPick, GoToPixelTakesTwoNumbersInsideThePicture) {
     QTest::keyClicks(field, "640, 10");  // one past the last column
     QTest::keyClick(field, Qt::Key_Return);
     EXPECT_TRUE(field->isVisible());
-    EXPECT_FALSE(document().pixel());
+    EXPECT_FALSE(document().pointing().pixel());
     const auto hints = find<QWidget>("pixelField")->findChildren<QLabel*>();
     const auto hint =
         std::ranges::find_if(hints, [](const QLabel* label) { return label->text().contains("no such"); });
@@ -100,15 +100,15 @@ TEST_F(WindowPick, GoToPixelTakesTwoNumbersInsideThePicture) {
     QTest::keyClicks(field, "268, 281");
     QTest::keyClick(field, Qt::Key_Return);
     EXPECT_FALSE(field->isVisible());
-    EXPECT_EQ(document().pixel(), glm::ivec2(268, 281));
+    EXPECT_EQ(document().pointing().pixel(), glm::ivec2(268, 281));
 }
 
 TEST_F(WindowPick, HoverTellsThePixelInTheStatusBarAndChangesNothing) {
     openPyramid();
     QTest::mouseMove(canvas(), onCanvas({320, 240}));
-    EXPECT_TRUE(QTest::qWaitFor([&] { return document().hovered() == glm::ivec2(320, 240); }));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return document().pointing().hovered() == glm::ivec2(320, 240); }));
     EXPECT_TRUE(find<QLabel>("statusHovered")->text().contains("320, 240"));
-    EXPECT_FALSE(document().pixel());
+    EXPECT_FALSE(document().pointing().pixel());
 }
 
 }  // namespace

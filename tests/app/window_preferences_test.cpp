@@ -39,7 +39,7 @@ protected:
 TEST_F(WindowPreferences, NumbersOfBuffersAreWrittenAsChosenAtOnceAndKept) {
     openPyramid();
     window.views().first().setBuffer({pipeline::BufferId::Depth});
-    document().pick(glm::ivec2(268, 281));
+    document().pointing().pick(glm::ivec2(268, 281));
     ASSERT_TRUE(waitForFrame());
     const auto depth = document().frame()->buffer({pipeline::BufferId::Depth})->value(268, 281, 0);
     const NumberFormat scientific{NumberFormat::Form::Scientific, 3, {}};

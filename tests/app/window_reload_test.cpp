@@ -37,7 +37,7 @@ protected:
         ASSERT_TRUE(QTest::qWaitFor([this] { return document().stepper().steps() != nullptr; }, 10000));
         document().stepper().goTo(*pipeline::parsePlace("z-buffer/polygon=0"));
         ASSERT_TRUE(QTest::qWaitFor([this] { return document().stepper().isSettled(); }, 10000));
-        document().pick(glm::ivec2(30, 20));
+        document().pointing().pick(glm::ivec2(30, 20));
         window.views().setSecond(true);
         window.views().first().setBuffer({pipeline::BufferId::ZView});
         window.views().first().canvas()->setZoom(8, QPointF(100, 100));
@@ -165,7 +165,7 @@ TEST_F(WindowReload, WithOtherLightsTheStepsOfUndoGoAndTheViewsStay) {
         EXPECT_TRUE(QTest::qWaitFor([this] { return document().stepper().isSettled(); }, 10000));
         EXPECT_EQ(document().scene().lights.size(), std::size_t(lights.count("[[light]]")));
         EXPECT_EQ(document().undoStack()->count(), 0);
-        EXPECT_EQ(document().pixel(), glm::ivec2(30, 20));
+        EXPECT_EQ(document().pointing().pixel(), glm::ivec2(30, 20));
         EXPECT_TRUE(QTest::qWaitFor([&] { return place() == before; }, 5000)) << place() << before;
     }
 }

@@ -44,7 +44,7 @@ TEST_F(WindowRenderer, ADroppedFolderIsComparedAndShownInAllViews) {
     ASSERT_TRUE(waitForNames());
     EXPECT_TRUE(find<RendererPanel>("rendererPanel")->isVisible());
     EXPECT_EQ(document().stage(), StageId::Normals);
-    EXPECT_TRUE(document().pixel());
+    EXPECT_TRUE(document().pointing().pixel());
     const auto views = window.views().shownBuffers();
     ASSERT_GE(views.size(), 2u);
     for (BufferView* view : views) {

@@ -31,7 +31,7 @@ protected:
         EXPECT_TRUE(QTest::qWaitFor([this] { return document().stepper().steps() != nullptr; }, 10000));
         document().stepper().goTo(*pipeline::parsePlace("z-buffer/polygon=2"));
         waitForState();
-        document().pick(glm::ivec2(268, 281));
+        document().pointing().pick(glm::ivec2(268, 281));
         window.views().setSecond(true);
         BufferView& first = window.views().first();
         first.setBuffer({pipeline::BufferId::ZView});
@@ -149,17 +149,17 @@ TEST_F(WindowSession, WhatWasCopiedIsNoChangeWherePastedAgain) {
 // A place changes nothing that a file could keep.
 TEST_F(WindowSession, APastedPlaceIsOneStepOfUndoAndNoChangeOfTheScene) {
     openPyramid();
-    document().pick(glm::ivec2(268, 281));
+    document().pointing().pick(glm::ivec2(268, 281));
     QApplication::clipboard()->setText("stage = \"cull\"\npixel = [3, 4]\n");
     canvas()->setFocus();
     press("Ctrl+V");
     EXPECT_EQ(document().stage(), pipeline::StageId::Cull);
-    EXPECT_EQ(document().pixel(), glm::ivec2(3, 4));
+    EXPECT_EQ(document().pointing().pixel(), glm::ivec2(3, 4));
     EXPECT_FALSE(document().isChanged());
     EXPECT_FALSE(document().sceneBefore()) << "nothing of the scene has been changed yet";
     press("Ctrl+Z");
     EXPECT_EQ(document().stage(), pipeline::StageId::Shading);
-    EXPECT_EQ(document().pixel(), glm::ivec2(268, 281));
+    EXPECT_EQ(document().pointing().pixel(), glm::ivec2(268, 281));
 }
 
 TEST_F(WindowSession, ACopyNeedsNoFile) {
@@ -197,7 +197,7 @@ TEST_F(WindowSession, WhatIsNoStateIsToldWithItsPlaceAndNothingChanges) {
     press("Ctrl+V");
     EXPECT_FALSE(errors->isVisible());
     EXPECT_EQ(document().stage(), pipeline::StageId::Cull);
-    EXPECT_EQ(document().pixel(), glm::ivec2(3, 4));
+    EXPECT_EQ(document().pointing().pixel(), glm::ivec2(3, 4));
 }
 
 TEST_F(WindowSession, TheNextStartShowsWhatWasLeftAndTheChangesAreStillUnsaved) {
@@ -217,7 +217,7 @@ TEST_F(WindowSession, TheNextStartShowsWhatWasLeftAndTheChangesAreStillUnsaved) 
         QTest::qWaitFor([&] { return !next.document().busy() && next.document().stepper().isSettled(); }, 30000));
     EXPECT_EQ(next.document().scene().camera.theta, 47.25);
     EXPECT_EQ(text(*next.document().stepper().place()), "z-buffer/polygon=2");
-    EXPECT_EQ(next.document().pixel(), glm::ivec2(268, 281));
+    EXPECT_EQ(next.document().pointing().pixel(), glm::ivec2(268, 281));
     EXPECT_TRUE(next.document().isChanged());
     next.document().undoStack()->undo();
     EXPECT_FALSE(next.document().isChanged());
@@ -303,7 +303,7 @@ TEST_F(WindowSession, ItIsWrittenWhileTheWorkGoesOn) {
     openPyramid();
     int x = 0;
     const auto works = [&] {
-        document().pick(glm::ivec2(100 + ++x % 200, 100));  // more often than the file is written
+        document().pointing().pick(glm::ivec2(100 + ++x % 200, 100));  // more often than the file is written
         return keptScene("session.toml") == "pyramid";
     };
     EXPECT_TRUE(QTest::qWaitFor(works, 10000));
@@ -382,7 +382,7 @@ TEST_F(WindowSession, ARecentFileOpensWhereItWasLeft) {
     ASSERT_TRUE(window.files().openRecent(recent[0].file));
     EXPECT_TRUE(waitForFrame());
     EXPECT_EQ(text(*document().stepper().place()), "z-buffer/polygon=2");
-    EXPECT_EQ(document().pixel(), glm::ivec2(268, 281));
+    EXPECT_EQ(document().pointing().pixel(), glm::ivec2(268, 281));
     EXPECT_NE(document().scene().camera.theta, 47.25) << "the changes were dropped";
     EXPECT_FALSE(document().isChanged());
 }

@@ -34,7 +34,7 @@ class WindowSlide : public WindowTest {
 protected:
     WindowSlide() {
         openPyramid();
-        document().pick(glm::ivec2(268, 281));
+        document().pointing().pick(glm::ivec2(268, 281));
     }
     QImage picture(const SlideRequest& request) {
         const auto image = slidePicture(document(), window.views(), request);

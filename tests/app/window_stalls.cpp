@@ -155,11 +155,11 @@ int main(int argc, char** argv) {
     act("the picture is shown whole", [&] { canvas->fit(true); });
     act("the picture is moved", [&] { drag(canvas, Qt::LeftButton, {}); });
     using Kind = lessons::Selection::Kind;
-    act("a polygon is selected", [&] { document.select(lessons::Selection{Kind::Polygon, 1000}); });
-    act("an object is selected", [&] { document.select(lessons::Selection{Kind::Object, 0}); });
+    act("a polygon is selected", [&] { document.pointing().select(lessons::Selection{Kind::Polygon, 1000}); });
+    act("an object is selected", [&] { document.pointing().select(lessons::Selection{Kind::Object, 0}); });
     act("... and the camera's angle dragged", [&] { changeLive(document, "camera.fov"); });
-    act("a vertex is selected", [&] { document.select(lessons::Selection{Kind::Vertex, 1000}); });
-    act("nothing is selected", [&] { document.select({}); });
+    act("a vertex is selected", [&] { document.pointing().select(lessons::Selection{Kind::Vertex, 1000}); });
+    act("nothing is selected", [&] { document.pointing().select({}); });
     for (const char* name : {"depth", "z_view", "overdraw", "polygon_id", "normal", "n_dot_l.0", "polygons.verdict"})
         if (const auto buffer = pipeline::findBuffer(name))
             act(qPrintable(QString("the view shows %1").arg(name)), [&] { window.views().showBuffer(*buffer); });

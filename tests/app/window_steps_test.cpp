@@ -55,7 +55,7 @@ TEST_F(WindowSteps, KeysStepInsideAndBackIsTheSamePicture) {
 TEST_F(WindowSteps, TheSelectionIsWhatCtrlF10RunsTo) {
     openAndCount();
     EXPECT_FALSE(window.actions()[ActionId::RunToSelection]->isEnabled());
-    document().pick(glm::ivec2(268, 281));
+    document().pointing().pick(glm::ivec2(268, 281));
     EXPECT_TRUE(window.actions()[ActionId::RunToSelection]->isEnabled());
     press("Ctrl+F10");
     settle();

@@ -60,7 +60,7 @@ TEST_F(WindowTalk, PanelsHaveTheirSizesAgainAfterwards) {
 // On a small screen with a large equation the views give way, not the caption below the screen's edge.
 TEST_F(WindowTalk, TheCleanViewStaysAsLargeAsTheScreen) {
     document().setStage(pipeline::StageId::Shading);
-    document().pick(glm::ivec2(268, 281));
+    document().pointing().pick(glm::ivec2(268, 281));
     CleanView& view = present();
     ASSERT_TRUE(QTest::qWaitFor([&] { return view.findChild<MathView*>()->isVisible(); }, 30000));
     const QSize small(view.width(), view.layout()->totalMinimumSize().height() - 20);
@@ -145,7 +145,7 @@ TEST_F(WindowTalk, ACueOfAnotherScaleIsFittedToItsOwnFrame) {
 // Symbols, numbers, result and the frame buffer: with Gouraud shading the pixel's own, not the first vertex' symbols.
 TEST_F(WindowTalk, TheEquationEndsWithTheFrameBufferAndHasNumbersToItsSymbols) {
     document().change(*findSetting(document().scene(), "shading"), 1);
-    document().pick(glm::ivec2(268, 281));
+    document().pointing().pick(glm::ivec2(268, 281));
     CleanView& view = present();
     auto* math = view.findChild<MathView*>();
     ASSERT_TRUE(QTest::qWaitFor([&] { return math->isVisible() && math->lines().size() == 4; }, 10000));

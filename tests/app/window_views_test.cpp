@@ -6,7 +6,6 @@
 #include <QSplitter>
 #include <QTest>
 
-#include "app/core/pinned_pixels.h"
 #include "app/core/stage_buffer.h"
 #include "app/core/theme.h"
 #include "app/desktop/actions.h"
@@ -260,7 +259,7 @@ TEST_F(WindowViews, A3dViewThatIsNotOnShowTakesNoFrameAndThenTheNewest) {
     const auto before = view.content();
     document().change(*findSetting(document().scene(), "camera.theta"), 41);
     EXPECT_TRUE(waitForFrame());
-    document().pick(rightFace);
+    document().pointing().pick(rightFace);
     EXPECT_EQ(view.content(), before);
     press("Ctrl+Shift+4");
     EXPECT_TRUE(waitForFrame());
@@ -311,11 +310,11 @@ TEST_F(WindowViews, AShadowBufferMovesAlone) {
 
 // Pins, what is selected, and a comparison in each of its ways.
 TEST_F(WindowViews, AStateHasMarksAndComparisons) {
-    document().pick(glm::ivec2(268, 281));
+    document().pointing().pick(glm::ivec2(268, 281));
     views().first().setFocus();
-    PinnedPixels::of(document()).toggle({10, 20});
-    PinnedPixels::of(document()).toggle({268, 281});
-    document().select(lessons::Selection{lessons::Selection::Kind::Polygon, 2});
+    document().pointing().pins().toggle({10, 20});
+    document().pointing().pins().toggle({268, 281});
+    document().pointing().select(lessons::Selection{lessons::Selection::Kind::Polygon, 2});
     document().change(*findSetting(document().scene(), "camera.theta"), 41);
     ASSERT_TRUE(waitForFrame());
     BufferCompare& compare = views().first().compare();
@@ -333,8 +332,8 @@ TEST_F(WindowViews, AStateHasMarksAndComparisons) {
             ASSERT_TRUE(kept->views[0].compared);
             compare.compareWith(std::nullopt);
             compare.setMetric(pipeline::DifferenceMetric::Error);
-            PinnedPixels::of(document()).clear();
-            document().select(std::nullopt);
+            document().pointing().pins().clear();
+            document().pointing().select(std::nullopt);
             window.files().showState(*kept, {}, SceneChanges::Given);
             const auto again = window.shown().now();
             EXPECT_EQ(toToml(*again), toToml(*kept));
