@@ -15,7 +15,7 @@ DerivedBuffers::DerivedBuffers(Document& document) : m_document(document) {
         settle();
     });
     connect(&document, &Document::sceneChanged, this, &DerivedBuffers::settle);
-    connect(&document, &Document::frameReady, this, &DerivedBuffers::ask);
+    connect(&document.frames(), &FrameFeed::frameReady, this, &DerivedBuffers::ask);
     connect(&document.mixer(), &MixModel::changed, this, &DerivedBuffers::ask);
 }
 
@@ -60,14 +60,14 @@ void DerivedBuffers::settle() {
         }
     }
     m_jobs.swap(kept);
-    m_document.want(this, needed);
+    m_document.frames().want(this, needed);
     ask();
     for (const auto& [text, job] : kept)
         if (job) emit changed(*pipeline::findDerived(text));  // it went
 }
 
 void DerivedBuffers::ask() {
-    const pipeline::FramePtr& frame = m_document.frame();
+    const pipeline::FramePtr& frame = m_document.frames().shown();
     if (!frame) return;
     for (const auto& [text, job] : m_jobs) job->ask(frame, *pipeline::findDerived(text), recipe());
 }
@@ -79,7 +79,7 @@ DerivedJob* DerivedBuffers::find(const BufferName& name) const {
 
 const lessons::DerivedBuffer* DerivedBuffers::made(const BufferName& name) const {
     const DerivedJob* job = find(name);
-    const pipeline::FramePtr& frame = m_document.frame();
+    const pipeline::FramePtr& frame = m_document.frames().shown();
     if (!job || !job->made() || !frame) return nullptr;
     const pipeline::Settings& settings = frame->scene().settings;
     const pipeline::AnyBuffer& buffer = job->made()->buffer;

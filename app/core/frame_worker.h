@@ -5,18 +5,9 @@
 #include <optional>
 #include <thread>
 
-#include "pipeline/run/runner.h"
+#include "app/core/frame_check.h"
 
 namespace app {
-
-// One for each stage, against double precision; empty if it is not computed.
-using StageErrors = std::array<std::optional<pipeline::StageError>, pipeline::kStageCount>;
-
-// The result of checking a frame in idle time.
-struct FrameCheck {
-    StageErrors errors;
-    std::size_t nan = 0;  // NaN values in all its buffers
-};
 
 // Computes frames on one thread of its own, one at a time. A newer request replaces a waiting one. It keeps the last
 // frame, so that the next one can reuse its results. If no request comes for a while, it checks the frame once. No Qt,

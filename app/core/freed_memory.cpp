@@ -12,7 +12,7 @@ FreedMemory::FreedMemory(Document& document, QObject* parent) : QObject(parent) 
     m_rest.setSingleShot(true);
     m_rest.setInterval(kRestMilliseconds);
     connect(&document, &Document::sceneOpened, this, [this] { m_due = true; });
-    connect(&document, &Document::busyChanged, this,
+    connect(&document.frames(), &FrameFeed::busyChanged, this,
             [this](bool busy) { busy || !m_due ? m_rest.stop() : m_rest.start(); });
     connect(&m_rest, &QTimer::timeout, this, &FreedMemory::giveBack);
 }

@@ -61,7 +61,7 @@ void LessonRun::close() {
     m_attempt.reset();
     m_texts.reset();
     m_job.forget();
-    m_document.want(this, {});
+    m_document.frames().want(this, {});
     m_document.setHidden({});
     emit pageChanged();
 }
@@ -104,7 +104,7 @@ void LessonRun::setWindow() {
     showPlace(m_document, window);
     pipeline::BufferSet wanted = requestFor(current()).wanted;
     if (current().then && isSettled()) wanted |= requestForThen(current()).wanted;
-    m_document.want(this, wanted);
+    m_document.frames().want(this, wanted);
     emit showViews(window);
 }
 
@@ -129,7 +129,7 @@ lessons::Context LessonRun::context() const {
 
 std::optional<lessons::Gauge> LessonRun::gauge() const {
     const auto* until = m_attempt ? std::get_if<lessons::UntilQuestion>(&current().question->kind) : nullptr;
-    const pipeline::FramePtr& frame = m_document.wholeFrame();
+    const pipeline::FramePtr& frame = m_document.frames().whole();
     if (!until || !frame) return {};
     const auto gauge = gaugeOf(*until, {.frame = *frame});
     return gauge ? *gauge : std::nullopt;
@@ -138,9 +138,9 @@ std::optional<lessons::Gauge> LessonRun::gauge() const {
 pipeline::Result<lessons::Verdict> LessonRun::check(const lessons::Given& given) {
     assert(m_attempt && m_texts && !m_attempt->isSettled());
     const bool isReaders = std::holds_alternative<lessons::UntilQuestion>(current().question->kind);
-    if (isReaders && (!m_document.wholeFrame() || m_document.wholeFrame()->scene() != m_document.scene()))
+    if (isReaders && (!m_document.frames().whole() || m_document.frames().whole()->scene() != m_document.scene()))
         return lessons::Verdict{lessons::Mark::Again, {}, {}, tr("The picture is being computed.").toStdString()};
-    lessons::Context context{isReaders ? *m_document.wholeFrame() : *m_texts->frames.first,
+    lessons::Context context{isReaders ? *m_document.frames().whole() : *m_texts->frames.first,
                              isReaders ? nullptr : m_texts->changed.get(),
                              nullptr,
                              {}};

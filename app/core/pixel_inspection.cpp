@@ -6,7 +6,7 @@
 namespace app {
 
 PixelInspection::PixelInspection(Document& document) : m_document(document) {
-    connect(&document, &Document::frameReady, this, &PixelInspection::ask);
+    connect(&document.frames(), &FrameFeed::frameReady, this, &PixelInspection::ask);
     connect(&document.pointing(), &Pointing::pixelChanged, this, &PixelInspection::ask);
     connect(&m_job, &BackgroundJob::busyChanged, this, &PixelInspection::busyChanged);
     document.work().add(
@@ -19,7 +19,7 @@ PixelInspection::PixelInspection(Document& document) : m_document(document) {
 }
 
 void PixelInspection::ask() {
-    const pipeline::FramePtr& frame = m_document.frame();
+    const pipeline::FramePtr& frame = m_document.frames().shown();
     const auto pixel = m_document.pointing().pixel();
     if (!frame || !pixel) {
         m_job.forget();

@@ -4,14 +4,9 @@
 
 namespace app {
 
-void Document::setHidden(lessons::Hidden hidden) {
-    m_hidden = std::move(hidden);
-    emit hiddenChanged();
-}
-
 void Document::showState(pipeline::Scene scene) {
     m_undo.clear();
-    setLive(false);
+    m_frames.setLive(false);
     if (scene != *m_scene) setSceneValue(std::make_shared<const pipeline::Scene>(std::move(scene)));
 }
 

@@ -102,7 +102,8 @@ CleanView::CleanView(Document& document, CueModel& cues, const SceneOpener& open
         const QString file = shownName(toQString(errors.front().where.file));
         tell(file.isEmpty() ? toQString(errors.front().found) : tr("%1 could not be read").arg(file));
     });
-    connect(&document, &Document::outOfMemory, this, [tell] { tell(tr("not enough memory for this frame")); });
+    connect(&document.frames(), &FrameFeed::outOfMemory, this,
+            [tell] { tell(tr("not enough memory for this frame")); });
     connect(&MemoryNotice::instance(), &MemoryNotice::gaveUp, this, [tell] { tell(tr("not enough memory")); });
     const auto tellNotWritten = [tell](const QString& file) {
         tell(tr("%1 could not be written").arg(shownName(file)));

@@ -16,7 +16,7 @@ void reportFailures(Document& document, ErrorList& errors) {
         errors.report(Document::tr("%1 could not be read.").arg(file) + still, found);
     });
     static constexpr const char* kLess = "not enough memory; a smaller picture and fewer buffers need less";
-    QObject::connect(&document, &Document::outOfMemory, &errors, [&] {
+    QObject::connect(&document.frames(), &FrameFeed::outOfMemory, &errors, [&] {
         errors.report(Document::tr("There is not enough memory for this frame. What you see is the one before."),
                       {{{}, kLess, {}}});
     });

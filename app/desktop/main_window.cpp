@@ -143,7 +143,7 @@ void MainWindow::connectDocument() {
         m_layout->showViews();
     });
     connect(&m_document, &Document::sceneChanged, this, &MainWindow::enableActions);
-    connect(&m_document, &Document::frameReady, this, &MainWindow::enableActions);
+    connect(&m_document.frames(), &FrameFeed::frameReady, this, &MainWindow::enableActions);
     connect(&m_document.pointing(), &Pointing::pixelChanged, this, &MainWindow::enableActions);
     connect(&m_document.inspection(), &PixelInspection::changed, this, &MainWindow::enableActions);
     connect(&m_document, &Document::stageChanged, this, &MainWindow::enableActions);

@@ -215,14 +215,14 @@ void MainWindow::enableActions() {
     m_actions->setEnabled(A::Handout, m_docks->panels().lesson->lesson() != nullptr, tr("Open a lesson first."));
     enableViewActions();
     for (const A id : {A::Export, A::SaveBuffer, A::Slide, A::Film})
-        m_actions->setEnabled(id, scene && m_document.frame() && m_document.hidden().count() == 0,
+        m_actions->setEnabled(id, scene && m_document.frames().shown() && m_document.hidden().count() == 0,
                               !scene                             ? noScene
                               : m_document.hidden().count() != 0 ? tr("After your answer.")
                                                                  : tr("The first frame is not ready yet."));
     m_actions->setEnabled(A::CheckRenderer, !m_lessons->isOpen(), tr("Close the lesson first: this scene is its own."));
     const bool mayTell = m_document.hidden().count() == 0;
     m_actions->setEnabled(
-        A::Contracts, scene && m_document.frame() && mayTell,
+        A::Contracts, scene && m_document.frames().shown() && mayTell,
         scene ? mayTell ? tr("The first frame is not ready yet.") : tr("After your answer.") : noScene);
     m_actions->setEnabled(A::WorstPixel, scene && m_document.renderer().report(),
                           scene ? tr("Check your renderer first: File, Check my renderer.") : noScene);

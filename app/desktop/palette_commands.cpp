@@ -253,7 +253,7 @@ void PaletteCommands::showSideBySide(const SettingRef& setting) {
 std::vector<PaletteEntry> PaletteCommands::all() {
     std::vector<PaletteEntry> all;
     addActionCommands(all);
-    if (m_shown.hasScene() && m_document.frame()) addViewCommands(all);
+    if (m_shown.hasScene() && m_document.frames().shown()) addViewCommands(all);
     if (m_shown.hasScene()) addSettingCommands(all);
     const LessonShelf& shelf = m_docks.panels().lesson->shelf();
     for (int i = 0; i < shelf.rowCount(); ++i) {

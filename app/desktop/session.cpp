@@ -17,7 +17,7 @@ Session::Session(Document& document, const QString& folder, std::function<std::o
     connect(&document.pointing(), &Pointing::channelChanged, this, &Session::saveSoon);
     connect(&document.stepper(), &Stepper::changed, this, &Session::saveSoon);
     // A first frame has come of it: that scene does not end the program. One of the two files is always there.
-    connect(&document, &Document::frameReady, this, [this] {
+    connect(&document.frames(), &FrameFeed::frameReady, this, [this] {
         if (m_file.isTried() && save()) m_file.settle();
     });
 }

@@ -71,16 +71,16 @@ void writeCaption(QPainter& painter, const QRect& box, const SlideContent& conte
 }  // namespace
 
 Result<SlideContent> slideContent(const Document& document, const ViewArea& views, const SlideRequest& request) {
-    if (!document.frame()) return Error{{}, "the first frame is not there yet", {}};
+    if (!document.frames().shown()) return Error{{}, "the first frame is not there yet", {}};
     SlideContent content;
     content.request = request;
-    content.frame = document.frame();
+    content.frame = document.frames().shown();
     lessons::WindowState& state = content.state;
     views.fill(state);
     if (const auto pixel = document.pointing().pixel()) state.pixel = {pixel->x, pixel->y};
     state.condition = document.derived().text().toStdString();
     state.mix = mixText(document.mixer().mix());
-    for (const pipeline::BufferName& name : pipeline::allDerived(document.frame()->scene().lights.size()))
+    for (const pipeline::BufferName& name : pipeline::allDerived(document.frames().shown()->scene().lights.size()))
         if (const lessons::DerivedBuffer* made = document.derived().made(name))
             content.derived.emplace(name.text(), *made);
     const std::vector<BufferView*> shown = views.shownBuffers();

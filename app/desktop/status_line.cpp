@@ -79,12 +79,12 @@ StatusLine::StatusLine(Document& document, const SceneOpener& opener, QWidget* p
     m_threads->setText(threads == 1 ? tr("1 thread") : tr("%1 threads").arg(threads));
     connect(&document, &Document::said, this, &StatusLine::say);
     connect(&document.pointing(), &Pointing::hoverChanged, this, &StatusLine::showHovered);
-    connect(&document, &Document::frameReady, this, &StatusLine::showHovered);
-    connect(&document, &Document::frameReady, this, &StatusLine::showCheck);
-    connect(&document, &Document::errorsReady, this, &StatusLine::showCheck);
+    connect(&document.frames(), &FrameFeed::frameReady, this, &StatusLine::showHovered);
+    connect(&document.frames(), &FrameFeed::frameReady, this, &StatusLine::showCheck);
+    connect(&document.frames(), &FrameFeed::errorsReady, this, &StatusLine::showCheck);
     connect(&document, &Document::hiddenChanged, this, &StatusLine::showHovered);
     connect(&document, &Document::hiddenChanged, this, &StatusLine::showCheck);
-    document.want(this, pipeline::setOf({BufferId::PolygonId}));
+    document.frames().want(this, pipeline::setOf({BufferId::PolygonId}));
 }
 
 void StatusLine::say(const QString& sentence) {
@@ -96,9 +96,9 @@ void StatusLine::say(const QString& sentence) {
 void StatusLine::showHovered() {
     const auto pixel = m_document.pointing().hovered();
     const lessons::Hidden& hidden = m_document.hidden();
-    const bool known =
-        pixel && m_document.frame() && !hidden.hides({BufferId::PolygonId}) && !hidden.hides({BufferId::Color});
-    m_hovered->setText(known ? tr("under the cursor: ") + pixelText(*m_document.frame(), *pixel) : QString());
+    const bool known = pixel && m_document.frames().shown() && !hidden.hides({BufferId::PolygonId}) &&
+                       !hidden.hides({BufferId::Color});
+    m_hovered->setText(known ? tr("under the cursor: ") + pixelText(*m_document.frames().shown(), *pixel) : QString());
     makeRoom(false);
 }
 
@@ -107,11 +107,11 @@ void StatusLine::showCheck() {
     const auto badge = [](const char* mark, const QColor& color, const QString& text) {
         return QStringLiteral("<span style=\"color:%1\">%2</span> %3").arg(color.name(), mark, text);
     };
-    const auto nan = m_document.nanCount();
+    const auto nan = m_document.frames().nanCount();
     m_nan->setText(!nan        ? QString()
                    : *nan == 0 ? badge("●", c.run, tr("no NaN"))
                                : badge("▲", c.failed, tr("%1 NaN").arg(qulonglong(*nan))));
-    const auto& error = m_document.errors()[index(pipeline::StageId::Shading)];
+    const auto& error = m_document.frames().errors()[index(pipeline::StageId::Shading)];
     showRemarks();
     const std::size_t things = m_document.hidden().count();
     m_secrets->setText(things == 0   ? QString()
@@ -141,7 +141,7 @@ void StatusLine::resizeEvent(QResizeEvent* event) {
 }
 
 void StatusLine::showRemarks() {
-    const pipeline::FramePtr frame = m_document.frame();
+    const pipeline::FramePtr frame = m_document.frames().shown();
     const auto remarks =
         frame && m_document.hidden().count() == 0 ? pipeline::frameRemarks(*frame) : std::vector<pipeline::Remark>();
     QStringList lines;

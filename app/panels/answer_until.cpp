@@ -66,7 +66,7 @@ public:
         m_column->addLayout(form);
         m_column->addWidget(m_bar);
         m_column->addWidget(m_said);
-        connect(&document, &Document::frameReady, this, &UntilBody::follow);
+        connect(&document.frames(), &FrameFeed::frameReady, this, &UntilBody::follow);
         followTheme(this, [this] { m_said->setFont(Theme::current().text(12)); });
         follow();
     }

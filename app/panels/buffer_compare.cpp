@@ -105,7 +105,7 @@ std::optional<AnyBuffer> BufferCompare::findOther(const FramePtr& frame, const A
     const auto name = otherBuffer(source, a.name, frame->scene());
     const bool isOwn = source.kind == Kind::Buffer || source.kind == Kind::PreviousStage;
     const bool isDerived = name && pipeline::isDerived(name->id);
-    m_document.want(this, isOwn && name && !isDerived ? pipeline::setOf({name->id}) : pipeline::BufferSet());
+    m_document.frames().want(this, isOwn && name && !isDerived ? pipeline::setOf({name->id}) : pipeline::BufferSet());
     m_document.derived().want(this, isOwn && isDerived ? std::vector{*name} : std::vector<BufferName>());
     if (source.kind == Kind::Mine) {
         auto mine = m_document.renderer().buffer(a);
@@ -157,7 +157,7 @@ void BufferCompare::addOther(ShowRequest& request) {
     m_frameB.reset();
     const auto source = current();
     if (!source) {
-        m_document.want(this, {});
+        m_document.frames().want(this, {});
         m_document.derived().want(this, {});
         return;
     }

@@ -41,7 +41,7 @@ QString findingText(const pipeline::BufferDifference& found) {
 void BufferCompare::fillMenu(QMenu& menu, const BufferName& shown) {
     menu.clear();
     menu.setToolTipsVisible(true);
-    if (!m_document.frame()) return;
+    if (!m_document.frames().shown()) return;
     QHash<QString, QMenu*> menus;
     const auto menuOf = [&](const QString& path) {
         QMenu* place = &menu;
@@ -57,8 +57,8 @@ void BufferCompare::fillMenu(QMenu& menu, const BufferName& shown) {
         }
         return place;
     };
-    for (const OtherChoice& choice :
-         otherChoices(*m_document.frame(), shown, bool(m_document.sceneBefore()), m_document.derived().recipe())) {
+    for (const OtherChoice& choice : otherChoices(*m_document.frames().shown(), shown, bool(m_document.sceneBefore()),
+                                                  m_document.derived().recipe())) {
         QAction* action = menuOf(choice.group)->addAction(choice.text, this, [this, source = choice.source] {
             compareWith(source);
             emit chosen();

@@ -14,8 +14,8 @@ PictureCounts::PictureCounts(BufferView& view) : BufferFeature(view) {
 }
 
 void PictureCounts::addTo(ShowRequest& request) {
-    m_isOld = m_young.isActive() && view().document().isMoving() && m_kept && m_kept->buffer == request.buffer.name &&
-              m_kept->channel == request.channel && !request.mix;
+    m_isOld = m_young.isActive() && view().document().frames().isMoving() && m_kept &&
+              m_kept->buffer == request.buffer.name && m_kept->channel == request.channel && !request.mix;
     if (m_isOld)
         request.counts = m_kept->counts;
     else

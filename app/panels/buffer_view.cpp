@@ -72,9 +72,9 @@ void BufferView::observe() {
     connect(&m_features.captions->notices(), &QLabel::linkActivated, &m_features.overlays->shadows(),
             &ShadowOverlay::cancel);
 
-    connect(&m_document, &Document::frameReady, this, &BufferView::refresh);
-    connect(&m_document, &Document::busyChanged, this, [this] {
-        if (!m_document.frame()) refresh();
+    connect(&m_document.frames(), &FrameFeed::frameReady, this, &BufferView::refresh);
+    connect(&m_document.frames(), &FrameFeed::busyChanged, this, [this] {
+        if (!m_document.frames().shown()) refresh();
     });
     connect(&NumberStyle::current(), &NumberStyle::changed, this, &BufferView::refresh);
     connect(&m_document, &Document::sceneOpened, this, [this] {
@@ -105,8 +105,9 @@ void BufferView::observeWork() {
         const bool busy = m_showing.busy() || m_canvas->isPainting() ||
                           std::ranges::any_of(m_features.all, [](const BufferFeature* f) { return f->busy(); });
         work.setBusy(this, busy);
-        m_working->setWorking(m_document.busy() || busy || compare().waitsForB());
-        m_working->setStopped(work.isStopped(this) || work.isStopped(&compare()) || work.isStopped(&m_document));
+        m_working->setWorking(m_document.frames().busy() || busy || compare().waitsForB());
+        m_working->setStopped(work.isStopped(this) || work.isStopped(&compare()) ||
+                              work.isStopped(&m_document.frames()));
     };
     work.add(
         this, tr("a buffer's picture"),
@@ -119,7 +120,7 @@ void BufferView::observeWork() {
             for (BufferFeature* feature : m_features.all) feature->retry();
             refresh();
         });
-    connect(&m_document, &Document::busyChanged, &m_watch, tell);
+    connect(&m_document.frames(), &FrameFeed::busyChanged, &m_watch, tell);
     connect(&work, &WorkList::changed, &m_watch, tell);
     connect(&m_showing, &ShowJob::busyChanged, &m_watch, tell);
     for (BufferFeature* feature : m_features.all) connect(feature, &BufferFeature::busyChanged, &m_watch, tell);
@@ -174,7 +175,7 @@ pipeline::Errors BufferView::lookAt(const lessons::BufferShown& state) {
 void BufferView::want() {
     pipeline::BufferSet wanted;
     for (BufferFeature* feature : m_features.all) wanted |= feature->want();
-    m_document.want(this, isPutAway(*this) ? pipeline::BufferSet() : wanted);
+    m_document.frames().want(this, isPutAway(*this) ? pipeline::BufferSet() : wanted);
 }
 
 void BufferView::refresh() {
@@ -184,11 +185,11 @@ void BufferView::refresh() {
         return m_showing.forget();
     }
     if (!m_document.hasScene()) return showMessage({tr("No scene yet. Open a file, or begin with the pyramid.")});
-    const pipeline::FramePtr& frame = m_document.frame();
+    const pipeline::FramePtr& frame = m_document.frames().shown();
     if (!frame) {
         if (!m_shown)
-            showMessage(
-                {m_document.busy() ? tr("The first picture is being computed.") : tr("There is no picture yet.")});
+            showMessage({m_document.frames().busy() ? tr("The first picture is being computed.")
+                                                    : tr("There is no picture yet.")});
         return;
     }
     const auto asked = request(frame);

@@ -74,10 +74,10 @@ ConditionBar::ConditionBar(Document& document, QWidget* parent)
     connect(&m_searching, &BackgroundJob::progressed, this, [this](double share) {
         say(tr("Looking for the next step, %1 %. Esc cancels.").arg(int(100 * share)), false);
     });
-    connect(&m_document, &Document::frameReady, this, [this] {
+    connect(&m_document.frames(), &FrameFeed::frameReady, this, [this] {
         if (isHidden()) return;
         // A frame that holds more buffers of the same scene has the same steps.
-        if (m_document.frame()->sharedScene() != m_searchedScene) m_searching.forget();
+        if (m_document.frames().shown()->sharedScene() != m_searchedScene) m_searching.forget();
         if (!m_searching.busy()) tell();
     });
     Stepper& stepper = m_document.stepper();

@@ -10,7 +10,7 @@ void ConditionBar::runToStop() {
     if (!stepper.steps()) return say(tr("The steps of the frame are being counted."), false);
     const StepsPtr steps = stepper.steps();
     const pipeline::Moment from = stepper.isInside() && stepper.moment() ? *stepper.moment() : steps->first();
-    m_searchedScene = m_document.frame()->sharedScene();
+    m_searchedScene = m_document.frames().shown()->sharedScene();
     m_searching.ask(
         [condition = *m_condition, steps, from](const BackgroundJob::Control& control) {
             return nextStop(*steps, from, condition, control.stop, control.progress);

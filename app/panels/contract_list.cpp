@@ -75,7 +75,7 @@ ContractList::ContractList(Document& document, QWidget* parent)
     connect(m_list, &QTreeWidget::currentItemChanged, this, &ContractList::showCurrent);
     connect(m_list, &QTreeWidget::itemActivated, this, &ContractList::askForViolators);
     connect(m_show, &QPushButton::clicked, this, &ContractList::askForViolators);
-    connect(&document, &Document::frameReady, this, &ContractList::start);
+    connect(&document.frames(), &FrameFeed::frameReady, this, &ContractList::start);
     connect(&document.renderer(), &RendererCheck::compared, this, [this] {
         m_frame.reset();
         start();
@@ -95,7 +95,7 @@ void ContractList::open(QPoint global, pipeline::StageId stage) {
     m_rows.reset();
     m_list->clear();
     // All that contracts read of what the scene has a use for, as long as they are looked at.
-    m_document.want(this, pipeline::contractBuffers() & pipeline::usefulBuffers(m_document.scene()));
+    m_document.frames().want(this, pipeline::contractBuffers() & pipeline::usefulBuffers(m_document.scene()));
     const QRect screen = parentWidget()->screen()->availableGeometry();
     resize(size().boundedTo(screen.size()));
     move(std::clamp(global.x(), screen.left(), std::max(screen.left(), screen.right() - width())),
@@ -107,7 +107,7 @@ void ContractList::open(QPoint global, pipeline::StageId stage) {
 
 void ContractList::hideEvent(QHideEvent*) {
     m_job.forget();
-    m_document.want(this, {});
+    m_document.frames().want(this, {});
 }
 
 ContractList::Rows ContractList::evaluate(const pipeline::FramePtr& frame, const RendererCheck::ReportPtr& report,
@@ -135,7 +135,7 @@ ContractList::Rows ContractList::evaluate(const pipeline::FramePtr& frame, const
 
 void ContractList::start() {
     if (!isVisible()) return;
-    const pipeline::FramePtr& frame = m_document.frame();
+    const pipeline::FramePtr& frame = m_document.frames().shown();
     m_title->setText(tr("%1 %2: what must hold").arg(index(m_stage) + 1).arg(toQString(stageInfo(m_stage).label)));
     if (!frame || frame == m_frame) return;
     m_frame = frame;

@@ -62,9 +62,9 @@ ExportDialog::ExportDialog(Document& document, QWidget* parent)
     });
     // Everything that the scene has a use for is computed while the dialog is open, so that the
     // list can tell what is there from what is left out.
-    connect(&document, &Document::frameReady, this, &ExportDialog::showFrame);
+    connect(&document.frames(), &FrameFeed::frameReady, this, &ExportDialog::showFrame);
     connect(m_buffers, &ExportList::chosenChanged, this, &ExportDialog::showOrder);
-    document.want(this, pipeline::usefulBuffers(document.scene()));
+    document.frames().want(this, pipeline::usefulBuffers(document.scene()));
     showFrame();
 }
 
@@ -151,8 +151,8 @@ QWidget* ExportDialog::makeFields() {
 }
 
 void ExportDialog::showFrame() {
-    if (!m_document.wholeFrame() || isRunning()) return;
-    m_buffers->setFrame(*m_document.wholeFrame(), m_document.derived().recipe());
+    if (!m_document.frames().whole() || isRunning()) return;
+    m_buffers->setFrame(*m_document.frames().whole(), m_document.derived().recipe());
     showOrder();
 }
 
@@ -172,7 +172,7 @@ std::shared_ptr<const pipeline::Scene> ExportDialog::sceneToExport() const {
 }
 
 void ExportDialog::showOrder() {
-    if (!m_document.wholeFrame()) return;
+    if (!m_document.frames().whole()) return;
     const pipeline::ExportRequest wanted = request();
     const auto& settings = m_document.scene().settings;
     const double scale =
@@ -181,7 +181,7 @@ void ExportDialog::showOrder() {
     double bytes = 0;
     QStringList files = m_formats->sceneFiles();
     if (m_views->isChecked()) files += m_viewFiles;
-    std::vector<pipeline::PlannedFile> planned = plannedFiles(*m_document.wholeFrame(), wanted);
+    std::vector<pipeline::PlannedFile> planned = plannedFiles(*m_document.frames().whole(), wanted);
     for (pipeline::PlannedFile& file : plannedDerived(m_document.scene(), wanted)) planned.push_back(std::move(file));
     for (const pipeline::PlannedFile& file : planned) {
         if (file.file.empty()) continue;
@@ -221,7 +221,7 @@ void ExportDialog::start() {
             return write(frame, pixel, folder);
         };
     auto* job =
-        new ExportJob(sceneToExport(), m_document.wholeFrame(), wanted, m_document.derived().recipe(), more, this);
+        new ExportJob(sceneToExport(), m_document.frames().whole(), wanted, m_document.derived().recipe(), more, this);
     run(job, wanted.folder, [](const pipeline::ExportSummary& summary) {
         const QString done =
             tr("%1 files, %2, are in the folder.").arg(summary.files.size()).arg(sizeText(summary.bytes));

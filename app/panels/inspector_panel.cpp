@@ -35,7 +35,7 @@ InspectorPanel::InspectorPanel(Document& document, QWidget* parent) : QWidget(pa
     connect(&document.inspection(), &PixelInspection::busyChanged, m_working, &WorkingBar::setWorking);
     connect(&document.work(), &WorkList::changed, this, [this, &document] {
         const WorkList& work = document.work();
-        m_working->setStopped(work.isStopped(&document.inspection()) || work.isStopped(&document));
+        m_working->setStopped(work.isStopped(&document.inspection()) || work.isStopped(&document.frames()));
     });
     connect(&document.pointing(), &Pointing::channelChanged, this, &InspectorPanel::refresh);
     connect(&NumberStyle::current(), &NumberStyle::changed, this, &InspectorPanel::refresh);

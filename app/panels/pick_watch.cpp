@@ -10,12 +10,12 @@ PickWatch::PickWatch(Document& document, QObject* parent, Took took)
     : QObject(parent), m_document(document), m_took(std::move(took)) {
     connect(&document.pointing(), &Pointing::pixelChanged, this, &PickWatch::takePixel);
     connect(&document.pointing(), &Pointing::selectionChanged, this, &PickWatch::takeSelection);
-    document.want(this, pipeline::setOf({pipeline::BufferId::PolygonId}));
+    document.frames().want(this, pipeline::setOf({pipeline::BufferId::PolygonId}));
 }
 
 void PickWatch::takePixel() {
     const auto pixel = m_document.pointing().pixel();
-    const pipeline::FramePtr& frame = m_document.wholeFrame();
+    const pipeline::FramePtr& frame = m_document.frames().whole();
     const auto polygon = pixel && frame ? lessons::polygonAt(*frame, *pixel) : std::nullopt;
     if (!polygon) return;
     m_took({ThingKind::Polygon, *polygon});

@@ -69,7 +69,7 @@ ScanlinePanel::ScanlinePanel(Document& document, QWidget* parent)
         else
             setRow(m_row + by);
     });
-    connect(&document, &Document::frameReady, this, &ScanlinePanel::compute);
+    connect(&document.frames(), &FrameFeed::frameReady, this, &ScanlinePanel::compute);
     connect(&document, &Document::sceneOpened, this, [this] {
         m_isRowChosen = false;
         goTo(m_document.scene().settings.height / 2);
@@ -114,10 +114,12 @@ void ScanlinePanel::hideEvent(QHideEvent*) {
     want();
 }
 
-void ScanlinePanel::want() { m_document.want(this, isVisible() ? pipeline::sectionBuffers() : pipeline::BufferSet()); }
+void ScanlinePanel::want() {
+    m_document.frames().want(this, isVisible() ? pipeline::sectionBuffers() : pipeline::BufferSet());
+}
 
 void ScanlinePanel::compute() {
-    const pipeline::FramePtr frame = m_document.frame();
+    const pipeline::FramePtr frame = m_document.frames().shown();
     if (!isVisible() || !frame || m_row >= frame->scene().settings.height) return;
     m_job.ask(
         [frame, chosen = m_isRowChosen ? std::optional(m_row) : std::nullopt](const BackgroundJob::Control& control) {

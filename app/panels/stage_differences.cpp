@@ -54,7 +54,7 @@ StageDifferences::StageDifferences(Document& document, BufferCompare& compare, Q
     column->addWidget(m_title);
     column->addWidget(m_list, 1);
     connect(&compare, &BufferCompare::changed, this, &StageDifferences::start);
-    connect(&document, &Document::frameReady, this, &StageDifferences::start);
+    connect(&document.frames(), &FrameFeed::frameReady, this, &StageDifferences::start);
     connect(m_list, &QTreeWidget::itemActivated, this, [this](QTreeWidgetItem* item) {
         const int row = item->data(0, Qt::UserRole).toInt();
         if (!item->parent() || row >= int(m_rows.size())) return;
@@ -76,7 +76,7 @@ StageDifferences::StageDifferences(Document& document, BufferCompare& compare, Q
 void StageDifferences::open(QPoint global) {
     m_a.reset();
     // All that the scene has a use for, as long as it is looked at; B follows.
-    m_document.want(this, pipeline::usefulBuffers(m_document.scene()));
+    m_document.frames().want(this, pipeline::usefulBuffers(m_document.scene()));
     const QRect screen = parentWidget()->screen()->availableGeometry();
     resize(size().boundedTo(screen.size()));
     QRect place(QPoint(0, 0), size());
@@ -91,12 +91,12 @@ void StageDifferences::open(QPoint global) {
 
 void StageDifferences::hideEvent(QHideEvent*) {
     m_job.forget();
-    m_document.want(this, {});
+    m_document.frames().want(this, {});
 }
 
 void StageDifferences::start() {
     if (!isVisible()) return;
-    const pipeline::FramePtr &a = m_document.frame(), &b = m_compare.otherFrame();
+    const pipeline::FramePtr &a = m_document.frames().shown(), &b = m_compare.otherFrame();
     const QString other = m_compare.source() ? nameOf(*m_compare.source()) : QString();
     m_title->setText(tr("A against B, %1").arg(other));
     const bool isFile = m_compare.source() && m_compare.source()->kind == OtherSource::Kind::File;

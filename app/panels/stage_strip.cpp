@@ -38,13 +38,13 @@ StageStrip::StageStrip(Document& document, QWidget* parent) : QWidget(parent), m
     m_slow.setInterval(100);
     connect(&m_slow, &QTimer::timeout, this, [this] {
         m_frame->setBusy(true);
-        if (!m_document.frame()) showFrame();
+        if (!m_document.frames().shown()) showFrame();
     });
-    connect(&document, &Document::busyChanged, this, [this](bool busy) {
+    connect(&document.frames(), &FrameFeed::busyChanged, this, [this](bool busy) {
         if (busy) return m_slow.start();
         m_slow.stop();
         m_frame->setBusy(false);
-        if (!m_document.frame()) showFrame();  // stopped before the first
+        if (!m_document.frames().shown()) showFrame();  // stopped before the first
     });
     // Nobody reads thirty times in a second.
     constexpr int kReadableMilliseconds = 150;
@@ -52,17 +52,17 @@ StageStrip::StageStrip(Document& document, QWidget* parent) : QWidget(parent), m
     m_next.setInterval(kReadableMilliseconds);
     connect(&m_next, &QTimer::timeout, this, &StageStrip::showFrame);
     connect(&document, &Document::sceneOpened, this, &StageStrip::showFrame);
-    connect(&document, &Document::frameReady, this, [this] {
-        if (!m_document.isMoving()) return showFrame();
+    connect(&document.frames(), &FrameFeed::frameReady, this, [this] {
+        if (!m_document.frames().isMoving()) return showFrame();
         if (!m_next.isActive()) m_next.start();
     });
-    connect(&document, &Document::errorsReady, this, &StageStrip::showFrame);
+    connect(&document.frames(), &FrameFeed::errorsReady, this, &StageStrip::showFrame);
     connect(&document.stepper(), &Stepper::changed, this, &StageStrip::showFrame);
     connect(&document, &Document::stageChanged, this, &StageStrip::showStage);
     connect(&document, &Document::hiddenChanged, this, &StageStrip::showFrame);
     connect(&document.renderer(), &RendererCheck::changed, this, &StageStrip::showStandings);
-    for (const auto signal : {&Document::frameReady, &Document::errorsReady})  // whose tooltips are of this program
-        connect(&document, signal, this, &StageStrip::showStandings);
+    for (const auto signal : {&FrameFeed::frameReady, &FrameFeed::errorsReady})  // whose tooltips are of this program
+        connect(&document.frames(), signal, this, &StageStrip::showStandings);
     showFrame();
     showStage();
 }
@@ -100,15 +100,16 @@ void StageStrip::showStandings() {
 void StageStrip::showFrame() {
     m_next.stop();
     const Stepper& stepper = m_document.stepper();
-    const pipeline::Frame* whole = m_document.wholeFrame().get();
+    const pipeline::Frame* whole = m_document.frames().whole().get();
     // Counts and reasons may be what a question asks for; then a card says its state alone.
     const bool isQuiet = m_document.hidden().count() > 0;
     if (stepper.isInside() && stepper.steps() && !isQuiet) {
-        const auto status = stageStatus(*stepper.steps(), *stepper.moment(), stepper.level(), m_document.errors());
+        const auto status =
+            stageStatus(*stepper.steps(), *stepper.moment(), stepper.level(), m_document.frames().errors());
         for (StageCard* card : m_cards) card->setStatus(status[index(card->stage())]);
         return m_frame->setStatus(frameStatus(*stepper.steps(), *stepper.moment(), stepper.level()));
     }
-    auto status = stageStatus(whole, m_document.errors(), m_document.busy());
+    auto status = stageStatus(whole, m_document.frames().errors(), m_document.frames().busy());
     if (isQuiet)
         for (std::size_t i = 0; i < status.size(); ++i) status[i] = quietStatus(pipeline::kStages[i], status[i].state);
     for (StageCard* card : m_cards) card->setStatus(status[index(card->stage())]);

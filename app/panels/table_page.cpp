@@ -26,7 +26,7 @@ TablePage::TablePage(Document& document, pipeline::TableId table, QWidget* paren
         m_shown.reset();
         m_model->clear();
     });
-    connect(&document, &Document::frameReady, this, &TablePage::refresh);
+    connect(&document.frames(), &FrameFeed::frameReady, this, &TablePage::refresh);
     connect(&NumberStyle::current(), &NumberStyle::changed, this, [this] {
         if (m_shown) fitColumns();
     });
@@ -100,7 +100,7 @@ void TablePage::setShowsFacts(bool shown) { m_facts->setVisible(shown); }
 
 // Only the page on show follows the frames.
 void TablePage::refresh() {
-    const pipeline::FramePtr& frame = m_document.frame();
+    const pipeline::FramePtr& frame = m_document.frames().shown();
     if (!frame || !isVisible() || frame == m_shown) return;
     const bool first = m_shown == nullptr;
     m_shown = frame;

@@ -26,7 +26,7 @@ ThumbnailStrip::ThumbnailStrip(Document& document, QWidget* parent) : QWidget(pa
     m_later.setSingleShot(true);
     m_later.setInterval(160);
     connect(&m_later, &QTimer::timeout, this, &ThumbnailStrip::refresh);
-    connect(&document, &Document::frameReady, this, [this] { m_later.start(); });
+    connect(&document.frames(), &FrameFeed::frameReady, this, [this] { m_later.start(); });
     connect(&document, &Document::stageChanged, this, &ThumbnailStrip::rebuild);
     connect(&document, &Document::sceneOpened, this, &ThumbnailStrip::rebuild);
     connect(&document, &Document::hiddenChanged, this, &ThumbnailStrip::rebuild);

@@ -77,12 +77,12 @@ void ThumbnailStrip::want() {
             if (isOwn && itemRect(i).intersects(rect()) && whyUseless(m_document.scene(), id).empty())
                 wanted.set(index(id));
         }
-    m_document.want(this, wanted, Document::When::AtRest);
+    m_document.frames().want(this, wanted, FrameFeed::When::AtRest);
 }
 
 // Drawn away from the window: a million polygons take their time.
 void ThumbnailStrip::refresh() {
-    const pipeline::FramePtr& frame = m_document.frame();
+    const pipeline::FramePtr& frame = m_document.frames().shown();
     if (!frame || !isVisible()) return update();
     std::vector<Wanted> wanted;
     for (int i = 0; i < int(m_items.size()); ++i) {

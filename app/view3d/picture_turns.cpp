@@ -13,13 +13,13 @@ PictureTurns::PictureTurns(Document& document, SceneView& view, QObject* panel) 
             m_begun.start();
         else
             m_pause.start(int(m_begun.elapsed()));
-        m_document.hold(parent(), false);
+        m_document.frames().hold(parent(), false);
     });
 }
 
 bool PictureTurns::skips() {
-    m_skipped = m_document.isMoving() && (m_renders || m_pause.isActive());
-    m_document.hold(parent(), m_skipped && m_renders);
+    m_skipped = m_document.frames().isMoving() && (m_renders || m_pause.isActive());
+    m_document.frames().hold(parent(), m_skipped && m_renders);
     return m_skipped;
 }
 

@@ -11,7 +11,7 @@ namespace {
 // The object that is selected, or that the picked pixel shows.
 std::optional<std::size_t> ownerOf(const Document& document) {
     const auto& selection = document.pointing().selection();
-    const pipeline::Frame& frame = *document.frame();
+    const pipeline::Frame& frame = *document.frames().shown();
     if (selection && !isIn(frame.scene(), *selection)) return {};  // of a scene whose frame is on its way
     const auto ofPolygon = [&](std::size_t polygon) { return frame.placeOf(int(polygon)).object; };
     if (selection && selection->kind == lessons::Selection::Kind::Object) return selection->index;
@@ -46,7 +46,7 @@ QString nextTool(HandleTool tool) {
 
 // Of the frame on show, so that handles stand where the picture has them.
 void View3dPanel::showHandles() {
-    const auto& frame = m_document.frame();
+    const auto& frame = m_document.frames().shown();
     if (!frame || !m_view->shown() || m_view->space().space == ViewSpace::Point) return m_view->setHandles({});
     m_view->setHandles(handlesOf(frame->scene(), *m_view->shown(), ownerOf(m_document), m_view->options().objectTool));
 }

@@ -66,7 +66,7 @@ View3dPanel::View3dPanel(Document& document, QWidget* parent) : QWidget(parent),
     });
     connect(&document, &Document::sceneChanged, this, &View3dPanel::wantBuffers);
     connect(&document, &Document::sceneChanged, this, &View3dPanel::dropDrag);
-    connect(&document, &Document::frameReady, this, &View3dPanel::takeFrame);
+    connect(&document.frames(), &FrameFeed::frameReady, this, &View3dPanel::takeFrame);
     connect(&document.inspection(), &PixelInspection::changed, this, &View3dPanel::takePixel);
     connect(&document.pointing(), &Pointing::selectionChanged, this, &View3dPanel::takeSelection);
     connect(&document.pointing(), &Pointing::hoverChanged, this, &View3dPanel::takeHover);
@@ -254,11 +254,11 @@ bool View3dPanel::wantsFrusta() const {
 
 void View3dPanel::wantBuffers() {
     if (!m_document.hasScene()) return;
-    if (isPutAway(*this)) return m_document.want(this, {});
+    if (isPutAway(*this)) return m_document.frames().want(this, {});
     auto wanted = contentBuffers(m_document.scene(), m_view->options().normals == NormalsShown::Vertices);
     const bool useful = whyUseless(m_document.scene(), pipeline::BufferId::ShadowBuffer).empty();
     if (wantsFrusta() && useful) wanted |= pipeline::setOf({pipeline::BufferId::ShadowBuffer});
-    m_document.want(this, wanted);
+    m_document.frames().want(this, wanted);
 }
 
 bool View3dPanel::misses() {
@@ -267,10 +267,10 @@ bool View3dPanel::misses() {
 }
 
 void View3dPanel::takeFrame() {
-    if (!m_document.frame() || m_turns->skips() || misses()) return;
+    if (!m_document.frames().shown() || m_turns->skips() || misses()) return;
     const Stepper& stepper = m_document.stepper();
     const bool inside = stepper.isInside() && stepper.steps();
-    const pipeline::FramePtr& frame = m_document.frame();
+    const pipeline::FramePtr& frame = m_document.frames().shown();
     const bool inTransform = inside && frame->until() == pipeline::StageId::Transform;
     const Made made{frame, m_document.pointing().pixel(), m_document.pointing().selection()};
     const auto& inspected = m_document.inspection().newest();

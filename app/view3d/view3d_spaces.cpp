@@ -88,7 +88,7 @@ void View3dPanel::enter(SpaceId space, std::shared_ptr<const ViewContent> moved)
 
 // The frame may have the shadow buffers already, and then no other one comes.
 void View3dPanel::addFrusta() {
-    const auto& frame = m_document.frame();
+    const auto& frame = m_document.frames().shown();
     if (!frame || !m_view->content()) return;
     ViewContent content = *m_view->content();
     content.frusta = lightFrusta(*frame);

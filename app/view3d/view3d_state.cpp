@@ -173,7 +173,7 @@ void View3dPanel::observeWork() {
     connect(m_view, &SceneView::workingChanged, this, [this](bool works) { m_document.work().setBusy(this, works); });
     connect(&work, &WorkList::changed, this, [this] {
         const WorkList& now = m_document.work();
-        m_view->setStopped(now.isStopped(this) || now.isStopped(&m_document));
+        m_view->setStopped(now.isStopped(this) || now.isStopped(&m_document.frames()));
     });
 }
 

@@ -229,7 +229,7 @@ TEST_F(AskingLesson, UntilJudgesTheReadersOwnFrame) {
     ASSERT_TRUE(isFilled());
     click("check");
     EXPECT_FALSE(panel->run().isSettled());
-    QSignalSpy ready(&document, &Document::frameReady);
+    QSignalSpy ready(&document.frames(), &FrameFeed::frameReady);
     document.change(*pipeline::findSetting(document.scene(), "material.0.n"), 2);
     ASSERT_TRUE(ready.wait());
     EXPECT_TRUE(part<QLabel>("gauge").text().startsWith("Now 2,")) << part<QLabel>("gauge").text().toStdString();

@@ -62,7 +62,7 @@ struct BufferCompareTest : testing::Test {
         EXPECT_TRUE(found());
     }
     bool found() {
-        return QTest::qWaitFor([&] { return compare.found().has_value() && !document.busy(); }, 10000);
+        return QTest::qWaitFor([&] { return compare.found().has_value() && !document.frames().busy(); }, 10000);
     }
     app::BufferCanvas& canvas() { return *view.canvas(); }
 };
@@ -187,7 +187,7 @@ TEST_F(BufferCompareTest, TheViewTakesTheKeysWhenBIsChosen) {
 
 TEST_F(BufferCompareTest, BBeforeTheLastChangeIsTheFrameOfTheSceneBefore) {
     document.change(*findSetting(document.scene(), "shading"), kPhong);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !document.busy(); }, 10000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !document.frames().busy(); }, 10000));
     compareWith({.kind = Kind::Before});
     const auto before = *test::frameOf(ball(pipeline::Shading::Gouraud))->buffer({BufferId::Color});
     const auto shown = *compare.otherFrame()->buffer({BufferId::Color});
@@ -204,7 +204,7 @@ TEST_F(BufferCompareTest, BFollowsWhenTheSceneChanges) {
 TEST_F(BufferCompareTest, AnExportedArrayIsTheSameAsItsBuffer) {
     QTemporaryDir folder;
     const std::filesystem::path file = folder.filePath("color.npy").toStdString();
-    const auto color = *document.frame()->buffer({BufferId::Color});
+    const auto color = *document.frames().shown()->buffer({BufferId::Color});
     ASSERT_TRUE(pipeline::writeNpy({color, statistics(color), {}}, file));
     compareWith({.kind = Kind::File, .file = folder.filePath("color.npy")});
     EXPECT_EQ(compare.found()->differing, 0u);
@@ -222,7 +222,7 @@ TEST_F(BufferCompareTest, AnExportedExrIsTheSameAsItsBuffer) {
         ASSERT_EQ(read->shape, buffer.shape);
         for (std::size_t i = 0; i < buffer.count(); ++i) ASSERT_EQ(read->flat(i), buffer.flat(i)) << i;
     }
-    const auto color = *document.frame()->buffer({BufferId::Color});
+    const auto color = *document.frames().shown()->buffer({BufferId::Color});
     const auto wrong = app::readPicture(folder.filePath(QString("%1.exr").arg(int(BufferId::Position))), color);
     ASSERT_FALSE(wrong) << "a vector is no colour";
     EXPECT_NE(format(wrong.errors().front()).find("its channels are X Y Z"), std::string::npos);
@@ -244,7 +244,7 @@ TEST_F(BufferCompareTest, AFileThatIsNoArrayIsRefusedWithItsName) {
         QFile out(file);
         EXPECT_TRUE(out.open(QIODevice::WriteOnly) && out.write(bytes) == bytes.size());
         out.close();
-        const auto read = app::readPicture(file, *document.frame()->buffer({BufferId::Color}));
+        const auto read = app::readPicture(file, *document.frames().shown()->buffer({BufferId::Color}));
         return read ? std::string("read") : format(read.errors().front());
     };
     EXPECT_NE(refusal("nothing").find("broken.npy: no NumPy array"), std::string::npos);
@@ -312,7 +312,7 @@ TEST_F(BufferCompareTest, AnotherTessellationComesToAnEnd) {
 TEST_F(BufferCompareTest, AFileIsListedByStageWithTheOneBufferThatItHas) {
     QTemporaryDir folder;
     const QString file = folder.filePath("color.npy");
-    const auto color = *document.frame()->buffer({BufferId::Color});
+    const auto color = *document.frames().shown()->buffer({BufferId::Color});
     ASSERT_TRUE(pipeline::writeNpy({color, statistics(color), {}}, file.toStdString()));
     compareWith({.kind = Kind::File, .file = file});
     auto& stages = *view.findChild<app::StageDifferences*>();

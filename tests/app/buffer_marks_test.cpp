@@ -54,7 +54,8 @@ struct BufferMarksTest : testing::Test {
         view.setBuffer({BufferId::ZView});
         EXPECT_TRUE(QTest::qWaitFor(
             [&] {
-                return !document.busy() && view.shown() && view.shown()->buffer.name == view.buffer() && other.shown();
+                return !document.frames().busy() && view.shown() && view.shown()->buffer.name == view.buffer() &&
+                       other.shown();
             },
             10000));
     }
@@ -73,8 +74,8 @@ TEST_F(BufferMarksTest, WhereNothingWasDrawnThereIsNoValue) {
     constexpr QPoint kBackground{5, 5};
     const auto show = [this](const pipeline::BufferName& name) {
         view.setBuffer(name);
-        return QTest::qWaitFor([&] { return !document.busy() && view.shown() && view.shown()->buffer.name == name; },
-                               10000);
+        return QTest::qWaitFor(
+            [&] { return !document.frames().busy() && view.shown() && view.shown()->buffer.name == name; }, 10000);
     };
     ASSERT_TRUE(show({BufferId::Shadow, 0}));
     document.pointing().pick(glm::ivec2(5, 5));
@@ -329,7 +330,8 @@ TEST_F(BufferMarksTest, TheMenuSaysWhatATurnedPictureLacks) {
 
 TEST_F(BufferMarksTest, NothingDrawnIsSaidOverAColouredGroundToo) {
     const auto says = [this](const char* words) {
-        return QTest::qWaitFor([&] { return !document.busy() && view.shown() && view.shown()->empty == words; }, 10000);
+        return QTest::qWaitFor(
+            [&] { return !document.frames().busy() && view.shown() && view.shown()->empty == words; }, 10000);
     };
     auto scene = test::pyramid();
     // A flat triangle in the plane z = 0 that is clockwise from above, where the eye is.

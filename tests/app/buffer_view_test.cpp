@@ -44,14 +44,15 @@ struct BufferViewTest : testing::Test {
     bool settled() {
         return QTest::qWaitFor(
             [this] {
-                return document.frame() && !document.busy() && (view.shown() || !view.message().isEmpty()) &&
+                return document.frames().shown() && !document.frames().busy() &&
+                       (view.shown() || !view.message().isEmpty()) &&
                        (!view.shown() || view.shown()->buffer.name == view.buffer());
             },
             10000);
     }
     BufferCanvas& canvas() { return *view.canvas(); }
     const QImage& image() { return canvas().content().image; }
-    pipeline::AnyBuffer buffer() { return *document.frame()->buffer(view.buffer()); }
+    pipeline::AnyBuffer buffer() { return *document.frames().shown()->buffer(view.buffer()); }
     QPoint widgetAt(QPoint pixel) {
         return canvas().placement().toWidget(QPointF(pixel) + QPointF(0.5, 0.5)).toPoint();
     }
@@ -88,9 +89,11 @@ TEST(BufferViewPutAway, WantsNothingAndShowsTheNewestFrameWhenItComesBack) {
     window.show();
     view->setBuffer({BufferId::NDotL, 0});
     document.setScene(test::pyramid());
-    const auto settled = [&] { return QTest::qWaitFor([&] { return document.frame() && !document.busy(); }, 10000); };
+    const auto settled = [&] {
+        return QTest::qWaitFor([&] { return document.frames().shown() && !document.frames().busy(); }, 10000);
+    };
     ASSERT_TRUE(settled());
-    EXPECT_FALSE(document.frame()->buffer({BufferId::NDotL, 0}));
+    EXPECT_FALSE(document.frames().shown()->buffer({BufferId::NDotL, 0}));
     EXPECT_FALSE(view->shown());
     view->show();
     ASSERT_TRUE(settled());
@@ -104,7 +107,7 @@ TEST(BufferViewPutAway, WantsNothingAndShowsTheNewestFrameWhenItComesBack) {
     EXPECT_EQ(view->shown()->buffer.owner, before);
     view->show();
     ASSERT_TRUE(settled());
-    const auto now = document.frame()->buffer({BufferId::NDotL, 0});
+    const auto now = document.frames().shown()->buffer({BufferId::NDotL, 0});
     ASSERT_TRUE(now);
     EXPECT_EQ(view->shown()->buffer.owner, now->owner);
 }
@@ -204,14 +207,14 @@ TEST_F(BufferViewTest, LargePixelsCarryTheirValues) {
 TEST_F(BufferViewTest, ALeftOutBufferTellsWhyAndIsComputedWhenAskedFor) {
     show({BufferId::ShadowBuffer, 0});
     EXPECT_TRUE(view.message().contains("The only object is convex: it cannot shadow itself."));
-    EXPECT_FALSE(document.frame()->buffer({BufferId::ShadowBuffer, 0}));
+    EXPECT_FALSE(document.frames().shown()->buffer({BufferId::ShadowBuffer, 0}));
     QPushButton* compute = nullptr;
     for (auto* button : view.findChildren<QPushButton*>())
         if (button->text() == "Compute anyway") compute = button;
     ASSERT_TRUE(compute && compute->isVisible());
     compute->click();
     ASSERT_TRUE(QTest::qWaitFor([&] { return view.message().isEmpty(); }, 10000));
-    EXPECT_TRUE(document.frame()->buffer({BufferId::ShadowBuffer, 0}));
+    EXPECT_TRUE(document.frames().shown()->buffer({BufferId::ShadowBuffer, 0}));
     EXPECT_EQ(image().size(), QSize(1024, 1024));  // texels of the light, not pixels of the picture
     QTest::mouseClick(&canvas(), Qt::LeftButton, {}, canvas().rect().center());
     EXPECT_FALSE(document.pointing().pixel());
@@ -352,7 +355,7 @@ TEST_F(BufferViewTest, PlayStopsWhereAConditionBeginsToHold) {
     ASSERT_TRUE(QTest::qWaitFor([&] { return !stepper.isPlaying(); }, 30000));
     EXPECT_EQ(*stepper.moment(), searched);
     ASSERT_TRUE(document.pointing().pixel());
-    ASSERT_TRUE(QTest::qWaitFor([&] { return stepper.isSettled() && !document.busy(); }, 10000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return stepper.isSettled() && !document.frames().busy(); }, 10000));
     stepper.setPlaying(true);
     EXPECT_TRUE(QTest::qWaitFor([&] { return !stepper.isInside() || *stepper.moment() > searched; }, 30000));
     stepper.leave();
@@ -367,7 +370,7 @@ TEST_F(BufferViewTest, AConditionVeilsThePixelsForWhichItDoesNotHold) {
     view.condition().open();
     view.condition().setText("z_view < 700");
     ASSERT_TRUE(QTest::qWaitFor([&] { return view.condition().mask() != nullptr; }, 10000));
-    const auto z = *document.frame()->buffer({BufferId::ZView});
+    const auto z = *document.frames().shown()->buffer({BufferId::ZView});
     std::size_t near = 0;
     for (std::size_t i = 0; i < z.count(); ++i) near += z.flat(i) < 700;
     EXPECT_EQ(view.condition().mask()->count, near);

@@ -28,7 +28,7 @@ protected:
         window.resize(800, 600);
         window.show();
         list.open(window.mapToGlobal(QPoint(10, 10)), stage);
-        ASSERT_TRUE(QTest::qWaitFor([this] { return !document.busy() && !list.busy() && rows() > 0; }, 60000));
+        ASSERT_TRUE(QTest::qWaitFor([this] { return !document.frames().busy() && !list.busy() && rows() > 0; }, 60000));
     }
     int rows() { return list.list().topLevelItemCount(); }
     QTreeWidgetItem* row(int i) { return list.list().topLevelItem(i); }
@@ -76,7 +76,7 @@ TEST_F(ContractListTest, TheOverlayMasksTheViolators) {
                    view.shown()->notice.contains("|N| = 1");
         },
         60000));
-    const pipeline::ContractInput input = contractInput(*document.frame());
+    const pipeline::ContractInput input = contractInput(*document.frames().shown());
     const auto result = checkContract(*pipeline::findContract("unit-normals"), input);
     ASSERT_FALSE(result.holds());
     const QImage& mask = view.shown()->content.overlays.back();

@@ -49,12 +49,12 @@ struct DerivedBuffersTest : testing::Test {
         view.resize(600, 500);
         view.show();
         document.setScene(scene);
-        EXPECT_TRUE(QTest::qWaitFor([&] { return document.frame() != nullptr; }, 10000));
+        EXPECT_TRUE(QTest::qWaitFor([&] { return document.frames().shown() != nullptr; }, 10000));
     }
     bool shows(const BufferName& name) {
         return QTest::qWaitFor([&] { return view.shown() && view.shown()->buffer.name == name; }, 20000);
     }
-    pipeline::AnyBuffer of(const BufferName& name) const { return *document.frame()->buffer(name); }
+    pipeline::AnyBuffer of(const BufferName& name) const { return *document.frames().shown()->buffer(name); }
 };
 
 TEST_F(DerivedBuffersTest, VerdictsHaveNamesALegendAndAReadout) {
@@ -77,7 +77,7 @@ TEST_F(DerivedBuffersTest, ZInDeviceCoordinatesIsThatOfTheProjectionMatrix) {
         document.change(*pipeline::findSetting(document.scene(), "camera.projection"), projection);
         view.setBuffer(kZNdc);
         ASSERT_TRUE(shows(kZNdc));
-        ASSERT_TRUE(QTest::qWaitFor([&] { return !document.busy(); }, 10000));
+        ASSERT_TRUE(QTest::qWaitFor([&] { return !document.frames().busy(); }, 10000));
         QTest::qWait(100);
         const pipeline::View eye = makeView(document.scene());
         const glm::dmat4 matrix = eye.perspective ? glm::perspectiveRH_NO(1.0, 1.0, eye.near, eye.far)
@@ -102,7 +102,7 @@ TEST_F(DerivedBuffersTest, ZInDeviceCoordinatesIsThatOfTheProjectionMatrix) {
 
 TEST_F(DerivedBuffersTest, RaysCanBeCancelledAndCastAgain) {
     const auto frame =
-        runFrame(document.frame()->sharedScene(),
+        runFrame(document.frames().shown()->sharedScene(),
                  {.wanted = pipeline::setOf({BufferId::Shadow, BufferId::ObjectId}), .stop = {}}, nullptr);
     app::DerivedJob job;
     job.ask(frame, kVerdicts, {});
@@ -225,7 +225,7 @@ TEST_F(DerivedBuffersTest, APictureOfAStateShowsIt) {
     lessons::WindowState state;
     state.condition = "y < 60";
     state.views = {lessons::BufferShown{.buffer = "condition"}};
-    const auto frame = app::frameOf(state, document.frame()->sharedScene());
+    const auto frame = app::frameOf(state, document.frames().shown()->sharedScene());
     const QImage image = app::pictureOf(*frame, state, state.views[0], {.size = {160, 120}, .marks = false});
     ASSERT_FALSE(image.isNull());
     std::size_t white = 0;

@@ -25,7 +25,7 @@ protected:
     pipeline::SettingRef setting(const char* key) { return *findSetting(document.scene(), key); }
     double exponent() { return document.scene().objects[0].material.exponent; }
     bool waitForFrame() {
-        return QTest::qWaitFor([this] { return document.frame() && !document.busy(); }, 30000);
+        return QTest::qWaitFor([this] { return document.frames().shown() && !document.frames().busy(); }, 30000);
     }
     Document document;
 };
@@ -70,45 +70,45 @@ TEST_F(DocumentTest, DragBackToItsBeginningLeavesNoStep) {
 
 TEST_F(DocumentTest, ACancelledFrameLeavesTheOneBeforeUntilItIsToGoOn) {
     ASSERT_TRUE(waitForFrame());
-    const auto before = document.frame();
+    const auto before = document.frames().shown();
     pipeline::Scene large = document.scene();
     large.settings.width = 4000, large.settings.height = 3000;
     const auto showLargeAndCancel = [&] {
         document.replace(large, "size");
         QCoreApplication::processEvents();
-        ASSERT_TRUE(document.busy());
+        ASSERT_TRUE(document.frames().busy());
         document.work().cancel();
-        EXPECT_FALSE(document.busy());
+        EXPECT_FALSE(document.frames().busy());
         EXPECT_TRUE(document.work().stopped().contains("the frame"));
     };
     showLargeAndCancel();
     QObject view;  // asks for what has been asked for, as one that is shown again does
-    document.want(&view, pipeline::setOf({pipeline::BufferId::Color}));
+    document.frames().want(&view, pipeline::setOf({pipeline::BufferId::Color}));
     QTest::qWait(300);
-    EXPECT_FALSE(document.busy());
-    EXPECT_EQ(document.frame(), before);
+    EXPECT_FALSE(document.frames().busy());
+    EXPECT_EQ(document.frames().shown(), before);
     EXPECT_TRUE(document.work().stopped().contains("the frame"));
     document.work().resume();
     EXPECT_TRUE(document.work().stopped().isEmpty());
     ASSERT_TRUE(waitForFrame());
-    EXPECT_EQ(document.frame()->scene().settings.width, 4000);
+    EXPECT_EQ(document.frames().shown()->scene().settings.width, 4000);
     ++large.settings.width;
     showLargeAndCancel();
     for (int i = 0; i < 2; ++i) document.undoStack()->undo();
     QCoreApplication::processEvents();
     EXPECT_FALSE(document.work().stopped().contains("the frame")) << "newer work is not stopped";
     ASSERT_TRUE(waitForFrame());
-    EXPECT_EQ(document.frame()->scene().settings.width, 640);
+    EXPECT_EQ(document.frames().shown()->scene().settings.width, 640);
 }
 
 // Of 4000 × 3000 pixels the positions and the normals are 144 MB each: neither fits into 100 MB more.
 TEST_F(DocumentTest, AFrameWithoutMemoryLeavesTheOneBeforeAndIsTold) {
     if (!test::LittleMemory::kWorks) GTEST_SKIP() << "a sanitizer reserves more addresses than there are";
     ASSERT_TRUE(waitForFrame());
-    const auto before = document.frame();
-    QSignalSpy told(&document, &Document::outOfMemory);
+    const auto before = document.frames().shown();
+    QSignalSpy told(&document.frames(), &FrameFeed::outOfMemory);
     QObject view;
-    document.want(&view, pipeline::setOf({pipeline::BufferId::Position, pipeline::BufferId::Normal}));
+    document.frames().want(&view, pipeline::setOf({pipeline::BufferId::Position, pipeline::BufferId::Normal}));
     ASSERT_TRUE(waitForFrame());
     pipeline::Scene large = document.scene();
     large.settings.width = 4000, large.settings.height = 3000;
@@ -116,15 +116,15 @@ TEST_F(DocumentTest, AFrameWithoutMemoryLeavesTheOneBeforeAndIsTold) {
         const test::LittleMemory little(100'000'000);
         document.replace(large, "size");
         ASSERT_TRUE(told.wait(30000));
-        EXPECT_FALSE(document.busy());
-        EXPECT_EQ(document.frame()->scene().settings.width, before->scene().settings.width);
+        EXPECT_FALSE(document.frames().busy());
+        EXPECT_EQ(document.frames().shown()->scene().settings.width, before->scene().settings.width);
         QTest::qWait(300);
         EXPECT_EQ(told.count(), 1) << "it is not tried again by itself";
     }
     ++large.settings.height;
     document.replace(large, "size");  // with memory again
     ASSERT_TRUE(waitForFrame());
-    EXPECT_EQ(document.frame()->scene().settings.width, 4000);
+    EXPECT_EQ(document.frames().shown()->scene().settings.width, 4000);
     EXPECT_EQ(told.count(), 1);
 }
 
@@ -181,40 +181,43 @@ TEST_F(DocumentTest, WantedBuffersAreInTheFrameAndForgottenWithWhoWantedThem) {
     ASSERT_TRUE(waitForFrame());
     {
         QObject panel;
-        document.want(&panel, pipeline::setOf({BufferId::NDotL}));
+        document.frames().want(&panel, pipeline::setOf({BufferId::NDotL}));
         ASSERT_TRUE(waitForFrame());
-        EXPECT_TRUE(document.frame()->buffer({BufferId::NDotL, 0}));
+        EXPECT_TRUE(document.frames().shown()->buffer({BufferId::NDotL, 0}));
     }
     // What nobody shows any more is not computed with the next change.
     document.change(setting("material.0.n"), 4);
     ASSERT_TRUE(waitForFrame());
-    EXPECT_FALSE(document.frame()->buffer({BufferId::NDotL, 0}));
-    EXPECT_TRUE(document.frame()->buffer({BufferId::Color}));
+    EXPECT_FALSE(document.frames().shown()->buffer({BufferId::NDotL, 0}));
+    EXPECT_TRUE(document.frames().shown()->buffer({BufferId::Color}));
 }
 
 TEST_F(DocumentTest, WhatIsWantedAtRestComesAfterTheDragAndNotDuringIt) {
     const QObject thumbnails;
-    document.want(&thumbnails, pipeline::setOf({pipeline::BufferId::NDotL}), Document::When::AtRest);
+    document.frames().want(&thumbnails, pipeline::setOf({pipeline::BufferId::NDotL}), FrameFeed::When::AtRest);
     ASSERT_TRUE(waitForFrame());
-    EXPECT_TRUE(document.frame()->buffer({pipeline::BufferId::NDotL, 0}));
+    EXPECT_TRUE(document.frames().shown()->buffer({pipeline::BufferId::NDotL, 0}));
     document.change(setting("camera.theta"), 35, Document::Change::Live);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return document.frame()->sharedScene()->camera == document.scene().camera; }));
-    EXPECT_FALSE(document.frame()->buffer({pipeline::BufferId::NDotL, 0}));
+    ASSERT_TRUE(
+        QTest::qWaitFor([&] { return document.frames().shown()->sharedScene()->camera == document.scene().camera; }));
+    EXPECT_FALSE(document.frames().shown()->buffer({pipeline::BufferId::NDotL, 0}));
     // The hand rests, with the button still down.
-    EXPECT_TRUE(QTest::qWaitFor([&] { return document.frame()->buffer({pipeline::BufferId::NDotL, 0}).has_value(); }));
-    EXPECT_EQ(document.frame()->sharedScene()->camera, document.scene().camera);
+    EXPECT_TRUE(QTest::qWaitFor([&] {
+        return document.frames().shown()->buffer({pipeline::BufferId::NDotL, 0}).has_value();
+    }));
+    EXPECT_EQ(document.frames().shown()->sharedScene()->camera, document.scene().camera);
 }
 
 // Somebody that is behind for good holds no frame longer than 16 ms, and the last one of a drag not at all.
 TEST_F(DocumentTest, AViewThatIsBehindHoldsFramesOfADragForAMoment) {
     const QObject view;
-    document.want(&view, {});
+    document.frames().want(&view, {});
     ASSERT_TRUE(waitForFrame());
-    QSignalSpy frames(&document, &Document::frameReady);
+    QSignalSpy frames(&document.frames(), &FrameFeed::frameReady);
     QElapsedTimer time;
     time.start();
     document.change(setting("camera.theta"), 46, Document::Change::Live);
-    document.hold(&view, true);
+    document.frames().hold(&view, true);
     for (int i = 1; i <= 60; ++i) {
         document.change(setting("camera.theta"), 46 + 0.1 * i, Document::Change::Live);
         QTest::qWait(5);
@@ -225,21 +228,21 @@ TEST_F(DocumentTest, AViewThatIsBehindHoldsFramesOfADragForAMoment) {
     document.change(setting("camera.theta"), 60, Document::Change::Done);
     ASSERT_TRUE(waitForFrame());
     EXPECT_LE(frames.count(), before + 2);
-    EXPECT_EQ(document.frame()->sharedScene()->camera, document.scene().camera);
+    EXPECT_EQ(document.frames().shown()->sharedScene()->camera, document.scene().camera);
 }
 
 TEST_F(DocumentTest, AViewThatHasCaughtUpLetsTheNextFrameBeginAtOnce) {
     const QObject view;
-    document.want(&view, {});
+    document.frames().want(&view, {});
     ASSERT_TRUE(waitForFrame());
-    QSignalSpy frames(&document, &Document::frameReady);
+    QSignalSpy frames(&document.frames(), &FrameFeed::frameReady);
     document.change(setting("camera.theta"), 46, Document::Change::Live);
-    document.hold(&view, true);
+    document.frames().hold(&view, true);
     ASSERT_TRUE(QTest::qWaitFor([&] { return frames.count() == 1; }));
     document.change(setting("camera.theta"), 47, Document::Change::Live);
-    document.hold(&view, false);
+    document.frames().hold(&view, false);
     ASSERT_TRUE(waitForFrame());
-    EXPECT_EQ(document.frame()->sharedScene()->camera, document.scene().camera);
+    EXPECT_EQ(document.frames().shown()->sharedScene()->camera, document.scene().camera);
 }
 
 TEST_F(DocumentTest, PickedPixelStaysInThePicture) {
@@ -277,10 +280,10 @@ TEST_F(DocumentTest, SaysWhatRanAgainAndWhy) {
 }
 
 TEST_F(DocumentTest, ErrorsOfTheFrameComeInIdleTime) {
-    QSignalSpy ready(&document, &Document::errorsReady);
+    QSignalSpy ready(&document.frames(), &FrameFeed::errorsReady);
     ASSERT_TRUE(QTest::qWaitFor([&] { return ready.count() > 0; }, 30000));
-    EXPECT_TRUE(document.errors()[index(pipeline::StageId::ZBuffer)]);
-    EXPECT_EQ(document.nanCount(), std::size_t(0));
+    EXPECT_TRUE(document.frames().errors()[index(pipeline::StageId::ZBuffer)]);
+    EXPECT_EQ(document.frames().nanCount(), std::size_t(0));
 }
 
 }  // namespace

@@ -147,11 +147,11 @@ TEST_F(InspectorPanelTest, ComparesWithTheStartOfADrag) {
     const auto setting = pipeline::findSetting(document.scene(), "material.0.n");
     for (const double n : {7.0, 6.0, 5.0, 4.0}) {
         document.change(*setting, n, Document::Change::Live);
-        ASSERT_TRUE(QTest::qWaitFor([&] { return !document.busy(); }, 10000));
+        ASSERT_TRUE(QTest::qWaitFor([&] { return !document.frames().busy(); }, 10000));
     }
     EXPECT_TRUE(equation().contains("was 45.000 + 69.714 + 0.025 = 114.739, with n = 8")) << equation().toStdString();
     document.undoStack()->undo();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !document.busy(); }, 10000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !document.frames().busy(); }, 10000));
     EXPECT_TRUE(equation().contains("was 45.000 + 69.714 + 0.998 = 115.712, with n = 4")) << equation().toStdString();
 }
 

@@ -44,7 +44,10 @@ protected:
     // The page's numbers are there when nothing stands for them any more.
     bool isFilled() {
         return QTest::qWaitFor(
-            [this] { return !document.busy() && document.frame() && panel->run().texts() && !text().contains(u'…'); },
+            [this] {
+                return !document.frames().busy() && document.frames().shown() && panel->run().texts() &&
+                       !text().contains(u'…');
+            },
             10000);
     }
     void goTo(int page) {

@@ -25,6 +25,7 @@
 namespace {
 
 using app::Document;
+using app::FrameFeed;
 using app::LessonPanel;
 using app::LessonPanelTest;
 using app::LessonShelf;
@@ -107,7 +108,7 @@ TEST_F(LessonPanelTest, AnswersAreCheckedAgainstThePagesOwnFrame) {
     // The reader turns the camera: what judges and what is said stay those of the page.
     const auto theta = pipeline::findSetting(document.scene(), "camera.theta");
     ASSERT_TRUE(theta);
-    QSignalSpy ready(&document, &Document::frameReady);
+    QSignalSpy ready(&document.frames(), &FrameFeed::frameReady);
     document.change(*theta, 60);
     ASSERT_TRUE(ready.wait());
     ASSERT_TRUE(part<QWidget>("setWindow").isVisible());

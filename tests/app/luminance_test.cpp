@@ -28,10 +28,10 @@ struct LuminanceTest : testing::Test {
     void show(const pipeline::BufferName& name) {
         view.setBuffer(name);
         EXPECT_TRUE(QTest::qWaitFor(
-            [&] { return !document.busy() && view.shown() && view.shown()->buffer.name == name; }, 10000))
+            [&] { return !document.frames().busy() && view.shown() && view.shown()->buffer.name == name; }, 10000))
             << name.text();
     }
-    pipeline::AnyBuffer buffer() { return *document.frame()->buffer(view.buffer()); }
+    pipeline::AnyBuffer buffer() { return *document.frames().shown()->buffer(view.buffer()); }
 };
 
 // Lecture 1's pyramid is blue: k is (0.2, 0.5, 0.9) for diffuse light, so of N·L x the luminance is

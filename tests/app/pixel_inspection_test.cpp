@@ -23,7 +23,7 @@ struct PixelInspectionTest : testing::Test {
 
     void open(const pipeline::Scene& scene) {
         document.setScene(scene);
-        ASSERT_TRUE(QTest::qWaitFor([&] { return document.frame() && !document.busy(); }, 20000));
+        ASSERT_TRUE(QTest::qWaitFor([&] { return document.frames().shown() && !document.frames().busy(); }, 20000));
     }
     bool finished() {
         return QTest::qWaitFor([&] { return !inspection.busy(); }, 10000);
@@ -38,7 +38,7 @@ TEST_F(PixelInspectionTest, ASmallSceneIsInspectedAtOnceAndOnce) {
     document.pointing().pick(kOnPyramid);
     ASSERT_TRUE(inspection.newest());
     EXPECT_EQ(inspection.newest()->report.polygon, 2);
-    EXPECT_EQ(inspection.newest()->frame, document.frame());
+    EXPECT_EQ(inspection.newest()->frame, document.frames().shown());
     EXPECT_EQ(changed.size(), 1);
     document.pointing().pick({});
     EXPECT_FALSE(inspection.newest());
@@ -46,13 +46,13 @@ TEST_F(PixelInspectionTest, ASmallSceneIsInspectedAtOnceAndOnce) {
 
 TEST_F(PixelInspectionTest, OfManyPolygonsItComesFromElsewhereAndIsTheSame) {
     open(test::manyPolygons());
-    ASSERT_TRUE(app::isLarge(*document.frame()));
+    ASSERT_TRUE(app::isLarge(*document.frames().shown()));
     document.pointing().pick(kOnPyramid);
     EXPECT_TRUE(inspection.busy());
     EXPECT_FALSE(inspection.newest()) << "the window does not wait for it";
     ASSERT_TRUE(finished());
     ASSERT_TRUE(inspection.newest());
-    const auto expected = inspectPixel(*document.frame(), kOnPyramid);
+    const auto expected = inspectPixel(*document.frames().shown(), kOnPyramid);
     EXPECT_EQ(inspection.newest()->report.polygon, expected.polygon);
     EXPECT_EQ(inspection.newest()->report.color, expected.color);
     EXPECT_EQ(inspection.newest()->report.fragments.size(), expected.fragments.size());

@@ -60,7 +60,7 @@ TEST_F(ScanlinePanelTest, ItsCursorIsThatOfEveryView) {
 // The first and the last row with a polygon lie equally far from it, but for the one pixel that two do not share.
 TEST_F(ScanlinePanelTest, BeginsInTheMiddleOfWhatIsDrawn) {
     ASSERT_EQ(panel.row(), panel.section()->row);
-    const auto polygons = *document.frame()->buffer({pipeline::BufferId::PolygonId});
+    const auto polygons = *document.frames().shown()->buffer({pipeline::BufferId::PolygonId});
     const auto isDrawn = [&](int row) {
         for (std::size_t x = 0; x < polygons.columns(); ++x)
             if (polygons.value(x, std::size_t(row)) >= 0) return true;

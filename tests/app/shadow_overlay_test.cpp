@@ -34,7 +34,7 @@ struct ShadowOverlayTest : testing::Test {
         view.resize(600, 500);
         view.show();
         document.setScene(hoveringBox());
-        EXPECT_TRUE(QTest::qWaitFor([&] { return document.frame() != nullptr; }, 10000));
+        EXPECT_TRUE(QTest::qWaitFor([&] { return document.frames().shown() != nullptr; }, 10000));
     }
 };
 

@@ -68,9 +68,9 @@ TEST(ShadowTexel, IsMarkedWhereThePixelIs) {
     const pipeline::Scene scene = boxLitFrom(pipeline::LightKind::AtInfinity);
     document.setScene(scene);
     view.setBuffer({pipeline::BufferId::ShadowBuffer, 0});
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !document.busy() && view.shown(); }, 10000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !document.frames().busy() && view.shown(); }, 10000));
     const glm::ivec2 pixel(scene.settings.width / 2, scene.settings.height / 2);
-    const auto texel = app::shadowTexel(*document.frame(), 0, pixel);
+    const auto texel = app::shadowTexel(*document.frames().shown(), 0, pixel);
     ASSERT_TRUE(texel);
     document.pointing().hover(pixel);
     EXPECT_EQ(view.canvas()->content().hovered, QPoint(texel->x, texel->y));

@@ -20,6 +20,7 @@ namespace {
 using app::BufferView;
 using app::CanvasBase;
 using app::Document;
+using app::FrameFeed;
 using app::OtherSource;
 using app::ShowJob;
 using app::ShowRequest;
@@ -70,22 +71,22 @@ TEST(ShowJob, TheVeilIsOfTheThemesGround) {
 TEST(ShowJob, InsideShadingAPixelThatIsNotShadedYetIsNotDrawn) {
     Document document;
     QObject owner;
-    document.want(&owner, pipeline::setOf({BufferId::Shadow, BufferId::NDotL}));
+    document.frames().want(&owner, pipeline::setOf({BufferId::Shadow, BufferId::NDotL}));
     document.setScene(test::pyramid());
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !document.busy() && document.stepper().steps(); }, 30000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !document.frames().busy() && document.stepper().steps(); }, 30000));
     // How many values its histogram counts.
     const auto drawn = [&](BufferId id) {
-        const auto shown = app::showBuffer(*document.frame(), {id, 0}, lessons::ShownChannel::All, {});
+        const auto shown = app::showBuffer(*document.frames().shown(), {id, 0}, lessons::ShownChannel::All, {});
         return std::accumulate(shown->scale.histogram.begin(), shown->scale.histogram.end(), 0);
     };
     const auto whole = drawn(BufferId::Shadow);
     EXPECT_GT(whole, 0);
     document.stepper().goTo(*pipeline::parsePlace("shading/polygon=1"));
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !document.busy() && document.stepper().isSettled(); }, 30000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !document.frames().busy() && document.stepper().isSettled(); }, 30000));
     EXPECT_LT(drawn(BufferId::Shadow), whole);
     EXPECT_EQ(drawn(BufferId::Shadow), drawn(BufferId::NDotL));
     document.stepper().goTo(*pipeline::parsePlace("shading/start"));
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !document.busy() && document.stepper().isSettled(); }, 30000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !document.frames().busy() && document.stepper().isSettled(); }, 30000));
     EXPECT_EQ(drawn(BufferId::Shadow), 0);
 }
 
@@ -127,7 +128,7 @@ TEST_F(DepthView, AViewShowsOneFrameInAllThatItSays) {
     const auto shows = [&](const pipeline::FramePtr& frame) {
         return frame && view.shown() && view.shown()->buffer.owner == frame->buffer(kDepth)->owner;
     };
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !document.busy() && shows(document.frame()); }, 20000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !document.frames().busy() && shows(document.frames().shown()); }, 20000));
     // At each moment of a drag.
     for (int i = 1; i <= 20; ++i) {
         document.change(*findSetting(document.scene(), "camera.theta"), 45 + i, Document::Change::Live);
@@ -139,7 +140,7 @@ TEST_F(DepthView, AViewShowsOneFrameInAllThatItSays) {
                                             drawn, int(shown.scale.histogram.size()));
         EXPECT_EQ(counted, shown.scale.histogram);
     }
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !document.busy() && shows(document.frame()); }, 20000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !document.frames().busy() && shows(document.frames().shown()); }, 20000));
 }
 
 // Another buffer of the same frame: whatever frame A is of while a slider moves, B is of the same.
@@ -151,11 +152,11 @@ TEST(ShowJob, AAndBOfAComparisonAreOfOneFrame) {
     view.show();
     view.setBuffer(kDepth);
     std::vector<pipeline::FramePtr> frames;
-    QObject::connect(&document, &Document::frameReady, [&] { frames.push_back(document.frame()); });
+    QObject::connect(&document.frames(), &FrameFeed::frameReady, [&] { frames.push_back(document.frames().shown()); });
     document.setScene(test::manyPolygons());
     view.compare().compareWith(OtherSource{.kind = OtherSource::Kind::Buffer, .buffer = kOther});
     view.compare().setMode(app::CompareMode::B);
-    const auto comparing = [&] { return !document.busy() && view.compare().found().has_value(); };
+    const auto comparing = [&] { return !document.frames().busy() && view.compare().found().has_value(); };
     ASSERT_TRUE(QTest::qWaitFor(comparing, 20000));
     int seen = 0;
     for (int i = 1; i <= 20; ++i) {
@@ -176,7 +177,7 @@ TEST(ShowJob, AAndBOfAComparisonAreOfOneFrame) {
     view.compare().compareWith(OtherSource{.kind = OtherSource::Kind::Buffer, .buffer = {BufferId::Depth}});
     EXPECT_FALSE(view.compare().found());
     ASSERT_TRUE(QTest::qWaitFor(comparing, 20000));
-    const auto depth = *document.frame()->buffer({BufferId::Depth});
+    const auto depth = *document.frames().shown()->buffer({BufferId::Depth});
     EXPECT_EQ(view.compare().found()->values.count(), depth.count());
 }
 
@@ -199,7 +200,7 @@ TEST_F(DepthView, TheDifferenceOfALargeFrameIsShownWithItsFittingRange) {
 
 TEST_F(DepthView, FittingOnceKeepsTheRangeOfTheNextPicture) {
     document.setScene(test::manyPolygons());
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !document.busy() && view.shown(); }, 20000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !document.frames().busy() && view.shown(); }, 20000));
     const auto whole = view.shown()->look.range;
     view.features().range->set({600, 700});
     ASSERT_TRUE(QTest::qWaitFor([&] { return view.shown()->look.range == pipeline::PaletteRange{600, 700}; }, 10000));
@@ -225,7 +226,7 @@ TEST_F(DepthView, TheWorstPixelOfALargeFrameIsPickedOnceItIsFound) {
 // A picture that is given up leaves the one before, until it is gone on with.
 TEST_F(DepthView, AViewToldToStopShowsWhatItHadUntilItIsToGoOn) {
     document.setScene(test::manyPolygons());
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !document.busy() && view.shown(); }, 20000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !document.frames().busy() && view.shown(); }, 20000));
     const auto before = view.shown()->look.range;
     view.features().range->set({1, 2});
     document.work().cancel();
@@ -240,10 +241,10 @@ TEST_F(DepthView, AViewToldToStopShowsWhatItHadUntilItIsToGoOn) {
 TEST_F(DepthView, WhatIsSelectedAmongManyPolygonsIsMarkedWithoutWaitingForIt) {
     document.setScene(test::manyPolygons());
     const auto& marked = view.canvas()->content().marked;
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !document.busy() && view.shown(); }, 20000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !document.frames().busy() && view.shown(); }, 20000));
     document.pointing().select(lessons::Selection{lessons::Selection::Kind::Object, 0});
     EXPECT_TRUE(marked.empty()) << "the window does not wait for it";
-    const auto outlines = app::outlinesOf(*document.frame(), *document.pointing().selection());
+    const auto outlines = app::outlinesOf(*document.frames().shown(), *document.pointing().selection());
     ASSERT_EQ(outlines.size(), 1u);
     ASSERT_TRUE(QTest::qWaitFor([&] { return marked == outlines; }, 10000));
     document.pointing().select({});

@@ -18,7 +18,7 @@ protected:
         ASSERT_TRUE(QTest::qWaitForWindowExposed(&panel));
     }
     void openPyramid() {
-        QSignalSpy ready(&document, &app::Document::frameReady);
+        QSignalSpy ready(&document.frames(), &app::FrameFeed::frameReady);
         document.setScene(test::pyramid());
         ASSERT_TRUE(ready.wait());
     }

@@ -31,9 +31,9 @@ protected:
     StepperTest() {
         pipeline::Scene scene = test::pyramid();
         scene.settings.cull = pipeline::CullMode::None;
-        document.want(&owner, pipeline::setOf({BufferId::ZView, BufferId::Overdraw}));
+        document.frames().want(&owner, pipeline::setOf({BufferId::ZView, BufferId::Overdraw}));
         document.setScene(std::move(scene));
-        EXPECT_TRUE(QTest::qWaitFor([this] { return !document.busy() && stepper.steps(); }, 30000));
+        EXPECT_TRUE(QTest::qWaitFor([this] { return !document.frames().busy() && stepper.steps(); }, 30000));
     }
     // Goes somewhere and waits for the state there.
     void goTo(const char* place) {
@@ -41,13 +41,13 @@ protected:
         waitForState();
     }
     void waitForState() {
-        EXPECT_TRUE(QTest::qWaitFor([this] { return !document.busy() && stepper.isSettled(); }, 30000));
+        EXPECT_TRUE(QTest::qWaitFor([this] { return !document.frames().busy() && stepper.isSettled(); }, 30000));
     }
     double overdraw(std::size_t x, std::size_t y) {
-        return document.frame()->buffer({BufferId::Overdraw})->value(x, y);
+        return document.frames().shown()->buffer({BufferId::Overdraw})->value(x, y);
     }
     double fragments() {
-        const auto buffer = document.frame()->buffer({BufferId::Overdraw});
+        const auto buffer = document.frames().shown()->buffer({BufferId::Overdraw});
         double sum = 0;
         for (std::size_t i = 0; i < buffer->count(); ++i) sum += buffer->flat(i);
         return sum;
@@ -61,10 +61,10 @@ TEST_F(StepperTest, InsideAStageTheDocumentShowsTheStateThere) {
     goTo("z-buffer/polygon=1");
     EXPECT_EQ(document.stage(), StageId::ZBuffer);
     EXPECT_EQ(fragments(), double(stepper.moment()->done));
-    EXPECT_FALSE(document.frame()->buffer({BufferId::Color}));
-    EXPECT_TRUE(document.wholeFrame()->buffer({BufferId::Color}));
+    EXPECT_FALSE(document.frames().shown()->buffer({BufferId::Color}));
+    EXPECT_TRUE(document.frames().whole()->buffer({BufferId::Color}));
     stepper.toLast();
-    EXPECT_EQ(document.frame(), document.wholeFrame());
+    EXPECT_EQ(document.frames().shown(), document.frames().whole());
     EXPECT_EQ(document.stage(), StageId::Shading);
 }
 
@@ -114,11 +114,11 @@ TEST_F(StepperTest, APlaceHoldsWhileTheSceneChanges) {
     const Place place = *stepper.place();
     document.change(*findSetting(document.scene(), "camera.theta"), 50);
     EXPECT_TRUE(QTest::qWaitFor(
-        [this] { return !document.busy() && stepper.steps()->frame() == document.wholeFrame(); }, 30000));
+        [this] { return !document.frames().busy() && stepper.steps()->frame() == document.frames().whole(); }, 30000));
     waitForState();
     EXPECT_EQ(stepper.place(), place);
-    EXPECT_EQ(document.frame()->until(), StageId::ZBuffer);
-    EXPECT_EQ(document.frame()->scene().camera.theta, 50);
+    EXPECT_EQ(document.frames().shown()->until(), StageId::ZBuffer);
+    EXPECT_EQ(document.frames().shown()->scene().camera.theta, 50);
 }
 
 TEST_F(StepperTest, GoingToAStageOrAnotherSceneLeavesTheInside) {
@@ -126,7 +126,7 @@ TEST_F(StepperTest, GoingToAStageOrAnotherSceneLeavesTheInside) {
     document.setStage(StageId::Cull);
     EXPECT_FALSE(stepper.isInside());
     EXPECT_EQ(document.stage(), StageId::Cull);
-    EXPECT_EQ(document.frame(), document.wholeFrame());
+    EXPECT_EQ(document.frames().shown(), document.frames().whole());
     goTo("z-buffer/polygon=1");
     stepper.toggleBookmark();
     document.setScene(test::pyramid());

@@ -174,7 +174,8 @@ TEST_F(TablesPanelTest, AnotherSceneTakesTheSelectionAway) {
     scene.objects.clear();
     document.setScene(scene);
     EXPECT_FALSE(document.pointing().selection());
-    EXPECT_TRUE(QTest::qWaitFor([&] { return document.frame() && polygons().model().rowCount() == 0; }, 10000));
+    EXPECT_TRUE(
+        QTest::qWaitFor([&] { return document.frames().shown() && polygons().model().rowCount() == 0; }, 10000));
     document.pointing().select(lessons::Selection{lessons::Selection::Kind::Polygon, 0});
     EXPECT_FALSE(document.pointing().selection()) << "there is no such polygon";
 }

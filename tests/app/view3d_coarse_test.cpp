@@ -71,7 +71,7 @@ TEST_F(ShownView3d, ALargeMeshIsCoarseWhileItMovesAndWholeAtRest) {
     pipeline::Scene scene = test::pyramid();
     scene.objects[0].mesh = test::sphere(150, 400, 800);
     document.setScene(scene);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return view.content() && !document.busy() && view.isDrawn(); }, 60000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return view.content() && !document.frames().busy() && view.isDrawn(); }, 60000));
     ASSERT_TRUE(view.content()->mesh->coarse);
     EXPECT_LT(view.content()->mesh->coarse->size(), view.content()->mesh->faces.size() / 10);
     const auto* said = view.findChild<QLabel*>("coarse");

@@ -57,7 +57,7 @@ TEST_F(View3dDrag, EndsWithItsOwnButtonWhateverAnotherOneDoes) {
         EXPECT_FALSE(view.isDragging());
         EXPECT_EQ(document.undoStack()->count(), 1);
         document.undoStack()->undo();
-        ASSERT_TRUE(QTest::qWaitFor([&] { return !document.busy(); }));
+        ASSERT_TRUE(QTest::qWaitFor([&] { return !document.frames().busy(); }));
     }
 }
 
@@ -68,7 +68,7 @@ TEST_F(View3dDrag, TheNextOneKeepsWhatWasChangedBetween) {
     send(QEvent::MouseButtonRelease, end, Qt::MiddleButton, Qt::LeftButton);
     letGoAt(end);
     setExponent(3);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !document.busy() && waitUntilDrawn(); }));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !document.frames().busy() && waitUntilDrawn(); }));
     takeHoldAt(lightHandle());
     EXPECT_EQ(exponent(), 3);
 }
@@ -91,7 +91,7 @@ TEST_F(View3dDrag, AnotherSceneIsNotChangedByADragInTheOneBefore) {
     takeHoldAt(at);
     pipeline::Scene other = test::pyramid();
     other.objects[0].material.exponent = 3;
-    QSignalSpy ready(&document, &app::Document::frameReady);
+    QSignalSpy ready(&document.frames(), &app::FrameFeed::frameReady);
     document.setScene(other);
     EXPECT_FALSE(view.isDragging());
     send(QEvent::MouseMove, at + QPoint(40, 5), Qt::NoButton, Qt::LeftButton);
@@ -144,7 +144,7 @@ TEST_F(View3dDrag, ThePointerReadsThePictureThatTheViewIsOf) {
     for (int x = 40; x < view.width(); x += 40)
         for (int y = 40; y < view.height(); y += 40) send(QEvent::MouseMove, {x, y}, Qt::NoButton, Qt::NoButton);
     document.pointing().select(lessons::Selection{lessons::Selection::Kind::Polygon, 4});
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !document.busy(); }));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !document.frames().busy(); }));
 }
 
 // The press that follows a release which another program got.

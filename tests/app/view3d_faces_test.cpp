@@ -14,7 +14,7 @@ TEST_F(View3dFaces, KeysGoFromFaceToFaceOfAPointLight) {
     scene.objects.push_back(floor);
     scene.lights[0].kind = pipeline::LightKind::Point;
     scene.lights[0].position = {300, 0, 900};
-    QSignalSpy ready(&document, &app::Document::frameReady);
+    QSignalSpy ready(&document.frames(), &app::FrameFeed::frameReady);
     document.setScene(scene);
     ASSERT_TRUE(ready.wait());
     auto* face = panel.findChild<QToolButton*>("face");
@@ -39,10 +39,10 @@ TEST_F(View3dFaces, KeysGoFromFaceToFaceOfAPointLight) {
 // Another view shows the shadow buffer, so that the frame that is there has it, and no other frame comes.
 TEST_F(View3dFaces, TheLightsSpaceComesWithoutANewFrame) {
     QObject other;
-    document.want(&other, pipeline::setOf({pipeline::BufferId::ShadowBuffer}));
-    QSignalSpy ready(&document, &app::Document::frameReady);
+    document.frames().want(&other, pipeline::setOf({pipeline::BufferId::ShadowBuffer}));
+    QSignalSpy ready(&document.frames(), &app::FrameFeed::frameReady);
     document.setScene(test::boxOverGround());
-    ASSERT_TRUE(QTest::qWaitFor([&] { return ready.count() > 0 && !document.busy(); }, 10000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return ready.count() > 0 && !document.frames().busy(); }, 10000));
     panel.setSpace({app::ViewSpace::Light});
     EXPECT_EQ(view.space().space, app::ViewSpace::Light);
 }

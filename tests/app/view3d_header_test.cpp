@@ -12,7 +12,7 @@ protected:
         pipeline::Scene scene = test::pyramid();
         scene.objects[0].mesh = pipeline::makeShape({.kind = pipeline::ShapeKind::Sphere});
         scene.objects[0].transform.scale = app::Vec3d(100.0);
-        QSignalSpy ready(&document, &app::Document::frameReady);
+        QSignalSpy ready(&document.frames(), &app::FrameFeed::frameReady);
         document.setScene(scene);
         ASSERT_TRUE(ready.wait());
     }
@@ -34,7 +34,7 @@ TEST_F(View3dHeader, TheNormalsButtonSaysWhyItIsOffAndHowManyAreShown) {
     EXPECT_TRUE(inClip.startsWith("Here lengths and angles mean nothing")) << inClip.toStdString();
     pipeline::Scene scene = document.scene();
     scene.objects[0].material.exponent = 3;
-    QSignalSpy ready(&document, &app::Document::frameReady);
+    QSignalSpy ready(&document.frames(), &app::FrameFeed::frameReady);
     document.edit(scene, "exponent", app::Document::Change::Done);
     ASSERT_TRUE(ready.wait());
     EXPECT_EQ(tip("normals"), inClip) << "after another frame too";

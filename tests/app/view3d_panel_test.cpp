@@ -17,6 +17,7 @@
 namespace {
 
 using app::Document;
+using app::FrameFeed;
 using app::SceneView;
 using app::Theme;
 using app::ThemeId;
@@ -40,7 +41,7 @@ protected:
     // Once frames and flights have come to their end: two in turn are alike. Null where that never comes.
     QImage settledPicture() {
         QImage last;
-        const auto isSettled = [&] { return std::exchange(last, picture()) == last && !document.busy(); };
+        const auto isSettled = [&] { return std::exchange(last, picture()) == last && !document.frames().busy(); };
         return QTest::qWaitFor(isSettled, 10000) ? last : QImage();
     }
     // Where a point of the world stands in the panel.
@@ -221,12 +222,12 @@ TEST_F(View3dWindow, ADraggedLightIsOneStepOfUndo) {
     const app::OrbitCamera camera = view.camera();
     hover(at, "light 0: x ");
     QTest::mousePress(&view, Qt::LeftButton, {}, at);
-    QSignalSpy ready(&document, &Document::frameReady);
+    QSignalSpy ready(&document.frames(), &FrameFeed::frameReady);
     QTest::mouseMove(&view, at + QPoint(20, 5));
     EXPECT_TRUE(view.isDragging());
     EXPECT_TRUE(view.numbers().startsWith("light 0: x "));
     ASSERT_TRUE(ready.wait()) << "the frame follows before the button is let go";
-    EXPECT_NE(document.frame()->scene().lights[0].position, before.lights[0].position);
+    EXPECT_NE(document.frames().shown()->scene().lights[0].position, before.lights[0].position);
     QTest::mouseMove(&view, at + QPoint(40, 10));
     QTest::mouseRelease(&view, Qt::LeftButton, {}, at + QPoint(40, 10));
     EXPECT_EQ(document.undoStack()->count(), 1);
@@ -336,10 +337,10 @@ TEST_F(View3dWindow, EveryControlHasANameAndATip) {
 
 TEST_F(View3dWindow, WantsNoMoreThanTheShadingLeaves) {
     openPyramid();
-    EXPECT_FALSE(document.frame()->buffer({pipeline::BufferId::VerticesNormal})) << "flat shading leaves none";
+    EXPECT_FALSE(document.frames().shown()->buffer({pipeline::BufferId::VerticesNormal})) << "flat shading leaves none";
     app::ViewOptions options = view.options();
     options.normals = app::NormalsShown::Vertices;
-    QSignalSpy ready(&document, &Document::frameReady);
+    QSignalSpy ready(&document.frames(), &FrameFeed::frameReady);
     panel.changeOptions(options);
     ASSERT_TRUE(ready.wait());
     EXPECT_EQ(view.content()->mesh->vertexNormals.size(), 5u);
@@ -353,7 +354,7 @@ TEST_F(View3dWindow, AfterADragItShowsTheSameAsAViewThatHasSeenNothingElse) {
         document.change(theta, begin + 5 * i, i < 6 ? Document::Change::Live : Document::Change::Done);
         QTest::qWait(10);
     }
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !document.busy(); }));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !document.frames().busy(); }));
     View3dPanel other(document);
     other.resize(panel.size());
     other.show();
@@ -388,7 +389,7 @@ TEST(View3dWithoutOpenGl, SaysSoAndGoesOn) {
     View3dPanel panel(document);
     panel.resize(400, 300);
     panel.show();
-    QSignalSpy ready(&document, &Document::frameReady);
+    QSignalSpy ready(&document.frames(), &FrameFeed::frameReady);
     document.setScene(test::pyramid());
     ASSERT_TRUE(ready.wait());
     document.pointing().pick(kRightFace);

@@ -20,7 +20,8 @@ TEST_F(View3dSteps, InsideTheTransformStageItShowsNothingOfLaterStages) {
         document.stepper().goTo(*pipeline::parsePlace(place));
         ASSERT_TRUE(QTest::qWaitFor(
             [this] {
-                return document.stepper().isSettled() && document.frame()->until() == pipeline::StageId::Transform;
+                return document.stepper().isSettled() &&
+                       document.frames().shown()->until() == pipeline::StageId::Transform;
             },
             10000));
         ASSERT_TRUE(waitUntilDrawn());
@@ -30,7 +31,7 @@ TEST_F(View3dSteps, InsideTheTransformStageItShowsNothingOfLaterStages) {
         EXPECT_TRUE(content.mesh->picture.pixels.empty());
         EXPECT_TRUE(content.vectors.empty());
         EXPECT_TRUE(content.pickedLoop.empty());
-        const auto& vertices = *document.frame()->buffer({pipeline::BufferId::VerticesWorld});
+        const auto& vertices = *document.frames().shown()->buffer({pipeline::BufferId::VerticesWorld});
         for (const app::Face& face : content.mesh->faces) {
             const bool isThere = std::ranges::all_of(face.vertices, [&](std::uint32_t v) {
                 return vertices.flat(3 * v) != 0 || vertices.flat(3 * v + 1) != 0 || vertices.flat(3 * v + 2) != 0;

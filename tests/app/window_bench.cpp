@@ -59,7 +59,7 @@ void runUntil(Done done, qint64 most) {
 
 void settle(app::MainWindow& window) {
     const app::Document& document = window.document();
-    runUntil([&] { return !window.opener().busy() && document.frame() && !document.busy(); }, 60000);
+    runUntil([&] { return !window.opener().busy() && document.frames().shown() && !document.frames().busy(); }, 60000);
     QCoreApplication::processEvents();
 }
 
@@ -69,7 +69,7 @@ public:
     explicit Painted(app::MainWindow& window) {
         m_views = {window.views().findChild<app::BufferCanvas*>(), window.views().findChild<app::VtkWidget*>()};
         for (QWidget* view : m_views) view->installEventFilter(this);
-        connect(&window.document(), &app::Document::frameReady, this, [this] { m_fresh.clear(); });
+        connect(&window.document().frames(), &app::FrameFeed::frameReady, this, [this] { m_fresh.clear(); });
     }
     bool all() const {
         return std::ranges::all_of(m_views,
@@ -105,8 +105,8 @@ std::vector<double> stepByStep(app::MainWindow& window, int steps) {
         step.start();
         document.change(setting, begin + 0.25 * (i <= steps / 2 ? i : steps - i), app::Document::Change::Live);
         const auto isShown = [&] {
-            return document.frame() && document.frame()->sharedScene()->camera == document.scene().camera &&
-                   painted.all();
+            return document.frames().shown() &&
+                   document.frames().shown()->sharedScene()->camera == document.scene().camera && painted.all();
         };
         runUntil(isShown, 10000);
         times.push_back(double(step.nsecsElapsed()) / 1e6);
@@ -140,8 +140,8 @@ public:
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override {
         if (event->type() != QEvent::Paint) return false;
-        if (watched == m_canvas && m_frame != m_document.frame()) {
-            m_frame = m_document.frame();
+        if (watched == m_canvas && m_frame != m_document.frames().shown()) {
+            m_frame = m_document.frames().shown();
             m_times.push_back(double(m_since.nsecsElapsed()) / 1e6);
         }
         // It may show the frame before.

@@ -33,7 +33,8 @@ protected:
     CueModel& model() { return window.cues().model(); }
     void settle() {
         EXPECT_TRUE(waitForFrame());
-        EXPECT_TRUE(QTest::qWaitFor([this] { return !document().busy() && document().stepper().isSettled(); }, 30000));
+        EXPECT_TRUE(
+            QTest::qWaitFor([this] { return !document().frames().busy() && document().stepper().isSettled(); }, 30000));
         QTest::qWait(50);
     }
     // Three cues that differ in scene, setting, place, buffer, zoom and pixel.
@@ -71,7 +72,9 @@ protected:
         QImage picture;
         pipeline::FramePtr frame;
     };
-    Seen see() { return {toToml(*window.shown().now(model().folder())), pictureOnScreen(), document().frame()}; }
+    Seen see() {
+        return {toToml(*window.shown().now(model().folder())), pictureOnScreen(), document().frames().shown()};
+    }
 };
 
 TEST_F(WindowCues, ForthAndBackIsTheSame) {

@@ -39,7 +39,7 @@ protected:
     void drag(int frames, Document::Change last) {
         const auto theta = *findSetting(document().scene(), "camera.theta");
         const double begin = theta.get(document().scene());
-        QSignalSpy ready(&document(), &Document::frameReady);
+        QSignalSpy ready(&document().frames(), &FrameFeed::frameReady);
         for (int i = 1; i <= frames; ++i) {
             const auto before = ready.count();
             document().change(theta, begin + 0.5 * i, i < frames ? Document::Change::Live : last);
@@ -71,7 +71,7 @@ TEST_F(WindowDrag, TheStagesCardsFollowSeldomAndAreRightWhenItRests) {
     // One in 150 ms, the one before it began, and the errors that come when it rests for a moment.
     EXPECT_LE(events.count(&card, QEvent::ToolTipChange), time.elapsed() / 150 + 2);
     drag(1, Document::Change::Done);
-    const auto now = stageStatus(document().wholeFrame().get(), document().errors(), false);
+    const auto now = stageStatus(document().frames().whole().get(), document().frames().errors(), false);
     EXPECT_EQ(card.status().time, now[index(pipeline::StageId::Shading)].time);
 }
 

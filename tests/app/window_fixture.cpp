@@ -45,9 +45,10 @@ void WindowTest::openPyramid() {
 }
 
 bool WindowTest::waitForFrame() {
-    const bool there = QTest::qWaitFor([this] { return document().frame() && !document().busy(); }, 30000);
+    const bool there =
+        QTest::qWaitFor([this] { return document().frames().shown() && !document().frames().busy(); }, 30000);
     QTest::qWait(50);  // for what is painted a moment later
-    return there && QTest::qWaitFor([this] { return !document().busy(); }, 30000);
+    return there && QTest::qWaitFor([this] { return !document().frames().busy(); }, 30000);
 }
 
 void WindowTest::answer(const QString& button, const std::function<void()>& act) {
@@ -84,7 +85,7 @@ QColor WindowTest::shownColor(const QImage& canvasPicture, glm::ivec2 pixel) {
 }
 
 QColor WindowTest::frameColor(glm::ivec2 pixel) {
-    const auto color = *document().frame()->buffer({pipeline::BufferId::Color});
+    const auto color = *document().frames().shown()->buffer({pipeline::BufferId::Color});
     const auto channel = [&](int c) { return int(color.value(std::size_t(pixel.x), std::size_t(pixel.y), c)); };
     return QColor(channel(0), channel(1), channel(2));
 }

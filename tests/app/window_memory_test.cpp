@@ -45,7 +45,7 @@ protected:
         for (const pipeline::BuiltInScene& scene : pipeline::builtInScenes()) {
             ASSERT_TRUE(window.openFile(QString::fromStdString(scene.file.string())));
             ASSERT_TRUE(waitForFrame());
-            m_frames.push_back(document().wholeFrame());
+            m_frames.push_back(document().frames().whole());
             m_scenes.push_back(document().sharedScene());
             ++m_opened;
         }

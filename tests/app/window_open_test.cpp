@@ -59,7 +59,7 @@ TEST_F(WindowOpen, TheFirstCardOpensFourAlignedPictures) {
     ASSERT_TRUE(card->isVisible());
     EXPECT_TRUE(card->hasFocus());
     QTest::keyClick(card, Qt::Key_Return);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return document().frame() != nullptr; }, 20000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return document().frames().shown() != nullptr; }, 20000));
     ASSERT_TRUE(waitForFrame());
     const auto views = window.views().shownBuffers();
     ASSERT_EQ(views.size(), 4u);
@@ -80,7 +80,7 @@ TEST_F(WindowOpen, TheFirstCardOpensFourAlignedPictures) {
 
 TEST_F(WindowOpen, TheSecondLecturesFirstCardOpensTheTermsAndTheirSum) {
     QTest::mouseClick(find<StartViewCard>("view:three-terms"), Qt::LeftButton);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return document().frame() != nullptr; }, 20000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return document().frames().shown() != nullptr; }, 20000));
     ASSERT_TRUE(waitForFrame());
     std::vector<std::string> buffers;
     for (BufferView* view : window.views().shownBuffers()) buffers.push_back(view->buffer().text());
@@ -166,11 +166,15 @@ TEST_F(WindowOpen, AFrameWithoutMemoryIsAnsweredAndTheWindowGoesOn) {
         EXPECT_TRUE(QTest::qWaitFor([&] { return errors->text().contains("not enough memory"); }, 30000))
             << errors->text().toStdString();
     }
-    EXPECT_EQ(document().frame()->scene().settings.width, 640);
+    EXPECT_EQ(document().frames().shown()->scene().settings.width, 640);
     document().undoStack()->undo();
     document().change(*findSetting(document().scene(), "material.0.n"), 4);
     EXPECT_TRUE(QTest::qWaitFor(
-        [&] { return !document().busy() && document().frame()->scene().objects[0].material.exponent == 4; }, 30000));
+        [&] {
+            return !document().frames().busy() &&
+                   document().frames().shown()->scene().objects[0].material.exponent == 4;
+        },
+        30000));
 }
 
 // Three million vertices are 72 MB, more than there are.

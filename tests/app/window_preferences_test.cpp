@@ -41,7 +41,7 @@ TEST_F(WindowPreferences, NumbersOfBuffersAreWrittenAsChosenAtOnceAndKept) {
     window.views().first().setBuffer({pipeline::BufferId::Depth});
     document().pointing().pick(glm::ivec2(268, 281));
     ASSERT_TRUE(waitForFrame());
-    const auto depth = document().frame()->buffer({pipeline::BufferId::Depth})->value(268, 281, 0);
+    const auto depth = document().frames().shown()->buffer({pipeline::BufferId::Depth})->value(268, 281, 0);
     const NumberFormat scientific{NumberFormat::Form::Scientific, 3, {}};
     ASSERT_FALSE(reads("→ " + *written(scientific, depth)));
     ASSERT_TRUE(preferences());

@@ -69,7 +69,7 @@ TEST_F(WindowRenderer, ByStageComparesTheStagesOwnFiles) {
     BufferView& view = window.views().first();
     auto* stages = view.findChild<StageDifferences*>();
     ASSERT_NE(stages, nullptr);
-    document().want(&window, pipeline::usefulBuffers(document().scene()));
+    document().frames().want(&window, pipeline::usefulBuffers(document().scene()));
     ASSERT_TRUE(waitForFrame());
     emit view.compare().stagesChosen();
     // Five files were handed in: a row each, below those of their stages.

@@ -50,7 +50,8 @@ protected:
         return state ? state->scene : std::string();
     }
     void waitForState() {
-        EXPECT_TRUE(QTest::qWaitFor([this] { return !document().busy() && document().stepper().isSettled(); }, 30000));
+        EXPECT_TRUE(
+            QTest::qWaitFor([this] { return !document().frames().busy() && document().stepper().isSettled(); }, 30000));
     }
 };
 
@@ -114,8 +115,8 @@ TEST_F(WindowSession, AStateIsCopiedAndPastedAsTextInAnyWindow) {
     other.show();
     other.actions()[ActionId::PasteState]->trigger();  // on its start page
     ASSERT_TRUE(other.document().hasScene());
-    EXPECT_TRUE(
-        QTest::qWaitFor([&] { return !other.document().busy() && other.document().stepper().isSettled(); }, 30000));
+    EXPECT_TRUE(QTest::qWaitFor(
+        [&] { return !other.document().frames().busy() && other.document().stepper().isSettled(); }, 30000));
     EXPECT_EQ(toToml(*other.shown().now()), text.toStdString());
     other.document().undoStack()->setClean();
     other.close();
@@ -134,12 +135,12 @@ TEST_F(WindowSession, WhatWasCopiedIsNoChangeWherePastedAgain) {
     ASSERT_TRUE(window.openFile(file));
     ASSERT_TRUE(waitForFrame());
     canvas()->setFocus();
-    const pipeline::FramePtr frame = document().frame();
+    const pipeline::FramePtr frame = document().frames().shown();
     press("Ctrl+C");
     press("Ctrl+V");
     ASSERT_TRUE(waitForFrame());
     EXPECT_FALSE(document().isChanged());
-    EXPECT_EQ(document().frame(), frame) << "nothing ran again";
+    EXPECT_EQ(document().frames().shown(), frame) << "nothing ran again";
     document().change(*findSetting(document().scene(), "material.0.kr"), 0.25);
     press("Ctrl+V");
     ASSERT_TRUE(waitForFrame());
@@ -213,8 +214,8 @@ TEST_F(WindowSession, TheNextStartShowsWhatWasLeftAndTheChangesAreStillUnsaved) 
     next.show();
     next.startSession(folder.path(), true);
     ASSERT_TRUE(next.document().hasScene());
-    EXPECT_TRUE(
-        QTest::qWaitFor([&] { return !next.document().busy() && next.document().stepper().isSettled(); }, 30000));
+    EXPECT_TRUE(QTest::qWaitFor(
+        [&] { return !next.document().frames().busy() && next.document().stepper().isSettled(); }, 30000));
     EXPECT_EQ(next.document().scene().camera.theta, 47.25);
     EXPECT_EQ(text(*next.document().stepper().place()), "z-buffer/polygon=2");
     EXPECT_EQ(next.document().pointing().pixel(), glm::ivec2(268, 281));
@@ -315,7 +316,7 @@ TEST_F(WindowSession, ARestoredOneIsNeverWithoutAFile) {
     state.set = {"camera.theta=47.25"};
     ASSERT_TRUE(SessionFile(folder.path()).write(state));
     bool there = false;
-    QObject::connect(&document(), &Document::frameReady, &window,
+    QObject::connect(&document().frames(), &FrameFeed::frameReady, &window,
                      [&] { there = !keptScene("session.trying.toml").empty(); });
     window.startSession(folder.path(), true);
     ASSERT_TRUE(waitForFrame());

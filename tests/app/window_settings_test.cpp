@@ -25,7 +25,7 @@ protected:
         return setting ? setting->get(document().scene()) : NAN;
     }
     QImage color() {
-        const auto buffer = *document().frame()->buffer({pipeline::BufferId::Color});
+        const auto buffer = *document().frames().shown()->buffer({pipeline::BufferId::Color});
         const auto& bytes = std::get<std::span<const std::uint8_t>>(buffer.data);
         return QImage(bytes.data(), int(buffer.columns()), int(buffer.rows()), 3 * qsizetype(buffer.columns()),
                       QImage::Format_RGB888)
@@ -46,14 +46,14 @@ TEST_F(WindowSettings, DraggedSliderShowsFramesWhileItMovesAndIsOneStepOfUndo) {
     const QImage before = color();
     const double valueBefore = value("material.0.kr");
     auto* slider = find<ValueSlider>("material.0.kr");
-    QSignalSpy frames(&document(), &Document::frameReady);
+    QSignalSpy frames(&document().frames(), &FrameFeed::frameReady);
 
     QTest::mousePress(slider, Qt::LeftButton, Qt::NoModifier, slider->position(0.3).toPoint());
     QImage last = before;
     for (const double to : {0.5, 0.7, 0.9}) {
         QTest::mouseMove(slider, slider->position(to).toPoint());
         const auto count = frames.count();
-        ASSERT_TRUE(QTest::qWaitFor([&] { return frames.count() > count || !document().busy(); }, 10000));
+        ASSERT_TRUE(QTest::qWaitFor([&] { return frames.count() > count || !document().frames().busy(); }, 10000));
         ASSERT_TRUE(waitForFrame());
         EXPECT_NE(color(), last) << "no new picture at " << to << " while the button is still down";
         last = color();

@@ -43,7 +43,8 @@ protected:
     }
     void settle() {
         EXPECT_TRUE(waitForFrame());
-        EXPECT_TRUE(QTest::qWaitFor([this] { return !document().busy() && document().stepper().isSettled(); }, 30000));
+        EXPECT_TRUE(
+            QTest::qWaitFor([this] { return !document().frames().busy() && document().stepper().isSettled(); }, 30000));
     }
 };
 
@@ -155,7 +156,7 @@ TEST_F(WindowSlide, AComparisonIsPicturedAsItIsSeen) {
     const QImage a = picture(request);
     view.compare().compareWith(
         OtherSource{.kind = OtherSource::Kind::Buffer, .buffer = {pipeline::BufferId::PolygonId}});
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !view.compare().busy() && !document().busy(); }, 10000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !view.compare().busy() && !document().frames().busy(); }, 10000));
     view.compare().setMode(CompareMode::A);
     QTest::qWait(50);
     EXPECT_EQ(picture(request), a) << "A alone is seen";

@@ -77,7 +77,11 @@ void settle(app::MainWindow& window) {
     const auto& view3d = window.views().view3d().view();
     QTest::qWait(100);
     const bool done = QTest::qWaitFor(
-        [&] { return !window.opener().busy() && document.frame() && !document.busy() && view3d.isDrawn(); }, 60000);
+        [&] {
+            return !window.opener().busy() && document.frames().shown() && !document.frames().busy() &&
+                   view3d.isDrawn();
+        },
+        60000);
     if (!done) std::printf("(not done within a minute)\n");
     QTest::qWait(400);  // and what is begun when it rests
 }
@@ -124,7 +128,7 @@ int main(int argc, char** argv) {
                 "the longest event's receiver");
     application.report("start");
     app::Document& document = window.document();
-    QObject::connect(&document, &app::Document::frameReady, [&] { ++application.frames; });
+    QObject::connect(&document.frames(), &app::FrameFeed::frameReady, [&] { ++application.frames; });
     QObject::connect(&window.views().view3d().view(), &app::SceneView::drawn, [&] { ++application.pictures3d; });
     const auto act = [&](const char* name, const std::function<void()>& does) {
         does();

@@ -26,7 +26,7 @@ protected:
         ASSERT_TRUE(QTest::qWaitFor([this] { return stepper().steps() != nullptr; }, 30000));
     }
     void settle() {
-        EXPECT_TRUE(QTest::qWaitFor([this] { return !document().busy() && stepper().isSettled(); }, 30000));
+        EXPECT_TRUE(QTest::qWaitFor([this] { return !document().frames().busy() && stepper().isSettled(); }, 30000));
     }
 };
 
@@ -136,7 +136,7 @@ TEST_F(WindowSteps, ADoubleClickOnACardEndsTheStageAndLaterOnesAreNotYet) {
     QTest::mouseDClick(&strip.card(StageId::Cull), Qt::LeftButton);
     settle();
     EXPECT_TRUE(stepper().isInside());
-    EXPECT_EQ(document().frame()->until(), StageId::Cull);
+    EXPECT_EQ(document().frames().shown()->until(), StageId::Cull);
     EXPECT_FALSE(strip.card(StageId::Cull).status().time.isEmpty());  // it has run, for this frame or one before
     EXPECT_NE(strip.card(StageId::Cull).status().state, StageState::InProgress);
     EXPECT_EQ(strip.card(StageId::ShadowBuffer).status().state, StageState::LeftOut);

@@ -23,7 +23,8 @@ class WindowTalkPage : public WindowTest {
 protected:
     void settle() {
         EXPECT_TRUE(waitForFrame());
-        EXPECT_TRUE(QTest::qWaitFor([this] { return !document().busy() && document().stepper().isSettled(); }, 30000));
+        EXPECT_TRUE(
+            QTest::qWaitFor([this] { return !document().frames().busy() && document().stepper().isSettled(); }, 30000));
     }
 };
 

@@ -232,7 +232,7 @@ TEST(UsefulBuffers, OfEveryStageAreNotLeftOut) {
 
 // barycentric is shown by nothing else.
 TEST_F(WindowViews, WhatIsNotOnShowIsNotComputed) {
-    const auto has = [&] { return document().frame()->buffer({BufferId::Barycentric}).has_value(); };
+    const auto has = [&] { return document().frames().shown()->buffer({BufferId::Barycentric}).has_value(); };
     const auto change = [&](double theta) {
         document().change(*findSetting(document().scene(), "camera.theta"), theta);
         EXPECT_TRUE(waitForFrame());

@@ -51,7 +51,7 @@ void rest(const app::Document& document, int milliseconds = kRestMilliseconds) {
     wake.start(10);
     while (still.elapsed() < milliseconds) {
         QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
-        if (!document.frame() || document.busy()) still.restart();
+        if (!document.frames().shown() || document.frames().busy()) still.restart();
     }
 }
 
