@@ -1,6 +1,5 @@
 #include "app/core/document.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include <QFileInfo>
@@ -9,7 +8,6 @@
 #include "app/core/mix_model.h"
 #include "app/core/pixel_inspection.h"
 #include "app/core/renderer_check.h"
-#include "app/core/scene_step.h"
 #include "app/core/shown_name.h"
 #include "app/core/stage_status.h"
 #include "app/core/write_file.h"
@@ -28,44 +26,14 @@ Document::Document(QObject* parent) : QObject(parent) {
     m_derived = std::make_unique<DerivedBuffers>(*this);
     m_inspection = std::make_unique<PixelInspection>(*this);
     m_renderer = std::make_unique<RendererCheck>(*this);
+    connect(&m_history, &SceneHistory::stepped, this, &Document::showScene);
     connect(&m_stepper, &Stepper::stageReached, this, &Document::showStage);
     connect(&m_frames, &FrameFeed::stateReady, this, [this] {
         if (m_hidden.count() == 0) emit said(frameSentence(*m_frames.whole()));
     });
 }
 
-Document::~Document() {
-    m_renderer.reset();
-    m_inspection.reset();
-    m_derived.reset();
-    m_mixer.reset();
-    m_undo.disconnect();  // clearing itself, it would tell observers that may be gone
-}
-
-// Steps of undo that change what is on show alone are none of the scene's.
-const SceneStep* Document::newestChange() const {
-    for (int i = m_undo.index() - 1; i >= 0; --i)
-        if (const auto* step = static_cast<const SceneStep*>(m_undo.command(i)); step->changesScene()) return step;
-    return nullptr;
-}
-
-std::optional<SettingChange> Document::lastChange() const {
-    const SceneStep* step = newestChange();
-    return step ? step->change() : std::nullopt;
-}
-
-std::shared_ptr<const Scene> Document::sceneBefore() const {
-    const SceneStep* step = newestChange();
-    return step ? step->before() : nullptr;
-}
-
-bool Document::isEdited() const {
-    const int clean = m_undo.cleanIndex(), now = m_undo.index();
-    if (clean < 0) return true;  // no undo leads there
-    for (int i = std::min(clean, now); i < std::max(clean, now); ++i)
-        if (static_cast<const SceneStep*>(m_undo.command(i))->changesScene()) return true;
-    return false;
-}
+Document::~Document() = default;
 
 void Document::setHidden(lessons::Hidden hidden) {
     m_hidden = std::move(hidden);
@@ -86,7 +54,7 @@ bool Document::reload(const OpenedScene& again) {
     if (keys(again.scene) != keys(*m_scene)) return false;
     m_kept = again.kept;
     replace(again.scene, tr("reading %1 again").arg(shownName(m_kept.file)));
-    m_undo.setClean();
+    m_history.stack()->setClean();
     emit keptChanged();
     return true;
 }
@@ -98,7 +66,7 @@ bool Document::save(const QString& file) {
         return false;
     }
     m_kept = {QFileInfo(file).absoluteFilePath(), m_scene};
-    m_undo.setClean();
+    m_history.stack()->setClean();
     emit keptChanged();
     emit said(tr("The scene is saved as %1.").arg(shownName(file)));
     return true;
@@ -107,9 +75,9 @@ bool Document::save(const QString& file) {
 void Document::setScene(Scene scene, KeptScene kept) {
     // First: without memory for it the scene before stays as it is.
     auto opened = std::make_shared<const Scene>(std::move(scene));
-    m_undo.clear();
+    m_history.clear();
     m_kept = std::move(kept);
-    m_frames.setLive(false);
+    endDrag();
     m_scene = std::move(opened);
     // A picked pixel, polygon numbers and errors of the other scene mean nothing here.
     m_frames.reset(m_scene);
@@ -139,16 +107,12 @@ void Document::change(const SettingRef& ref, double value, Change kind) {
         emit failed(errors);
         return;
     }
-    const bool sameDrag = m_frames.isLive() && m_dragged == ref;
-    if (!sameDrag) ++m_drag;
-    const bool closesDrag = sameDrag && kind == Change::Done;
+    const bool goesOn = m_history.drag(ref, kind == Change::Live);
     m_frames.setLive(kind == Change::Live);
-    m_dragged = ref;
-    if (*after != *m_scene) {
-        m_undo.push(new SceneStep(*this, m_scene, std::move(after), ref, m_drag));
-    } else if (closesDrag) {
+    if (*after != *m_scene)
+        m_history.pushDragged(m_scene, std::move(after));
+    else if (goesOn && kind == Change::Done)
         m_frames.requestSoon();
-    }
 }
 
 void Document::edit(Scene scene, const QString& text, Change kind) {
@@ -156,33 +120,39 @@ void Document::edit(Scene scene, const QString& text, Change kind) {
         emit failed(errors);
         return;
     }
-    const bool sameDrag = m_frames.isLive() && !m_dragged && m_edited == text;
-    if (!sameDrag) ++m_drag;
+    const bool goesOn = m_history.drag(text, kind == Change::Live);
     m_frames.setLive(kind == Change::Live);
-    m_dragged.reset();
-    m_edited = text;
     if (scene != *m_scene)
-        m_undo.push(new SceneStep(*this, m_scene, std::make_shared<const Scene>(std::move(scene)), text, m_drag));
-    else if (sameDrag && kind == Change::Done)
+        m_history.pushDragged(m_scene, std::make_shared<const Scene>(std::move(scene)));
+    else if (goesOn && kind == Change::Done)
         m_frames.requestSoon();
 }
 
-void Document::replace(Scene scene, const QString& text) { replace(std::move(scene), text, {}); }
-
-void Document::replace(Scene scene, const QString& text, Looks looks) {
+void Document::replace(Scene scene, const QString& text, StepLooks looks) {
     if (const auto errors = checkSceneAndMemory(scene); !errors.empty()) {
         emit failed(errors);
         return;
     }
-    m_frames.setLive(false);
+    endDrag();
     const bool isOther = scene != *m_scene;
     if (!isOther && !looks.before) return;
     const auto after = isOther ? std::make_shared<const Scene>(std::move(scene)) : m_scene;
-    m_undo.push(new SceneStep(*this, m_scene, after, text, std::move(looks)));
+    m_history.push(m_scene, after, text, std::move(looks));
 }
 
-void Document::setSceneValue(std::shared_ptr<const Scene> scene) {
-    m_scene = std::move(scene);
+void Document::endDrag() {
+    m_history.endDrag();
+    m_frames.setLive(false);
+}
+
+void Document::showState(Scene scene) {
+    m_history.clear();
+    endDrag();
+    if (scene != *m_scene) showScene(std::make_shared<const Scene>(std::move(scene)));
+}
+
+void Document::showScene(const ScenePtr& scene) {
+    m_scene = scene;
     m_pointing.setScene(m_scene);
     emit sceneChanged();
     m_frames.setScene(m_scene);

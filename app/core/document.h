@@ -1,19 +1,16 @@
 #pragma once
 #include <QObject>
 #include <QString>
-#include <QUndoStack>
-#include <functional>
 #include <memory>
-#include <optional>
 
 #include "app/core/frame_feed.h"
 #include "app/core/opened_scene.h"
 #include "app/core/pointing.h"
+#include "app/core/scene_history.h"
 #include "app/core/stepper.h"
 #include "app/core/work_list.h"
 #include "lessons/hidden.h"
 #include "pipeline/core/result.h"
-#include "pipeline/scene/settings_table.h"
 
 namespace app {
 
@@ -21,13 +18,6 @@ class DerivedBuffers;
 class MixModel;
 class PixelInspection;
 class RendererCheck;
-class SceneStep;
-
-// The value of a setting before the last change.
-struct SettingChange {
-    pipeline::SettingRef setting;
-    double before = 0, after = 0;
-};
 
 // The scene and its undo, the current stage, and what follows the scene: its frames and where the user points in it.
 // Lives in the GUI thread. Panels observe it and send it intents. They never call a stage and never know another panel.
@@ -39,7 +29,9 @@ public:
 
     bool hasScene() const { return m_scene != nullptr; }
     const pipeline::Scene& scene() const { return *m_scene; }  // only if hasScene()
-    const std::shared_ptr<const pipeline::Scene>& sharedScene() const { return m_scene; }
+    const ScenePtr& sharedScene() const { return m_scene; }
+    SceneHistory& history() { return m_history; }
+    const SceneHistory& history() const { return m_history; }
     FrameFeed& frames() { return m_frames; }
     const FrameFeed& frames() const { return m_frames; }
     Pointing& pointing() { return m_pointing; }
@@ -50,17 +42,12 @@ public:
     pipeline::StageId stage() const { return m_stage; }
     // The report on the picked pixel in the current frame.
     PixelInspection& inspection() { return *m_inspection; }
-    QUndoStack* undoStack() { return &m_undo; }
     DerivedBuffers& derived() { return *m_derived; }
     const DerivedBuffers& derived() const { return *m_derived; }
     const MixModel& mixer() const { return *m_mixer; }
     MixModel& mixer() { return *m_mixer; }             // the mix of the terms in the pictures
     RendererCheck& renderer() { return *m_renderer; }  // another renderer, compared with this scene
     const RendererCheck& renderer() const { return *m_renderer; }
-    // The setting that the last step of undo changed, if it changed exactly one.
-    std::optional<SettingChange> lastChange() const;
-    // The scene before the last step of undo; a whole drag is one step. Null if there is none.
-    std::shared_ptr<const pipeline::Scene> sceneBefore() const;
 
     // What must stay hidden on a page of a lesson until its question is settled. Everything that shows a buffer or is a
     // part of the window asks here.
@@ -69,9 +56,7 @@ public:
 
     const KeptScene& kept() const { return m_kept; }
     // Whether closing would lose changes to a file.
-    bool isChanged() const { return m_kept.scene && isEdited(); }
-    // Whether the scene has changed since it was opened or saved.
-    bool isEdited() const;
+    bool isChanged() const { return m_kept.scene && m_history.isEdited(); }
 
     // A picture with a scene opens at the stage of the picture's buffer.
     void open(const OpenedScene& opened);
@@ -83,14 +68,6 @@ public:
 
     // Shows another state of the scene that is not a change of it; clears the undo stack.
     void showState(pipeline::Scene scene);
-    // The undo steps of the current scene: `index` of them are done. After `clean` of them the scene equals its file;
-    // −1: never.
-    struct Steps {
-        std::vector<std::shared_ptr<SceneStep>> steps = {};
-        int index = 0, clean = 0;
-    };
-    Steps steps() const;
-    void restore(const Steps& steps);  // after setScene has shown their scene again
 
     // Changes one setting. While a slider is dragged, use Live for every step, then Done; the whole drag is one step of
     // undo. Values out of range and scenes that checkScene refuses change nothing; failed() reports them.
@@ -99,13 +76,8 @@ public:
     // Changes several numbers at once: the Live edits with the same `text` up to Done are one step of undo with that
     // name. If the last edit restores the first scene, there is no step.
     void edit(pipeline::Scene scene, const QString& text, Change kind);
-    // Replaces the scene in one step of undo, named by `text`.
-    void replace(pipeline::Scene scene, const QString& text);
-    // The views' state that belongs to the step: `before` restores the old state, `after` the new one.
-    struct Looks {
-        std::function<void()> before, after;
-    };
-    void replace(pipeline::Scene scene, const QString& text, Looks looks);
+    // Replaces the scene in one step of undo, named by `text`. With `looks` an unchanged scene is a step too.
+    void replace(pipeline::Scene scene, const QString& text, StepLooks looks = {});
 
     void setStage(pipeline::StageId stage);  // also leaves the inside of a stage
     void nextStage();
@@ -122,27 +94,19 @@ signals:
     void said(const QString& sentence);  // for the status bar
 
 private:
-    friend class SceneStep;
-    const SceneStep* newestChange() const;
     void showStage(pipeline::StageId stage);
-    void setSceneValue(std::shared_ptr<const pipeline::Scene> scene);
+    void showScene(const ScenePtr& scene);
+    void endDrag();
 
-    std::shared_ptr<const pipeline::Scene> m_scene;
+    ScenePtr m_scene;
+    SceneHistory m_history;
     KeptScene m_kept;
     lessons::Hidden m_hidden;
-    bool m_restores = false;  // during undo and redo, which make no new steps
     WorkList m_work;
     Stepper m_stepper;
     FrameFeed m_frames{m_stepper, m_work};
     pipeline::StageId m_stage = pipeline::StageId::Shading;
     Pointing m_pointing;
-    QUndoStack m_undo;
-
-    // A drag: Live changes of one setting, which are one step of undo.
-    int m_drag = 0;
-    std::optional<pipeline::SettingRef> m_dragged;  // empty: m_edited names the drag
-    QString m_edited;
-
     std::unique_ptr<MixModel> m_mixer;
     std::unique_ptr<DerivedBuffers> m_derived;
     std::unique_ptr<PixelInspection> m_inspection;

@@ -62,7 +62,7 @@ Result<lessons::WindowState> stateOf(const Document& document, const fs::path& f
 }
 
 void show(Document& document, const OpenedScene& opened, const lessons::WindowState& state, SceneChanges changes,
-          Document::Looks looks) {
+          StepLooks looks) {
     const KeptScene& kept = opened.kept;
     const bool isOpen = kept.scene && kept.scene == document.kept().scene;
     // Neither has a file: the same document.
@@ -76,7 +76,7 @@ void show(Document& document, const OpenedScene& opened, const lessons::WindowSt
     const bool isPasted = changes == SceneChanges::Pasted && isOpen && opened.scene != document.scene();
     const bool isSame = isPasted && isSameText(opened.scene, document.scene());
     document.replace(isSame ? document.scene() : opened.scene, nameOf(changes), std::move(looks));
-    if (changes == SceneChanges::Given) document.undoStack()->setClean();
+    if (changes == SceneChanges::Given) document.history().stack()->setClean();
     showPlace(document, state);
 }
 

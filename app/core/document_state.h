@@ -19,7 +19,7 @@ enum class SceneChanges {
 // Shows a state; readStateScene has read its scene. If the scene is from the open file, the document stays and gets one
 // more step of undo, with `looks`.
 void show(Document& document, const OpenedScene& opened, const lessons::WindowState& state, SceneChanges changes,
-          Document::Looks looks = {});
+          StepLooks looks = {});
 
 // The same without the scene.
 void showPlace(Document& document, const lessons::WindowState& state);

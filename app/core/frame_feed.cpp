@@ -111,7 +111,7 @@ void FrameFeed::request() {
     m_requested = {m_scene, all};
     m_pacing.countFromHere();
     m_tickets.newest = m_worker->request(m_scene, {.wanted = all, .stop = {}},
-                                         isLive() ? FrameWorker::Running::Finish : FrameWorker::Running::Stop);
+                                         m_pacing.isLive() ? FrameWorker::Running::Finish : FrameWorker::Running::Stop);
 }
 
 void FrameFeed::cancel() {

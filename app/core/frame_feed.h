@@ -6,6 +6,7 @@
 
 #include "app/core/frame_check.h"
 #include "app/core/frame_pacing.h"
+#include "app/core/scene_step.h"
 #include "pipeline/run/frame.h"
 
 namespace app {
@@ -19,8 +20,6 @@ class WorkList;
 class FrameFeed : public QObject {
     Q_OBJECT
 public:
-    using ScenePtr = std::shared_ptr<const pipeline::Scene>;
-
     FrameFeed(Stepper& stepper, WorkList& work, QObject* parent = nullptr);
     ~FrameFeed() override;
 
@@ -47,7 +46,6 @@ public:
     void reset(ScenePtr scene);     // another scene: there is no frame, and none of the old scene comes
     void setScene(ScenePtr scene);  // a new state of the same scene
     void setLive(bool live);        // true with each step of a drag, false at its end
-    bool isLive() const { return m_pacing.isLive(); }
     void requestSoon();
 
 signals:

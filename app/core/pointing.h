@@ -7,6 +7,7 @@
 #include <glm/glm.hpp>
 
 #include "app/core/pinned_pixels.h"
+#include "app/core/scene_step.h"
 #include "lessons/state/selection.h"
 #include "pipeline/scene/scene.h"
 
@@ -17,8 +18,6 @@ namespace app {
 class Pointing : public QObject {
     Q_OBJECT
 public:
-    using ScenePtr = std::shared_ptr<const pipeline::Scene>;
-
     explicit Pointing(QObject* parent = nullptr);
 
     void setScene(ScenePtr scene);  // a new state of the same scene; the picture may have become smaller

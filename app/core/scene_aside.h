@@ -10,9 +10,9 @@ public:
     void putBack(Document& document) const;
 
 private:
-    std::shared_ptr<const pipeline::Scene> m_scene;
+    ScenePtr m_scene;
     KeptScene m_kept;
-    Document::Steps m_steps;
+    SceneHistory::Steps m_steps;
 };
 
 }  // namespace app

@@ -5,23 +5,27 @@
 
 namespace app {
 
-SceneStep::SceneStep(Document& document, ScenePtr before, ScenePtr after, const QString& text, int drag)
-    : m_document(document), m_before(std::move(before)), m_after(std::move(after)), m_drag(drag) {
+SceneStep::SceneStep(Show show, ScenePtr before, ScenePtr after, const QString& text, int drag)
+    : m_show(std::move(show)), m_before(std::move(before)), m_after(std::move(after)), m_drag(drag) {
     setText(text);
 }
 
-SceneStep::SceneStep(Document& document, ScenePtr before, ScenePtr after, const pipeline::SettingRef& setting, int drag)
-    : m_document(document), m_before(std::move(before)), m_after(std::move(after)), m_setting(setting), m_drag(drag) {
+SceneStep::SceneStep(Show show, ScenePtr before, ScenePtr after, const pipeline::SettingRef& setting, int drag)
+    : m_show(std::move(show)),
+      m_before(std::move(before)),
+      m_after(std::move(after)),
+      m_setting(setting),
+      m_drag(drag) {
     nameAfterSetting();
 }
 
-SceneStep::SceneStep(Document& document, ScenePtr before, ScenePtr after, const QString& text, Looks looks)
-    : SceneStep(document, std::move(before), std::move(after), text) {
+SceneStep::SceneStep(Show show, ScenePtr before, ScenePtr after, const QString& text, StepLooks looks)
+    : SceneStep(std::move(show), std::move(before), std::move(after), text) {
     m_looks = std::move(looks);
 }
 
 SceneStep* SceneStep::copy() const {
-    auto* step = new SceneStep(m_document, m_before, m_after, text(), m_looks);
+    auto* step = new SceneStep(m_show, m_before, m_after, text(), m_looks);
     step->m_setting = m_setting;
     return step;
 }
@@ -36,17 +40,11 @@ bool SceneStep::mergeWith(const QUndoCommand* other) {
 
 void SceneStep::undo() {
     m_undone = true;
-    if (m_document.m_restores) return;
-    if (changesScene()) m_document.setSceneValue(m_before);
-    if (m_looks.before) m_looks.before();
+    m_show(changesScene() ? m_before : nullptr, m_looks.before);
 }
 
 // The first time it is being made, and whoever makes it shows the rest.
-void SceneStep::redo() {
-    if (m_document.m_restores) return;
-    if (changesScene()) m_document.setSceneValue(m_after);
-    if (m_undone && m_looks.after) m_looks.after();
-}
+void SceneStep::redo() { m_show(changesScene() ? m_after : nullptr, m_undone ? m_looks.after : nullptr); }
 
 std::optional<SettingChange> SceneStep::change() const {
     if (!m_setting) return std::nullopt;

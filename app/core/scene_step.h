@@ -1,22 +1,38 @@
 #pragma once
 #include <QUndoCommand>
+#include <functional>
+#include <memory>
+#include <optional>
 
-#include "app/core/document.h"
+#include "pipeline/scene/settings_table.h"
 
 namespace app {
+
+using ScenePtr = std::shared_ptr<const pipeline::Scene>;
+
+// The value of a setting before the last change.
+struct SettingChange {
+    pipeline::SettingRef setting;
+    double before = 0, after = 0;
+};
+
+// The views' state that belongs to a step: `before` restores the old state, `after` the new one.
+struct StepLooks {
+    std::function<void()> before, after;
+};
 
 // One step of undo: the scene before and after it. The steps of one drag merge into one.
 class SceneStep : public QUndoCommand {
 public:
-    using ScenePtr = std::shared_ptr<const pipeline::Scene>;
-    using Looks = Document::Looks;
+    // Shows what undo or redo leads to. Null scene: the step does not change it. Empty look: nothing to restore.
+    using Show = std::function<void(const ScenePtr& scene, const std::function<void()>& look)>;
 
     // drag: steps with the same number >= 0 merge; steps with -1 never do.
-    SceneStep(Document& document, ScenePtr before, ScenePtr after, const QString& text, int drag = -1);
-    SceneStep(Document& document, ScenePtr before, ScenePtr after, const pipeline::SettingRef& setting, int drag);
+    SceneStep(Show show, ScenePtr before, ScenePtr after, const QString& text, int drag = -1);
+    SceneStep(Show show, ScenePtr before, ScenePtr after, const pipeline::SettingRef& setting, int drag);
 
     // The views' state belongs to the step; it may be all that the step changes.
-    SceneStep(Document& document, ScenePtr before, ScenePtr after, const QString& text, Looks looks);
+    SceneStep(Show show, ScenePtr before, ScenePtr after, const QString& text, StepLooks looks);
 
     // The same step, for a new undo stack.
     SceneStep* copy() const;
@@ -33,11 +49,11 @@ public:
 private:
     void nameAfterSetting();
 
-    Document& m_document;
+    Show m_show;
     ScenePtr m_before, m_after;
     std::optional<pipeline::SettingRef> m_setting;
     int m_drag = -1;
-    Looks m_looks;
+    StepLooks m_looks;
     bool m_undone = false;
 };
 

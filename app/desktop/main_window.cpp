@@ -151,7 +151,7 @@ void MainWindow::connectDocument() {
     connect(&m_document.pointing(), &Pointing::selectionChanged, this, &MainWindow::enableActions);
     connect(&m_document.stepper(), &Stepper::changed, this,
             [this] { enableStepActions(*m_actions, m_document, m_layout->showsViews()); });
-    connect(m_document.undoStack(), &QUndoStack::indexChanged, this, &MainWindow::enableActions);
+    connect(m_document.history().stack(), &QUndoStack::indexChanged, this, &MainWindow::enableActions);
     connect(m_layout, &WindowLayout::changed, this, &MainWindow::enableActions);
     connect(m_layouts, &Layouts::applied, this, &MainWindow::enableActions);
     connect(m_lessons, &WindowLessons::changed, this, &MainWindow::enableActions);

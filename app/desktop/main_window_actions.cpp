@@ -105,8 +105,8 @@ void MainWindow::connectActions() {
     on(A::Close, [this] { m_files->close(); });
     on(A::RestoreSession, [](bool wanted) { SessionFile::setWanted(wanted); });
     on(A::Quit, [this] { close(); });
-    on(A::Undo, [this] { m_document.undoStack()->undo(); });
-    on(A::Redo, [this] { m_document.undoStack()->redo(); });
+    on(A::Undo, [this] { m_document.history().stack()->undo(); });
+    on(A::Redo, [this] { m_document.history().stack()->redo(); });
     on(A::CopyState, [this] { m_clipboard->copy(); });
     on(A::PasteState, [this] { m_clipboard->paste(); });
     // In views and on the start page: tables and formulas copy themselves.
@@ -234,7 +234,7 @@ void MainWindow::enableActions() {
     enableStepActions(*m_actions, m_document, scene);
     enableCueActions();
     enableExplainActions(*m_actions, m_document, *m_docks->panels().inspector, scene);
-    const QUndoStack& undo = *m_document.undoStack();
+    const QUndoStack& undo = *m_document.history().stack();
     m_actions->setEnabled(A::Undo, scene && undo.canUndo(), tr("Nothing to undo."));
     m_actions->setEnabled(A::Redo, scene && undo.canRedo(), tr("Nothing to redo."));
     const Actions& actions = *m_actions;

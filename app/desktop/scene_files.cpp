@@ -128,7 +128,7 @@ void SceneFiles::showState(const lessons::WindowState& state, const std::filesys
         lessons::WindowState found = state;
         findFilesFrom(found, folder);
         app::show(m_document, opened, state, changes,
-                  changes == SceneChanges::Pasted ? m_shown.looksTo(found) : Document::Looks());
+                  changes == SceneChanges::Pasted ? m_shown.looksTo(found) : StepLooks());
         m_layout.showViews();
         m_shown.lookAt(found);
         if (then) then();
@@ -185,7 +185,7 @@ bool SceneFiles::saveAs() {
 void SceneFiles::close() {
     if (m_lessons.lesson()) return m_lessons.close();
     if (!mayLeave()) return;
-    m_document.undoStack()->setClean();  // the question has been answered
+    m_document.history().stack()->setClean();  // the question has been answered
     m_layout.showStart();
     emit closed();
 }

@@ -36,7 +36,7 @@ void ShownState::showPlace(const lessons::WindowState& state) {
 
 void ShownState::showBuffers(const std::vector<pipeline::BufferName>& buffers) { m_views.showBuffers(buffers); }
 
-Document::Looks ShownState::looksTo(const lessons::WindowState& next) {
+StepLooks ShownState::looksTo(const lessons::WindowState& next) {
     const auto now = this->now();
     if (!now) return {};
     const auto show = [this](const lessons::WindowState& state) { return [this, state] { showPlace(state); }; };

@@ -25,7 +25,7 @@ public:
     void showPlace(const lessons::WindowState& state);  // place and views, in the scene that is open
     void showBuffers(const std::vector<pipeline::BufferName>& buffers);
     // To be shown with a step of undo and its way back; nothing if the window's state cannot be kept.
-    Document::Looks looksTo(const lessons::WindowState& next);
+    StepLooks looksTo(const lessons::WindowState& next);
 
 private:
     Document& m_document;

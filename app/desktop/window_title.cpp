@@ -21,8 +21,8 @@ WindowTitle::WindowTitle(QWidget& window, QLabel& label, Document& document, con
       m_files(files),
       m_lessons(lessons) {
     connect(&document, &Document::sceneOpened, this, &WindowTitle::show);
-    connect(document.undoStack(), &QUndoStack::indexChanged, this, &WindowTitle::show);
-    connect(document.undoStack(), &QUndoStack::cleanChanged, this, &WindowTitle::show);
+    connect(document.history().stack(), &QUndoStack::indexChanged, this, &WindowTitle::show);
+    connect(document.history().stack(), &QUndoStack::cleanChanged, this, &WindowTitle::show);
     connect(&layout, &WindowLayout::changed, this, &WindowTitle::show);
     connect(&files, &SceneFiles::changedOutside, this, &WindowTitle::show);
     connect(&lessons, &WindowLessons::changed, this, &WindowTitle::show);
@@ -31,7 +31,7 @@ WindowTitle::WindowTitle(QWidget& window, QLabel& label, Document& document, con
 void WindowTitle::show() {
     const bool shown = m_layout.showsScene();
     const QString name = shown ? onOneLine(m_document.scene().name) : QString();
-    const QString edited = shown && m_document.isEdited() ? tr(" · edited") : QString();
+    const QString edited = shown && m_document.history().isEdited() ? tr(" · edited") : QString();
     const QString written = shown && m_files.hasChangedOutside() ? tr(" · its file has changed (F5)") : QString();
     const QString lesson = m_lessons.name();
     m_label.setText(lesson.isEmpty() ? name + edited + written : m_lessons.title());

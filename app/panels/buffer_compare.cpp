@@ -122,7 +122,7 @@ std::optional<AnyBuffer> BufferCompare::findOther(const FramePtr& frame, const A
         m_file = std::move(read).value();
         return m_file;
     }
-    const ScenePtr scene = m_otherScene.of(source, frame->sharedScene(), m_document.sceneBefore());
+    const ScenePtr scene = m_otherScene.of(source, frame->sharedScene(), m_document.history().sceneBefore());
     if (!name || !scene) {
         m_why = source.kind == Kind::Before ? tr("Nothing has been changed yet.") : tr("This scene has no such B.");
         return {};

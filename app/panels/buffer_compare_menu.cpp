@@ -57,8 +57,9 @@ void BufferCompare::fillMenu(QMenu& menu, const BufferName& shown) {
         }
         return place;
     };
-    for (const OtherChoice& choice : otherChoices(*m_document.frames().shown(), shown, bool(m_document.sceneBefore()),
-                                                  m_document.derived().recipe())) {
+    for (const OtherChoice& choice :
+         otherChoices(*m_document.frames().shown(), shown, bool(m_document.history().sceneBefore()),
+                      m_document.derived().recipe())) {
         QAction* action = menuOf(choice.group)->addAction(choice.text, this, [this, source = choice.source] {
             compareWith(source);
             emit chosen();
@@ -86,7 +87,7 @@ void BufferCompare::fillMenu(QMenu& menu, const BufferName& shown) {
 std::optional<lessons::BufferShown::Compared> BufferCompare::state() const {
     if (!m_source || m_source->kind == OtherSource::Kind::Mine) return {};
     OtherSource source = *m_source;
-    const auto change = m_document.lastChange();
+    const auto change = m_document.history().lastChange();
     if (source.kind == OtherSource::Kind::Before && change)
         source = {.kind = OtherSource::Kind::Setting, .setting = change->setting, .value = change->before};
     lessons::BufferShown::Compared state{keyOf(source), std::string(lessons::kCompareModes[std::size_t(m_mode)]),

@@ -143,7 +143,7 @@ void EquationSection::show(const pipeline::Frame& frame, const pipeline::PixelRe
         m_was.reset();
     } else if (now.scene != m_now.scene) {
         // While a slider is dragged all its values are one step of undo: what was is what was before it.
-        if (!m_before.scene || m_document.sceneBefore() != m_before.scene) m_before = m_now;
+        if (!m_before.scene || m_document.history().sceneBefore() != m_before.scene) m_before = m_now;
         const QString before = m_before.text();
         m_was.reset();
         if (!before.isEmpty() && before != now.text())

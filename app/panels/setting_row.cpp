@@ -76,7 +76,7 @@ SettingRow::SettingRow(Document& document, pipeline::SettingRef setting, QGridLa
         control->setObjectName(toQString(setting.key()));
     }
     connect(&document, &Document::sceneChanged, this, &SettingRow::showScene);
-    connect(document.undoStack(), &QUndoStack::indexChanged, this, &SettingRow::showScene);
+    connect(document.history().stack(), &QUndoStack::indexChanged, this, &SettingRow::showScene);
     connect(&document.pointing(), &Pointing::symbolChanged, this, &SettingRow::showPointed);
     place();
     showScene();
@@ -154,7 +154,7 @@ void SettingRow::showScene() {
     const pipeline::Scene& scene = m_document.scene();
     // While another scene takes the place of this one, the row may outlive its light or object.
     if (m_setting.index >= m_setting.setting->count(scene)) return;
-    const auto last = m_document.lastChange();
+    const auto last = m_document.history().lastChange();
     m_show(m_setting.get(scene), last && last->setting == m_setting ? std::optional(last->before) : std::nullopt);
     m_idle = toQString(m_setting.setting->idle(scene));
     const QString unit = toQString(m_setting.setting->unit);

@@ -75,7 +75,7 @@ SettingsPanel::SettingsPanel(Document& document, QWidget* parent)
     });
 
     connect(m_tabs, &QTabBar::currentChanged, this, &SettingsPanel::build);
-    connect(m_changed, &QLabel::linkActivated, this, [this] { m_document.undoStack()->undo(); });
+    connect(m_changed, &QLabel::linkActivated, this, [this] { m_document.history().stack()->undo(); });
     connect(&document, &Document::sceneOpened, this, [this] {
         const auto& scene = m_document.scene();
         select(scene.objects.empty() ? SceneItem{} : SceneItem{SceneItem::Kind::Material, 0});
@@ -86,7 +86,7 @@ SettingsPanel::SettingsPanel(Document& document, QWidget* parent)
         showLastChange();
     });
     // What the last change was is known only after the scene has changed.
-    connect(document.undoStack(), &QUndoStack::indexChanged, this, &SettingsPanel::showLastChange);
+    connect(document.history().stack(), &QUndoStack::indexChanged, this, &SettingsPanel::showLastChange);
     if (document.hasScene()) select({});
 }
 
@@ -175,7 +175,7 @@ void SettingsPanel::foldIdle() {
 }
 
 void SettingsPanel::showLastChange() {
-    const auto change = m_document.lastChange();
+    const auto change = m_document.history().lastChange();
     m_changed->setVisible(change.has_value());
     if (!change) return;
     m_changed->setText(

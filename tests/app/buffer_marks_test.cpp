@@ -141,7 +141,7 @@ TEST_F(BufferMarksTest, PinsTakeTheLeastFreeNumber) {
     ASSERT_TRUE(width);
     document.change(*width, 16);
     EXPECT_FALSE(pins.pin(5)) << "the picture has become smaller";
-    document.undoStack()->undo();
+    document.history().stack()->undo();
     EXPECT_TRUE(pins.pin(5));
     document.setScene(test::pyramid());
     EXPECT_FALSE(pins.any()) << "another scene";

@@ -163,9 +163,9 @@ TEST_F(CheckPanelTest, OpensACaseWithTheValueOfItsSlider) {
     emit slider.released(200);
     EXPECT_EQ(exponent(), 1000);
     EXPECT_EQ(field.text(), "1000");
-    document.undoStack()->undo();
+    document.history().stack()->undo();
     EXPECT_EQ(exponent(), 2500);
-    EXPECT_FALSE(document.undoStack()->canUndo());
+    EXPECT_FALSE(document.history().stack()->canUndo());
     // Another case's slider is none of this scene.
     panel.select(numberOf("T7"));
     const pipeline::Scene before = document.scene();

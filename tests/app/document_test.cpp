@@ -33,9 +33,9 @@ protected:
 TEST_F(DocumentTest, DragIsOneStepNamedByItsEnds) {
     for (const double n : {7.0, 6.0, 5.0}) document.change(setting("material.0.n"), n, Document::Change::Live);
     document.change(setting("material.0.n"), 4, Document::Change::Done);
-    EXPECT_EQ(document.undoStack()->count(), 1);
-    EXPECT_EQ(document.undoStack()->undoText(), "n exponent 8 → 4");
-    document.undoStack()->undo();
+    EXPECT_EQ(document.history().stack()->count(), 1);
+    EXPECT_EQ(document.history().stack()->undoText(), "n exponent 8 → 4");
+    document.history().stack()->undo();
     EXPECT_EQ(exponent(), 8);
 }
 
@@ -48,7 +48,7 @@ TEST_F(DocumentTest, ASettingOfWhatHasGoneChangesNothing) {
     document.change(light, 3, Document::Change::Live);
     document.change(material, 3);
     EXPECT_EQ(document.scene(), empty);
-    EXPECT_EQ(document.undoStack()->count(), 1);
+    EXPECT_EQ(document.history().stack()->count(), 1);
 }
 
 TEST_F(DocumentTest, TwoDragsAreTwoSteps) {
@@ -56,8 +56,8 @@ TEST_F(DocumentTest, TwoDragsAreTwoSteps) {
     document.change(setting("material.0.n"), 6, Document::Change::Done);
     document.change(setting("material.0.n"), 5, Document::Change::Live);
     document.change(setting("material.0.n"), 4, Document::Change::Done);
-    EXPECT_EQ(document.undoStack()->count(), 2);
-    document.undoStack()->undo();
+    EXPECT_EQ(document.history().stack()->count(), 2);
+    document.history().stack()->undo();
     EXPECT_EQ(exponent(), 6);
 }
 
@@ -65,7 +65,7 @@ TEST_F(DocumentTest, DragBackToItsBeginningLeavesNoStep) {
     document.change(setting("material.0.n"), 6, Document::Change::Live);
     document.change(setting("material.0.n"), 8, Document::Change::Live);
     document.change(setting("material.0.n"), 8, Document::Change::Done);
-    EXPECT_EQ(document.undoStack()->count(), 0);
+    EXPECT_EQ(document.history().stack()->count(), 0);
 }
 
 TEST_F(DocumentTest, ACancelledFrameLeavesTheOneBeforeUntilItIsToGoOn) {
@@ -94,7 +94,7 @@ TEST_F(DocumentTest, ACancelledFrameLeavesTheOneBeforeUntilItIsToGoOn) {
     EXPECT_EQ(document.frames().shown()->scene().settings.width, 4000);
     ++large.settings.width;
     showLargeAndCancel();
-    for (int i = 0; i < 2; ++i) document.undoStack()->undo();
+    for (int i = 0; i < 2; ++i) document.history().stack()->undo();
     QCoreApplication::processEvents();
     EXPECT_FALSE(document.work().stopped().contains("the frame")) << "newer work is not stopped";
     ASSERT_TRUE(waitForFrame());
@@ -133,7 +133,7 @@ TEST_F(DocumentTest, RefusesWhatIsOutOfRange) {
     for (const double value : {-0.1, 1e300, double(NAN), double(INFINITY)})
         document.change(setting("material.0.n"), value);
     EXPECT_EQ(failed.count(), 4);
-    EXPECT_EQ(document.undoStack()->count(), 0);
+    EXPECT_EQ(document.history().stack()->count(), 0);
 }
 
 TEST_F(DocumentTest, ASavedSceneOpensAsItWas) {
@@ -142,7 +142,7 @@ TEST_F(DocumentTest, ASavedSceneOpensAsItWas) {
     document.change(setting("material.0.n"), 33);
     document.change(setting("shading"), 2);
     ASSERT_TRUE(document.save(file));
-    EXPECT_TRUE(document.undoStack()->isClean());
+    EXPECT_TRUE(document.history().stack()->isClean());
     const pipeline::Scene saved = document.scene();
     Document other;
     const auto opened = readSceneFile(file);
@@ -261,12 +261,12 @@ TEST_F(DocumentTest, StagesEndAtTheFirstAndTheLast) {
 }
 
 TEST_F(DocumentTest, LastChangeTellsTheValueBefore) {
-    EXPECT_FALSE(document.lastChange());
+    EXPECT_FALSE(document.history().lastChange());
     document.change(setting("material.0.n"), 4);
-    ASSERT_TRUE(document.lastChange());
-    EXPECT_EQ(document.lastChange()->before, 8);
-    document.undoStack()->undo();
-    EXPECT_FALSE(document.lastChange());
+    ASSERT_TRUE(document.history().lastChange());
+    EXPECT_EQ(document.history().lastChange()->before, 8);
+    document.history().stack()->undo();
+    EXPECT_FALSE(document.history().lastChange());
 }
 
 TEST_F(DocumentTest, SaysWhatRanAgainAndWhy) {

@@ -150,7 +150,7 @@ TEST_F(InspectorPanelTest, ComparesWithTheStartOfADrag) {
         ASSERT_TRUE(QTest::qWaitFor([&] { return !document.frames().busy(); }, 10000));
     }
     EXPECT_TRUE(equation().contains("was 45.000 + 69.714 + 0.025 = 114.739, with n = 8")) << equation().toStdString();
-    document.undoStack()->undo();
+    document.history().stack()->undo();
     ASSERT_TRUE(QTest::qWaitFor([&] { return !document.frames().busy(); }, 10000));
     EXPECT_TRUE(equation().contains("was 45.000 + 69.714 + 0.998 = 115.712, with n = 4")) << equation().toStdString();
 }

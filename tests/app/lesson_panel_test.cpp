@@ -114,7 +114,7 @@ TEST_F(LessonPanelTest, AnswersAreCheckedAgainstThePagesOwnFrame) {
     ASSERT_TRUE(part<QWidget>("setWindow").isVisible());
     click("setWindow");
     EXPECT_FALSE(part<QWidget>("setWindow").isVisible());
-    EXPECT_FALSE(document.undoStack()->canUndo()) << "a page is no step of undo";
+    EXPECT_FALSE(document.history().stack()->canUndo()) << "a page is no step of undo";
     answer("310");
     EXPECT_TRUE(comment().contains("is 310.673")) << comment().toStdString();
 }

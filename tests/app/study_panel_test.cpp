@@ -140,8 +140,8 @@ TEST_F(StudyPanelTest, TakesTheSettingsOverInOneStepOfUndo) {
     use.click();
     EXPECT_EQ(document.scene().settings.shading, pipeline::Shading::Phong);
     EXPECT_EQ(pipeline::findSetting(document.scene(), "material.0.n")->get(document.scene()), 16);
-    EXPECT_EQ(document.undoStack()->undoText(), "settings: phong, n exponent 16");
-    document.undoStack()->undo();
+    EXPECT_EQ(document.history().stack()->undoText(), "settings: phong, n exponent 16");
+    document.history().stack()->undo();
     EXPECT_EQ(document.scene(), before);
 }
 

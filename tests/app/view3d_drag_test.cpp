@@ -44,7 +44,7 @@ protected:
 
 TEST_F(View3dDrag, EndsWithItsOwnButtonWhateverAnotherOneDoes) {
     for (const Qt::MouseButton other : {Qt::MiddleButton, Qt::RightButton}) {
-        document.undoStack()->clear();
+        document.history().stack()->clear();
         const QPoint at = lightHandle(), end = at + QPoint(20, 5);
         takeHoldAt(at);
         const Vec3d dragged = lightNow();
@@ -55,8 +55,8 @@ TEST_F(View3dDrag, EndsWithItsOwnButtonWhateverAnotherOneDoes) {
         EXPECT_TRUE(view.isDragging());
         letGoAt(end);
         EXPECT_FALSE(view.isDragging());
-        EXPECT_EQ(document.undoStack()->count(), 1);
-        document.undoStack()->undo();
+        EXPECT_EQ(document.history().stack()->count(), 1);
+        document.history().stack()->undo();
         ASSERT_TRUE(QTest::qWaitFor([&] { return !document.frames().busy(); }));
     }
 }
@@ -155,7 +155,7 @@ TEST_F(View3dDrag, APressOfItsOwnButtonAgainEndsIt) {
     send(QEvent::MouseButtonPress, {5, 5}, Qt::LeftButton, Qt::LeftButton);
     EXPECT_FALSE(view.isDragging());
     EXPECT_EQ(lightNow(), dragged);
-    EXPECT_EQ(document.undoStack()->count(), 1);
+    EXPECT_EQ(document.history().stack()->count(), 1);
 }
 
 }  // namespace

@@ -17,7 +17,6 @@
 namespace {
 
 using app::Document;
-using app::FrameFeed;
 using app::SceneView;
 using app::Theme;
 using app::ThemeId;
@@ -222,7 +221,7 @@ TEST_F(View3dWindow, ADraggedLightIsOneStepOfUndo) {
     const app::OrbitCamera camera = view.camera();
     hover(at, "light 0: x ");
     QTest::mousePress(&view, Qt::LeftButton, {}, at);
-    QSignalSpy ready(&document.frames(), &FrameFeed::frameReady);
+    QSignalSpy ready(&document.frames(), &app::FrameFeed::frameReady);
     QTest::mouseMove(&view, at + QPoint(20, 5));
     EXPECT_TRUE(view.isDragging());
     EXPECT_TRUE(view.numbers().startsWith("light 0: x "));
@@ -230,10 +229,10 @@ TEST_F(View3dWindow, ADraggedLightIsOneStepOfUndo) {
     EXPECT_NE(document.frames().shown()->scene().lights[0].position, before.lights[0].position);
     QTest::mouseMove(&view, at + QPoint(40, 10));
     QTest::mouseRelease(&view, Qt::LeftButton, {}, at + QPoint(40, 10));
-    EXPECT_EQ(document.undoStack()->count(), 1);
-    EXPECT_EQ(document.undoStack()->undoText(), "move light 0");
+    EXPECT_EQ(document.history().stack()->count(), 1);
+    EXPECT_EQ(document.history().stack()->undoText(), "move light 0");
     EXPECT_EQ(view.camera(), camera) << "the view does not turn with what is dragged";
-    document.undoStack()->undo();
+    document.history().stack()->undo();
     EXPECT_EQ(document.scene(), before);
 }
 
@@ -246,7 +245,7 @@ TEST_F(View3dWindow, EscapePutsADraggedHandleBack) {
     EXPECT_NE(document.scene(), before);
     QTest::keyClick(&view, Qt::Key_Escape);
     EXPECT_EQ(document.scene(), before);
-    EXPECT_EQ(document.undoStack()->count(), 0) << "as if it had never been taken hold of";
+    EXPECT_EQ(document.history().stack()->count(), 0) << "as if it had never been taken hold of";
     QTest::mouseRelease(&view, Qt::LeftButton, {}, at + QPoint(30, 0));
     EXPECT_EQ(document.scene(), before);
 }
@@ -273,9 +272,9 @@ TEST_F(View3dWindow, AnObjectIsTurnedByItsRing) {
     QTest::mouseMove(&view, middle + QPoint(0, -46));
     QTest::mouseRelease(&view, Qt::LeftButton, {}, middle + QPoint(0, -46));
     EXPECT_NEAR(document.scene().objects[0].transform.rotation.z, 90, 3);
-    EXPECT_EQ(document.undoStack()->count(), 1);
-    EXPECT_TRUE(document.undoStack()->undoText().startsWith("turn ")) << document.undoStack()->undoText().toStdString();
-    document.undoStack()->undo();
+    EXPECT_EQ(document.history().stack()->count(), 1);
+    EXPECT_TRUE(document.history().stack()->undoText().startsWith("turn "));
+    document.history().stack()->undo();
     EXPECT_EQ(document.scene(), before);
 }
 
@@ -291,7 +290,7 @@ TEST_F(View3dWindow, HandlesWorkInEyeSpaceToo) {
     EXPECT_TRUE(view.isDragging());
     QTest::mouseMove(&view, at + QPoint(20, 5));
     QTest::mouseRelease(&view, Qt::LeftButton, {}, at + QPoint(20, 5));
-    EXPECT_EQ(document.undoStack()->undoText(), "move light 0");
+    EXPECT_EQ(document.history().stack()->undoText(), "move light 0");
     panel.setSpace({app::ViewSpace::Point});
     EXPECT_TRUE(view.handles().empty());
 }
@@ -340,7 +339,7 @@ TEST_F(View3dWindow, WantsNoMoreThanTheShadingLeaves) {
     EXPECT_FALSE(document.frames().shown()->buffer({pipeline::BufferId::VerticesNormal})) << "flat shading leaves none";
     app::ViewOptions options = view.options();
     options.normals = app::NormalsShown::Vertices;
-    QSignalSpy ready(&document.frames(), &FrameFeed::frameReady);
+    QSignalSpy ready(&document.frames(), &app::FrameFeed::frameReady);
     panel.changeOptions(options);
     ASSERT_TRUE(ready.wait());
     EXPECT_EQ(view.content()->mesh->vertexNormals.size(), 5u);
@@ -389,7 +388,7 @@ TEST(View3dWithoutOpenGl, SaysSoAndGoesOn) {
     View3dPanel panel(document);
     panel.resize(400, 300);
     panel.show();
-    QSignalSpy ready(&document.frames(), &FrameFeed::frameReady);
+    QSignalSpy ready(&document.frames(), &app::FrameFeed::frameReady);
     document.setScene(test::pyramid());
     ASSERT_TRUE(ready.wait());
     document.pointing().pick(kRightFace);

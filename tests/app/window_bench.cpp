@@ -271,7 +271,7 @@ int main(int argc, char** argv) {
                         dragged.slow, dragged.frames3dPerSecond, dragged.windowCpu, dragged.wholeCpu);
             std::fflush(stdout);
         }
-        window.document().undoStack()->setClean();
+        window.document().history().stack()->setClean();
     }
     std::printf("load %s\n", load().constData());
     return 0;

@@ -49,7 +49,7 @@ protected:
         window.views().first().canvas()->setZoom(8, QPointF(50, 60));
         press("Ctrl+B");
         // Given to the talk: not what was changed in the scene is asked for.
-        document().undoStack()->setClean();
+        document().history().stack()->setClean();
         ASSERT_TRUE(window.openFile(resourceScene("two_pyramids.scene")));
         settle();
         document().setStage(pipeline::StageId::Normals);

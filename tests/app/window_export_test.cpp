@@ -183,7 +183,7 @@ TEST_F(WindowExport, CommandLineNeedsTheSceneFileNoMore) {
     dialog->findChild<QLineEdit*>("exportFolder")->setText(folder.filePath("other"));
     const QString command = dialog->findChild<QLineEdit*>("exportCommand")->text();
     EXPECT_TRUE(command.contains("other") && command.contains("--set material.0.n=4")) << command.toStdString();
-    document().undoStack()->setClean();
+    document().history().stack()->setClean();
 }
 
 TEST_F(WindowExport, SaysWhyASceneHasNoOpenGlCalls) {

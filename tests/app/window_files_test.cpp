@@ -291,7 +291,7 @@ TEST_F(WindowWithAWrongList, TheListIsToldAndNeverWrittenOver) {
 TEST_F(WindowFiles, AMovedSliderInASceneOfTheProgramAsksNothing) {
     openPyramid();
     document().change(*findSetting(document().scene(), "camera.theta"), 47.25);
-    EXPECT_TRUE(document().isEdited());
+    EXPECT_TRUE(document().history().isEdited());
     EXPECT_TRUE(window.openFile(resourceScene("two_pyramids.scene")));
     EXPECT_EQ(document().scene().name, "two_pyramids.scene");
     document().change(*findSetting(document().scene(), "camera.theta"), 47.25);

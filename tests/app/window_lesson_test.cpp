@@ -44,7 +44,7 @@ TEST_F(WindowLesson, TheUsersSceneComesBackWithItsChangesAndItsSteps) {
     const double before = theta.get(document().scene());
     document().change(theta, 47.25);
     document().change(theta, 50);
-    document().undoStack()->undo();
+    document().history().stack()->undo();
     document().setStage(pipeline::StageId::Cull);
     document().pointing().pick(glm::ivec2(300, 200));
     ASSERT_TRUE(waitForFrame());
@@ -53,10 +53,10 @@ TEST_F(WindowLesson, TheUsersSceneComesBackWithItsChangesAndItsSteps) {
 
     openLesson();  // asks nothing
     EXPECT_EQ(title(), "Lesson: Hiding · your scene stays as it was");
-    EXPECT_FALSE(document().undoStack()->canUndo());
+    EXPECT_FALSE(document().history().stack()->canUndo());
     EXPECT_FALSE(document().isChanged());
     panel().goTo(1);
-    EXPECT_FALSE(document().undoStack()->canUndo()) << "a page is no edit";
+    EXPECT_FALSE(document().history().stack()->canUndo()) << "a page is no edit";
     find<QToolButton>("closeLesson")->click();
 
     EXPECT_EQ(document().scene().name, "two_pyramids.scene");
@@ -65,10 +65,10 @@ TEST_F(WindowLesson, TheUsersSceneComesBackWithItsChangesAndItsSteps) {
     EXPECT_TRUE(document().isChanged());
     EXPECT_EQ(shows("scene"), hadScene);
     EXPECT_EQ(shows("inspector"), hadInspector);
-    document().undoStack()->redo();
+    document().history().stack()->redo();
     EXPECT_EQ(theta.get(document().scene()), 50);
-    document().undoStack()->undo();
-    document().undoStack()->undo();
+    document().history().stack()->undo();
+    document().history().stack()->undo();
     EXPECT_EQ(theta.get(document().scene()), before);
     EXPECT_FALSE(document().isChanged());
     EXPECT_TRUE(title().startsWith("two_pyramids.scene"));

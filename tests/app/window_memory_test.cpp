@@ -86,7 +86,7 @@ TEST_F(WindowMemory, AfterManyScenesIsWhatItWasAfterTwoRounds) {
     };
     EXPECT_TRUE(QTest::qWaitFor([&] { return held(m_frames) <= 1 && held(m_scenes) <= 1; }, 30000))
         << held(m_frames) << " frames and " << held(m_scenes) << " scenes of " << m_opened;
-    EXPECT_EQ(document().undoStack()->count(), 0);
+    EXPECT_EQ(document().history().stack()->count(), 0);
 }
 
 }  // namespace

@@ -167,7 +167,7 @@ TEST_F(WindowOpen, AFrameWithoutMemoryIsAnsweredAndTheWindowGoesOn) {
             << errors->text().toStdString();
     }
     EXPECT_EQ(document().frames().shown()->scene().settings.width, 640);
-    document().undoStack()->undo();
+    document().history().stack()->undo();
     document().change(*findSetting(document().scene(), "material.0.n"), 4);
     EXPECT_TRUE(QTest::qWaitFor(
         [&] {

@@ -87,7 +87,7 @@ TEST_F(WindowReload, AChangedFileIsToldAndReadByItselfWhereThatIsChosen) {
     write("80.25");
     EXPECT_TRUE(QTest::qWaitFor([&] { return title().contains("changed"); }, 10000));
     EXPECT_EQ(document().scene().ambient.intensity, 40) << "what was changed here is not given up";
-    document().undoStack()->setClean();
+    document().history().stack()->setClean();
 }
 
 // As a program does that takes a file away and writes another one a while later.
@@ -133,7 +133,7 @@ TEST_F(WindowReload, AfterSavingAsAnotherFileThatOneIsWatched) {
 TEST_F(WindowReload, ItIsOneStepOfUndoAndTheStepsBeforeStay) {
     openOwn();
     document().change(*findSetting(document().scene(), "ambient.intensity"), 40);
-    document().undoStack()->setClean();
+    document().history().stack()->setClean();
     write("60");
     press("F5");
     EXPECT_EQ(document().scene().ambient.intensity, 60);
@@ -142,20 +142,20 @@ TEST_F(WindowReload, ItIsOneStepOfUndoAndTheStepsBeforeStay) {
     EXPECT_TRUE(document().isChanged()) << "against what is in the file now";
     press("Ctrl+Z");
     EXPECT_EQ(document().scene().ambient.intensity, 30);
-    document().undoStack()->setClean();
+    document().history().stack()->setClean();
 }
 
 TEST_F(WindowReload, AFileThatIsAsItWasLeavesNoStep) {
     openOwn();
     press("F5");
-    EXPECT_EQ(document().undoStack()->count(), 0);
+    EXPECT_EQ(document().history().stack()->count(), 0);
 }
 
 TEST_F(WindowReload, WithOtherLightsTheStepsOfUndoGoAndTheViewsStay) {
     openOwn();
     lookClosely();
     document().change(*findSetting(document().scene(), "ambient.intensity"), 40);
-    document().undoStack()->setClean();
+    document().history().stack()->setClean();
     ASSERT_TRUE(waitForFrame());
     for (const QByteArray& lights : {QByteArray(kLight) + kLight, QByteArray(), QByteArray(kLight)}) {
         const std::string before = place();
@@ -164,7 +164,7 @@ TEST_F(WindowReload, WithOtherLightsTheStepsOfUndoGoAndTheViewsStay) {
         ASSERT_TRUE(waitForFrame());
         EXPECT_TRUE(QTest::qWaitFor([this] { return document().stepper().isSettled(); }, 10000));
         EXPECT_EQ(document().scene().lights.size(), std::size_t(lights.count("[[light]]")));
-        EXPECT_EQ(document().undoStack()->count(), 0);
+        EXPECT_EQ(document().history().stack()->count(), 0);
         EXPECT_EQ(document().pointing().pixel(), glm::ivec2(30, 20));
         EXPECT_TRUE(QTest::qWaitFor([&] { return place() == before; }, 5000)) << place() << before;
     }

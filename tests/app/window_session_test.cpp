@@ -85,7 +85,7 @@ TEST_F(WindowSession, AStateIsCopiedAndPastedAsTextInAnyWindow) {
     press("Ctrl+C");
     const QString text = QApplication::clipboard()->text();
     EXPECT_EQ(text.toStdString(), toToml(*window.shown().now()));
-    const int steps = document().undoStack()->count();
+    const int steps = document().history().stack()->count();
 
     document().change(*findSetting(document().scene(), "camera.theta"), 10);
     EXPECT_TRUE(waitForFrame());
@@ -97,18 +97,18 @@ TEST_F(WindowSession, AStateIsCopiedAndPastedAsTextInAnyWindow) {
     press("Ctrl+V");
     waitForState();
     EXPECT_EQ(toToml(*window.shown().now()), text.toStdString());
-    EXPECT_EQ(document().undoStack()->count(), steps + 2) << "one step";
-    EXPECT_EQ(document().undoStack()->undoText(), "paste");
+    EXPECT_EQ(document().history().stack()->count(), steps + 2) << "one step";
+    EXPECT_EQ(document().history().stack()->undoText(), "paste");
     const auto settled = [&](const std::string& wanted) {
         return QTest::qWaitFor([&] { return toToml(*window.shown().now()) == wanted; }, 10000);
     };
-    document().undoStack()->undo();
+    document().history().stack()->undo();
     EXPECT_EQ(document().scene().camera.theta, 10);
     EXPECT_TRUE(settled(before)) << "the views are the ones from before, too: " << toToml(*window.shown().now());
-    document().undoStack()->redo();
+    document().history().stack()->redo();
     EXPECT_TRUE(settled(text.toStdString()));
-    document().undoStack()->undo();
-    document().undoStack()->setClean();
+    document().history().stack()->undo();
+    document().history().stack()->setClean();
 
     MainWindow other;
     other.resize(window.size());
@@ -118,14 +118,14 @@ TEST_F(WindowSession, AStateIsCopiedAndPastedAsTextInAnyWindow) {
     EXPECT_TRUE(QTest::qWaitFor(
         [&] { return !other.document().frames().busy() && other.document().stepper().isSettled(); }, 30000));
     EXPECT_EQ(toToml(*other.shown().now()), text.toStdString());
-    other.document().undoStack()->setClean();
+    other.document().history().stack()->setClean();
     other.close();
     window.windowLayout().showStart();
     QApplication::setActiveWindow(&window);
     QTest::qWait(50);
     press("Ctrl+V");
     EXPECT_TRUE(QTest::qWaitFor([&] { return window.shown().now().has_value(); }, 5000)) << "by its key, too";
-    document().undoStack()->setClean();
+    document().history().stack()->setClean();
 }
 
 // A scene of a file of one's own is pasted as its text, which makes it anew: that is no change of it.
@@ -157,7 +157,7 @@ TEST_F(WindowSession, APastedPlaceIsOneStepOfUndoAndNoChangeOfTheScene) {
     EXPECT_EQ(document().stage(), pipeline::StageId::Cull);
     EXPECT_EQ(document().pointing().pixel(), glm::ivec2(3, 4));
     EXPECT_FALSE(document().isChanged());
-    EXPECT_FALSE(document().sceneBefore()) << "nothing of the scene has been changed yet";
+    EXPECT_FALSE(document().history().sceneBefore()) << "nothing of the scene has been changed yet";
     press("Ctrl+Z");
     EXPECT_EQ(document().stage(), pipeline::StageId::Shading);
     EXPECT_EQ(document().pointing().pixel(), glm::ivec2(268, 281));
@@ -220,7 +220,7 @@ TEST_F(WindowSession, TheNextStartShowsWhatWasLeftAndTheChangesAreStillUnsaved) 
     EXPECT_EQ(text(*next.document().stepper().place()), "z-buffer/polygon=2");
     EXPECT_EQ(next.document().pointing().pixel(), glm::ivec2(268, 281));
     EXPECT_TRUE(next.document().isChanged());
-    next.document().undoStack()->undo();
+    next.document().history().stack()->undo();
     EXPECT_FALSE(next.document().isChanged());
     EXPECT_NE(next.document().scene().camera.theta, 47.25);
 }

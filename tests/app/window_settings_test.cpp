@@ -62,8 +62,8 @@ TEST_F(WindowSettings, DraggedSliderShowsFramesWhileItMovesAndIsOneStepOfUndo) {
     ASSERT_TRUE(waitForFrame());
 
     EXPECT_NEAR(value("material.0.kr"), 0.9, 0.02);
-    EXPECT_EQ(document().undoStack()->count(), 1);
-    EXPECT_TRUE(document().undoStack()->undoText().startsWith("k_r red 0.2 → 0.9"));
+    EXPECT_EQ(document().history().stack()->count(), 1);
+    EXPECT_TRUE(document().history().stack()->undoText().startsWith("k_r red 0.2 → 0.9"));
     press("Ctrl+Z");
     ASSERT_TRUE(waitForFrame());
     EXPECT_EQ(value("material.0.kr"), valueBefore);
@@ -107,12 +107,12 @@ TEST_F(WindowSettings, ANumberIsDraggedSidewaysInOneStepOfUndo) {
     EXPECT_DOUBLE_EQ(value("material.0.kr"), 0.4);
     QTest::mouseRelease(field, Qt::LeftButton, Qt::NoModifier, from + QPoint(40, 0));
     EXPECT_FALSE(field->hasFocus());
-    EXPECT_EQ(document().undoStack()->count(), 1);
+    EXPECT_EQ(document().history().stack()->count(), 1);
     press("Ctrl+Z");
     EXPECT_DOUBLE_EQ(value("material.0.kr"), 0.2);
     QTest::mouseClick(field, Qt::LeftButton, Qt::NoModifier, from);
     EXPECT_TRUE(field->hasFocus()) << "a click is for typing";
-    EXPECT_EQ(document().undoStack()->index(), 0);
+    EXPECT_EQ(document().history().stack()->index(), 0);
 }
 
 TEST_F(WindowSettings, LightIsChangedByANumberAndThePictureOnTheScreenFollows) {

@@ -134,7 +134,7 @@ TEST_F(WindowSlide, TheFileOpensTheSceneAndTheState) {
     ASSERT_TRUE(QTest::qWaitFor([&] { return !dialog.isWorking(); }, 60000));
     EXPECT_TRUE(dialog.message().startsWith("Saved as /")) << "names the folder";
     ASSERT_TRUE(dialog.message().endsWith("slide.png.")) << dialog.message().toStdString();
-    document().undoStack()->setClean();
+    document().history().stack()->setClean();
     ASSERT_TRUE(window.openFile(resourceScene("two_pyramids.scene")));
     settle();
 

@@ -204,6 +204,6 @@ int main(int argc, char** argv) {
             QTest::qWait(100);
         }
     });
-    document.undoStack()->setClean();
+    document.history().stack()->setClean();
     return 0;
 }

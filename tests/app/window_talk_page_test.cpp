@@ -47,7 +47,7 @@ TEST_F(WindowTalkPage, EveryCuesPictureIsTheWindows) {
     ASSERT_GT(model.size(), 5);
     int buffers = 0, spaces = 0;
     for (int i = 0; i < model.size(); ++i) {
-        document().undoStack()->setClean();  // given to the talk: not what was changed in the scene is asked for
+        document().history().stack()->setClean();  // given to the talk: not what was changed in the scene is asked for
         if (i > 0) window.actions()[ActionId::NextCue]->trigger();
         ASSERT_TRUE(QTest::qWaitFor([&] { return model.current() == i; }, 30000)) << i << " " << model.current();
         settle();

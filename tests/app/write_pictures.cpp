@@ -107,6 +107,6 @@ int main(int argc, char** argv) {
     bool good = true;
     for (const ManualPicture& picture : kPictures) good = take(window, tour, picture, folder) && good;
     good = takeCleanView(window, tour, folder) && good;
-    window.document().undoStack()->setClean();
+    window.document().history().stack()->setClean();
     return good ? 0 : 1;
 }
