@@ -65,7 +65,7 @@ export async function launch(program = process.env.CHROMIUM || 'chromium') {
     const key = async (name, modifiers = 0) => {
       const codes = { ArrowLeft: 37, ArrowUp: 38, ArrowRight: 39, ArrowDown: 40, Tab: 9, Enter: 13, PageDown: 34, PageUp: 33 };
       const event = { key: name, modifiers, windowsVirtualKeyCode: codes[name] || name.toUpperCase().charCodeAt(0) };
-      await ask('Input.dispatchKeyEvent', { type: 'keyDown', ...event, text: name.length === 1 ? name : undefined });
+      await ask('Input.dispatchKeyEvent', { type: 'keyDown', ...event, text: name.length === 1 ? name : name === 'Enter' ? '\r' : undefined });
       await ask('Input.dispatchKeyEvent', { type: 'keyUp', ...event });
     };
     const click = async (x, y) => {

@@ -89,6 +89,7 @@ function answerFields(question) {
     }), check];
   if (question.kind === 'number') {
     const field = element('input', { type: 'text', id: 'typed', inputMode: 'decimal', autocomplete: 'off', ariaLabel: 'Your answer' });
+    field.setAttribute('aria-describedby', 'asked');
     return [element('span', { className: 'typedrow' }, field, ' ', question.unit || ''), check];
   }
   if (question.kind === 'click') return [element('p', { className: 'note', id: 'pickedthing' }), check];
@@ -181,6 +182,7 @@ function check() {
   const found = core.ask('check', JSON.stringify(given()));
   verdict = found;
   readAgain();
+  say(all('#said > *').map(part => part.textContent.replace(/^[●△○] /, '')).join('. '));
 }
 
 /** Reads the page again after its question has changed: what was hidden may be there now. */
@@ -188,7 +190,6 @@ function readAgain() {
   page = core.ask('read');
   if (page.question?.settled && view.pixel === null && page.pixel) view.pixel = page.pixel;
   draw();
-  say(one('#said').textContent);
 }
 
 function startLesson() {
@@ -207,6 +208,7 @@ function startLesson() {
     core.ask('show');
     verdict = null;
     readAgain();
+    say('The answer: ' + one('#solved').textContent);
     for (const assignment of page.question.answer || []) setSetting(...splitAssignment(assignment));
   });
   does('#goon', () => openPage(view.page, true));

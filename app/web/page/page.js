@@ -16,6 +16,7 @@ function draw() {
 /** @param {number} number @param {boolean} [then] */
 function openPage(number, then = false) {
   if (number < 0 || number >= data.pages) return;
+  const had = document.activeElement;
   if (number !== view.page || then !== view.then) verdict = null;
   page = core.ask('page', number, then ? 1 : 0);
   Object.assign(view, { page: number, then: page.then, pixel: page.pixel, channel: page.channel, level: page.level, step: null, condition: page.condition, mix: page.mix, compare: '', was: '', own: {} });
@@ -36,6 +37,7 @@ function openPage(number, then = false) {
   aimSpace();
   draw();
   one('#lessonbox').scrollTop = 0;
+  if (had && had !== document.body && !takesKeys(had)) one('#heading').focus();  // the page is read from its beginning
   say(`${page.heading}. ${one('#count').textContent}`);
 }
 

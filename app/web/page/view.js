@@ -60,12 +60,26 @@ function soon(what, work) {
 
 /** Shows what is wrong in place of nothing. @param {() => void} work */
 function guarded(work) {
+  const had = document.activeElement;
   try {
     work();
   } catch (error) {
     one('#wrong').textContent = error.message, one('#wrong').hidden = false;
     console.error(error);
   }
+  keepFocus(had);
+}
+
+/** @param {?Element} part */
+const takesKeys = part => !!part && part.isConnected && part.getClientRects().length > 0 && !(/** @type {any} */ (part).disabled);
+
+/** A button that its own work has hidden or switched off gives the keyboard to the nearest one: else Tab would begin at the
+ * top of the page. @param {?Element} had */
+function keepFocus(had) {
+  if (!had || had === document.body || takesKeys(had) || ![document.body, had].includes(/** @type {any} */ (document.activeElement))) return;
+  const group = had.closest('#steps, header, section'), buttons = group ? all('button', group) : [], at = buttons.indexOf(had);
+  const near = [...buttons.slice(at + 1), ...buttons.slice(0, Math.max(0, at)).reverse()].find(takesKeys);
+  (near || group || one('#heading')).focus({ preventScroll: true });
 }
 
 /** @typedef {{buffer: string, channel: number, range: ?number[]}} View */
