@@ -58,6 +58,16 @@ try {
       await page.close();
     }
   }
+  // Every page is opened in a long run, else every sixth.
+  for (const name of pages.filter((_, i) => process.env.SHADESCOPE_LONG === '1' || i % 6 === 0)) {
+    const isLive = /^(lesson|scene)-/.test(name) && !name.endsWith('-paper.html');
+    const page = await browser.open(url(name), isLive ? {} : whole);
+    if (isLive) expect(`every page of ${name} opens`, await page.run(`(() => { for (let i = 0; one('#wrong').hidden && i < data.pages; ++i) guarded(() => openPage(i)); return one('#wrong').hidden; })()`), await page.run('one("#wrong").textContent'));
+    if (name.startsWith('talk-')) expect(`every cue of ${name} is shown`, await page.run('cues.every((cue, i) => (go(i), cue.offsetParent !== null && cues.filter(other => other.offsetParent).length === 1))'));
+    expect(`${name} says nothing to the console`, page.log.length === 0, page.log);
+    expect(`${name} asks nothing of the network`, page.requests.every(one => /^(file|data|blob):/.test(one)), page.requests.filter(one => !/^(file|data|blob):/.test(one)));
+    await page.close();
+  }
   for (const name of ['scene-pyramid.html', `lesson-${lessons[0].name}.html`]) {
     const page = await browser.open(url(name));
     expect(`${name} starts with the shared core`, await page.run('document.querySelector("#wrong").hidden'), await page.run('document.querySelector("#wrong").textContent'));
