@@ -7,7 +7,7 @@ PictureTurns::PictureTurns(Document& document, SceneView& view, QObject* panel) 
     connect(&m_pause, &QTimer::timeout, this, [this] {
         if (m_skipped) emit due();
     });
-    connect(&view, &SceneView::renderingChanged, this, [this](bool renders) {
+    connect(&view.progress(), &ViewProgress::renderingChanged, this, [this](bool renders) {
         m_renders = renders;
         if (renders)
             m_begun.start();

@@ -47,12 +47,14 @@ QString nextTool(HandleTool tool) {
 // Of the frame on show, so that handles stand where the picture has them.
 void View3dPanel::showHandles() {
     const auto& frame = m_document.frames().shown();
-    if (!frame || !m_view->shown() || m_view->space().space == ViewSpace::Point) return m_view->setHandles({});
-    m_view->setHandles(handlesOf(frame->scene(), *m_view->shown(), ownerOf(m_document), m_view->options().objectTool));
+    if (!frame || !m_view->space().shown() || m_view->space().id().space == ViewSpace::Point)
+        return m_view->handles().set({});
+    m_view->handles().set(
+        handlesOf(frame->scene(), *m_view->space().shown(), ownerOf(m_document), m_view->options().objectTool));
 }
 
 void View3dPanel::drag(const Handle& handle, Vec3d value, bool done) {
-    if (!m_beforeDrag && !isIn(m_document.scene(), handle)) return m_view->cancelDrag();
+    if (!m_beforeDrag && !isIn(m_document.scene(), handle)) return m_view->input().cancelDrag();
     if (!m_beforeDrag) m_beforeDrag = std::make_shared<const pipeline::Scene>(m_document.scene());
     const QScopedValueRollback own(m_drags, true);
     m_document.edit(withHandleAt(*m_beforeDrag, handle, value), nameOf(handle),
@@ -65,7 +67,7 @@ void View3dPanel::drag(const Handle& handle, Vec3d value, bool done) {
 void View3dPanel::dropDrag() {
     if (m_drags || !m_beforeDrag) return;
     m_beforeDrag.reset();
-    m_view->cancelDrag();
+    m_view->input().cancelDrag();
 }
 
 void View3dPanel::cancelDrag(const Handle& handle) {
@@ -76,11 +78,12 @@ void View3dPanel::cancelDrag(const Handle& handle) {
 }
 
 void View3dPanel::showNumbers(const Handle* handle) {
-    if (!handle || !isIn(m_document.scene(), *handle)) return m_view->setNumbers({});
+    if (!handle || !isIn(m_document.scene(), *handle)) return m_view->handles().setNumbers({});
     QString text = toQString(handle->name + ": " + numbersOf(m_document.scene(), *handle));
-    const bool canChange = handle->kind == Handle::Kind::Object && !handle->arms.empty() && !m_view->isDragging();
+    const bool canChange =
+        handle->kind == Handle::Kind::Object && !handle->arms.empty() && !m_view->handles().isDragging();
     if (canChange) text += '\n' + nextTool(handle->tool);
-    m_view->setNumbers(text);
+    m_view->handles().setNumbers(text);
 }
 
 }  // namespace app

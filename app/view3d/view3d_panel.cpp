@@ -34,24 +34,24 @@ View3dPanel::View3dPanel(Document& document, QWidget* parent) : QWidget(parent),
     column->addWidget(m_view, 1);
     setFocusProxy(m_view);
 
-    connect(m_view, &SceneView::clicked, this, &View3dPanel::pick);
-    connect(m_view, &SceneView::hovered, this, &View3dPanel::hover);
-    connect(m_view, &SceneView::left, this, [this] { m_document.pointing().hover({}); });
-    connect(m_view, &SceneView::dragged, this, &View3dPanel::drag);
-    connect(m_view, &SceneView::dragCancelled, this, &View3dPanel::cancelDrag);
-    connect(m_view, &SceneView::handleHovered, this, &View3dPanel::showNumbers);
-    connect(m_view, &SceneView::spaceAsked, this, &View3dPanel::stepSpace);
-    connect(m_view, &SceneView::faceAsked, this, &View3dPanel::stepFace);
+    connect(&m_view->input(), &ViewInput::clicked, this, &View3dPanel::pick);
+    connect(&m_view->input(), &ViewInput::hovered, this, &View3dPanel::hover);
+    connect(&m_view->input(), &ViewInput::left, this, [this] { m_document.pointing().hover({}); });
+    connect(&m_view->handles(), &ViewHandles::dragged, this, &View3dPanel::drag);
+    connect(&m_view->handles(), &ViewHandles::cancelled, this, &View3dPanel::cancelDrag);
+    connect(&m_view->handles(), &ViewHandles::hovered, this, &View3dPanel::showNumbers);
+    connect(&m_view->input(), &ViewInput::spaceAsked, this, &View3dPanel::stepSpace);
+    connect(&m_view->input(), &ViewInput::faceAsked, this, &View3dPanel::stepFace);
     connect(m_view, &SceneView::optionsChanged, this, [this] {
         showOptions();
         showHandles();
     });
-    connect(m_view, &SceneView::orthographicChanged, m_orthographic, &QToolButton::setChecked);
+    connect(&m_view->camera(), &ViewCamera::orthographicChanged, m_orthographic, &QToolButton::setChecked);
     m_turns = new PictureTurns(document, *m_view, this);
     connect(m_turns, &PictureTurns::due, this, &View3dPanel::takeFrame);
     for (const BackgroundJob* job : {&m_building, &m_moving})
         connect(job, &BackgroundJob::busyChanged, this,
-                [this] { m_view->setBuilding(m_building.busy() || m_moving.busy()); });
+                [this] { m_view->progress().setBuilding(m_building.busy() || m_moving.busy()); });
     observeWork();
     connect(&document, &Document::sceneOpened, this, [this] {
         m_made = {};
@@ -59,10 +59,10 @@ View3dPanel::View3dPanel(Document& document, QWidget* parent) : QWidget(parent),
         m_moving.forget();
         m_awaited.reset();
         m_beforeDrag.reset();  // of the scene before: nothing goes back to it
-        m_view->setContent(nullptr, true);
-        m_view->cancelDrag();
+        m_view->space().setContent(nullptr, true);
+        m_view->input().cancelDrag();
         m_view->setEmptyText({});
-        if (m_view->space().space == ViewSpace::Light) setSpace({});
+        if (m_view->space().id().space == ViewSpace::Light) setSpace({});
     });
     connect(&document, &Document::sceneChanged, this, &View3dPanel::wantBuffers);
     connect(&document, &Document::sceneChanged, this, &View3dPanel::dropDrag);
@@ -114,7 +114,7 @@ void View3dPanel::buildHeader() {
 
     m_orthographic =
         addToggle("orthographic", tr("Orthographic"), tr("Orthographic (5): parallel lines stay parallel"));
-    connect(m_orthographic, &QToolButton::clicked, m_view, &SceneView::setOrthographic);
+    connect(m_orthographic, &QToolButton::clicked, &m_view->camera(), &ViewCamera::setOrthographic);
     // What these four are for stands in showToggles().
     m_normals = addToggle("normals", tr("Normals"), {});
     connect(m_normals, &QToolButton::clicked, this, [this](bool on) {
@@ -139,7 +139,7 @@ void View3dPanel::buildHeader() {
     m_cameras = addMenuButton("cube", tr("Camera"), tr("Views from named directions"));
     auto* menu = new QMenu(m_cameras);
     const auto addView = [&](const QString& text, ViewPreset preset) {
-        connect(menu->addAction(text), &QAction::triggered, m_view, [this, preset] { m_view->go(preset); });
+        connect(menu->addAction(text), &QAction::triggered, m_view, [this, preset] { m_view->camera().go(preset); });
     };
     addView(tr("Front\t1"), ViewPreset::Front);
     addView(tr("Side\t3"), ViewPreset::Side);
@@ -148,7 +148,8 @@ void View3dPanel::buildHeader() {
     menu->addSeparator();
     addView(tr("From the eye\t0"), ViewPreset::Eye);
     addView(tr("Everything, the eye too\tA"), ViewPreset::Everything);
-    connect(menu->addAction(tr("Zoom out of the eye\tZ")), &QAction::triggered, m_view, &SceneView::zoomOut);
+    connect(menu->addAction(tr("Zoom out of the eye\tZ")), &QAction::triggered, &m_view->camera(),
+            &ViewCamera::zoomOut);
     m_cameras->setMenu(menu);
     m_cameras->setPopupMode(QToolButton::InstantPopup);
 
@@ -157,7 +158,7 @@ void View3dPanel::buildHeader() {
     connect(settings, &ViewSettings::changed, this, &View3dPanel::changeOptions);
     connect(more, &QToolButton::clicked, this, [this, more, settings] {
         settings->setOptions(m_view->options());
-        settings->setSpace(m_view->space().space);
+        settings->setSpace(m_view->space().id().space);
         settings->adjustSize();
         settings->move(more->mapToGlobal(QPoint(more->width() - settings->width(), more->height())));
         settings->show();
@@ -226,7 +227,7 @@ void View3dPanel::showEvent(QShowEvent* event) {
 
 void View3dPanel::hideEvent(QHideEvent* event) {
     QWidget::hideEvent(event);
-    m_view->cancelDrag();  // the button's release goes elsewhere
+    m_view->input().cancelDrag();  // the button's release goes elsewhere
     wantBuffers();
 }
 
@@ -249,7 +250,7 @@ void View3dPanel::showOptions() {
 
 bool View3dPanel::wantsFrusta() const {
     const bool awaitsLight = m_awaited && m_awaited->space == ViewSpace::Light;
-    return m_view->options().lightFrusta || awaitsLight || m_view->space().space == ViewSpace::Light;
+    return m_view->options().lightFrusta || awaitsLight || m_view->space().id().space == ViewSpace::Light;
 }
 
 void View3dPanel::wantBuffers() {
@@ -275,9 +276,9 @@ void View3dPanel::takeFrame() {
     const Made made{frame, m_document.pointing().pixel(), m_document.pointing().selection()};
     const auto& inspected = m_document.inspection().newest();
     const bool isKnown = made.pixel && inspected && inspected->frame == frame && inspected->report.pixel == *made.pixel;
-    const auto build = [made, before = m_view->content(), known = isKnown ? inspected : nullptr, frusta = wantsFrusta(),
-                        steps = inside ? stepper.steps() : nullptr, inTransform, space = m_view->space(),
-                        moment = stepper.moment()](const std::stop_token& stop) {
+    const auto build = [made, before = m_view->space().content(), known = isKnown ? inspected : nullptr,
+                        frusta = wantsFrusta(), steps = inside ? stepper.steps() : nullptr, inTransform,
+                        space = m_view->space().id(), moment = stepper.moment()](const std::stop_token& stop) {
         const pipeline::Frame& of = *made.frame;
         const pipeline::Frame* placed = inTransform ? steps->frame().get() : nullptr;
         ViewContent shown = contentOf(of, known ? std::nullopt : made.pixel, before.get(), stop, placed);
@@ -310,7 +311,7 @@ void View3dPanel::showContent(const Built& built, const Made& made) {
         makeNormalsReadable(*content, options);  // the sliders show more or fewer, longer or shorter ones
         changeOptions(options);
     }
-    m_view->setContent(content, newScene, built.moved);
+    m_view->space().setContent(content, newScene, built.moved);
     showToggles();
     showFace();
     showHandles();
@@ -325,36 +326,37 @@ void View3dPanel::showContent(const Built& built, const Made& made) {
 }
 
 void View3dPanel::takePixel() {
-    if (!m_view->content() || misses() || m_building.busy()) return;  // what is built then takes it up
+    if (!m_view->space().content() || misses() || m_building.busy()) return;  // what is built then takes it up
     const auto& inspected = m_document.inspection().newest();
     const pipeline::PixelReport* report = inspected ? &inspected->report : nullptr;
     const auto pixel = report ? std::optional(report->pixel) : std::nullopt;
     if (pixel == m_made.pixel) return;
     if (inspected && inspected->frame != m_made.frame) return takeFrame();
     m_made.pixel = pixel;
-    m_view->setContent(std::make_shared<const ViewContent>(withReport(*m_view->content(), *m_made.frame, report)),
-                       false);
+    m_view->space().setContent(
+        std::make_shared<const ViewContent>(withReport(*m_view->space().content(), *m_made.frame, report)), false);
     showHandles();
 }
 
 void View3dPanel::takeSelection() {
-    if (!m_view->content() || misses() || m_building.busy()) return;
+    if (!m_view->space().content() || misses() || m_building.busy()) return;
     m_made.selection = m_document.pointing().selection();
-    m_view->setContent(
-        std::make_shared<const ViewContent>(withSelection(*m_view->content(), *m_made.frame, m_made.selection)), false);
+    m_view->space().setContent(
+        std::make_shared<const ViewContent>(withSelection(*m_view->space().content(), *m_made.frame, m_made.selection)),
+        false);
     showHandles();
 }
 
 void View3dPanel::takeHover() {
-    const auto& content = m_view->content();
+    const auto& content = m_view->space().content();
     const auto pixel = m_document.pointing().hovered();
     m_view->setProbe(content && pixel && !isPutAway(*this) ? pointShownBy(*content, *pixel) : std::nullopt);
 }
 
 // By the frame that the view was made of: another one may be there before the view is.
 void View3dPanel::pick(const Hit& hit) {
-    if (!m_made.frame || !m_view->content()) return;
-    const Shown shown = pixelShowing(*m_made.frame, *m_view->content(), hit);
+    if (!m_made.frame || !m_view->space().content()) return;
+    const Shown shown = pixelShowing(*m_made.frame, *m_view->space().content(), hit);
     if (shown.pixel)
         m_document.pointing().pick(shown.pixel);
     else
@@ -362,8 +364,9 @@ void View3dPanel::pick(const Hit& hit) {
 }
 
 void View3dPanel::hover(const std::optional<Hit>& hit) {
-    if (!m_made.frame || !m_view->content()) return;
-    m_document.pointing().hover(hit ? pixelShowing(*m_made.frame, *m_view->content(), *hit).pixel : std::nullopt);
+    if (!m_made.frame || !m_view->space().content()) return;
+    m_document.pointing().hover(hit ? pixelShowing(*m_made.frame, *m_view->space().content(), *hit).pixel
+                                    : std::nullopt);
 }
 
 }  // namespace app

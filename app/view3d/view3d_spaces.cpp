@@ -50,7 +50,8 @@ void View3dPanel::setSpace(SpaceId space) {
     m_awaited.reset();
     m_wanted.reset();
     const auto isThere = [&] {
-        return space.space != ViewSpace::Light || (m_view->content() && mapOf(*m_view->content(), space));
+        return space.space != ViewSpace::Light ||
+               (m_view->space().content() && mapOf(*m_view->space().content(), space));
     };
     if (!isThere()) addFrusta();
     if (!isThere()) {
@@ -63,9 +64,9 @@ void View3dPanel::setSpace(SpaceId space) {
 
 // A large mesh is moved there beside the window, and again where another frame has come meanwhile.
 void View3dPanel::goTo(SpaceId space) {
-    const auto& content = m_view->content();
+    const auto& content = m_view->space().content();
     const bool isLarge = content && content->mesh->faces.size() > kManyTriangles;
-    const auto map = isLarge && space != m_view->space() ? mapOf(*content, space) : std::nullopt;
+    const auto map = isLarge && space != m_view->space().id() ? mapOf(*content, space) : std::nullopt;
     if (!map || map->space == ViewSpace::World) return enter(space, nullptr);
     m_awaited = space;
     m_moving.ask(
@@ -73,13 +74,13 @@ void View3dPanel::goTo(SpaceId space) {
             return std::make_shared<const ViewContent>(inSpace(*content, map));
         },
         [this, space](const std::shared_ptr<const ViewContent>& moved) {
-            moved->world == m_view->content()->mesh ? enter(space, moved) : goTo(space);
+            moved->world == m_view->space().content()->mesh ? enter(space, moved) : goTo(space);
         });
 }
 
 void View3dPanel::enter(SpaceId space, std::shared_ptr<const ViewContent> moved) {
     m_awaited.reset();
-    m_view->setSpace(space, std::move(moved));
+    m_view->space().set(space, std::move(moved));
     showSpace();
     showHandles();
     wantBuffers();
@@ -89,14 +90,14 @@ void View3dPanel::enter(SpaceId space, std::shared_ptr<const ViewContent> moved)
 // The frame may have the shadow buffers already, and then no other one comes.
 void View3dPanel::addFrusta() {
     const auto& frame = m_document.frames().shown();
-    if (!frame || !m_view->content()) return;
-    ViewContent content = *m_view->content();
+    if (!frame || !m_view->space().content()) return;
+    ViewContent content = *m_view->space().content();
     content.frusta = lightFrusta(*frame);
-    m_view->setContent(std::make_shared<const ViewContent>(std::move(content)), false);
+    m_view->space().setContent(std::make_shared<const ViewContent>(std::move(content)), false);
 }
 
 void View3dPanel::showSpace() {
-    const SpaceId id = m_view->space();
+    const SpaceId id = m_view->space().id();
     const QString name = toQString(nameOf({id.space, id.light}));
     m_space->setText(name);
     m_space->setAccessibleName(tr("Space: %1").arg(name));
@@ -109,7 +110,7 @@ void View3dPanel::showSpace() {
 
 // What is left out is said: of a dense mesh not every normal is shown.
 QString View3dPanel::normalsTip() const {
-    const auto& content = m_view->content();
+    const auto& content = m_view->space().content();
     const ViewOptions& options = m_view->options();
     const std::size_t all = content ? normalArrows(*content->mesh, options.normals).size() : 0;
     const std::size_t shown = content ? shownNormals(*content, options).size() : 0;
@@ -120,7 +121,7 @@ QString View3dPanel::normalsTip() const {
 
 // What each shows, or why it shows nothing in this space.
 void View3dPanel::showToggles() {
-    const ViewSpace space = m_view->space().space;
+    const ViewSpace space = m_view->space().id().space;
     const bool isPoint = space == ViewSpace::Point;
     const bool keepsLengths = space != ViewSpace::Clip && space != ViewSpace::Screen;
     const auto enable = [](QToolButton* button, const QString& tip, bool enabled, const QString& whyNot) {
@@ -142,7 +143,7 @@ void View3dPanel::fillSpaces(QMenu& menu) {
     for (const SpaceId& id : spacesOf(m_document)) {
         QAction* action = menu.addAction(toQString(nameOf(id)), this, [this, id] { setSpace(id); });
         action->setCheckable(true);
-        action->setChecked(id.space == m_view->space().space && id.light == m_view->space().light);
+        action->setChecked(id.space == m_view->space().id().space && id.light == m_view->space().id().light);
         action->setToolTip(remarkOf(id.space));
         if (id.space != ViewSpace::Light) continue;
         const QString whyNot = whyNotLight(m_document, id.light);
@@ -154,7 +155,7 @@ void View3dPanel::fillSpaces(QMenu& menu) {
 // Those that cannot be shown are passed over.
 void View3dPanel::stepSpace(int step) {
     const std::vector<SpaceId> spaces = spacesOf(m_document);
-    SpaceId shown = m_awaited.value_or(m_view->space());
+    SpaceId shown = m_awaited.value_or(m_view->space().id());
     shown.face = -1;
     const auto now = std::ranges::find(spaces, shown);
     auto i = now == spaces.end() ? 0 : std::size_t(now - spaces.begin());
@@ -164,8 +165,8 @@ void View3dPanel::stepSpace(int step) {
 }
 
 const LightFrustum* View3dPanel::shownFrustum() const {
-    const auto& content = m_view->content();
-    const SpaceId id = m_view->space();
+    const auto& content = m_view->space().content();
+    const SpaceId id = m_view->space().id();
     if (!content || id.space != ViewSpace::Light) return nullptr;
     const auto found = std::ranges::find_if(content->frusta, [&](const LightFrustum& frustum) {
         return frustum.light == id.light && (id.face < 0 || frustum.face == id.face);
@@ -188,7 +189,7 @@ void View3dPanel::fillFaces(QMenu& menu) {
     menu.clear();
     const LightFrustum* shown = shownFrustum();
     if (!shown) return;
-    SpaceId id = m_view->space();
+    SpaceId id = m_view->space().id();
     const auto add = [&](const QString& text, int face, bool checked) {
         id.face = face;
         QAction* action = menu.addAction(text, this, [this, id] { setSpace(id); });
@@ -196,9 +197,9 @@ void View3dPanel::fillFaces(QMenu& menu) {
         action->setChecked(checked);
     };
     add(tr("The one that sees the most"), -1, id.face < 0);
-    const int now = m_view->space().face;
+    const int now = m_view->space().id().face;
     for (int face = 0; face < shown->faces; ++face) {
-        const auto& frusta = m_view->content()->frusta;
+        const auto& frusta = m_view->space().content()->frusta;
         const auto found = std::ranges::find_if(
             frusta, [&](const LightFrustum& f) { return f.light == shown->light && f.face == face; });
         const bool isEmpty = found == frusta.end() || found->texels == 0;
@@ -210,7 +211,7 @@ void View3dPanel::fillFaces(QMenu& menu) {
 void View3dPanel::stepFace(int step) {
     const LightFrustum* shown = shownFrustum();
     if (!shown || shown->faces < 2) return;
-    SpaceId id = m_view->space();
+    SpaceId id = m_view->space().id();
     id.face = (shown->face + shown->faces + step) % shown->faces;
     setSpace(id);
 }

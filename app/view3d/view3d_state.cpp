@@ -103,26 +103,16 @@ ViewOptions optionsOf(const lessons::SpaceShown& shown, pipeline::Errors& errors
     return options;
 }
 
-// A camera that the user has not moved frames the picture as it does the view.
-pipeline::Result<SpacePicture> SceneView::picture(QSize size, bool transparent) const {
-    if (!shown()) return pipeline::Error{{}, "the 3D view has nothing to show", {}};
-    const ViewShot shot = shotOf({size.width(), size.height()}, isPoint(), isWorld(), transparent);
-    const glm::dvec2 logical = glm::dvec2(shot.size) / shot.pixelRatio;
-    const OrbitCamera camera =
-        m_touched ? m_camera : firstCamera(*shown(), m_options, isPoint(), logical, m_camera.orthographic);
-    return SpacePicture{shown(), m_options, camera, shot};
-}
-
 lessons::SpaceShown View3dPanel::state() const {
     if (m_wanted) return m_wanted->asked;
     lessons::SpaceShown state;
-    state.space = keyOf(m_view->space());
+    state.space = keyOf(m_view->space().id());
     for (const OptionRow& row : kOptions) {
         const double value = row.get(m_view->options());
         if (value != row.get(ViewOptions())) state.options[std::string(row.name)] = value;
     }
-    if (!m_view->isTouched()) return state;
-    const OrbitCamera& c = m_view->camera();
+    if (!m_view->camera().isTouched()) return state;
+    const OrbitCamera& c = m_view->camera().now();
     state.camera = {c.target, c.right, c.up, c.forward, c.distance, c.fovY, c.orthographic};
     return state;
 }
@@ -151,9 +141,9 @@ void View3dPanel::showWanted() {
 }
 
 void View3dPanel::takeCamera(const std::optional<lessons::SpaceShown::Camera>& camera) {
-    if (!camera) return m_view->frameAnew();
+    if (!camera) return m_view->camera().frameAnew();
     const auto& c = *camera;
-    m_view->setCamera({c.target, c.distance, c.right, c.up, c.forward, c.fov, c.orthographic});
+    m_view->camera().set({c.target, c.distance, c.right, c.up, c.forward, c.fov, c.orthographic});
 }
 
 // What the view waits for, and may be told to give up.
@@ -164,16 +154,17 @@ void View3dPanel::observeWork() {
         [this] {
             m_building.forget();
             m_moving.forget();
-            m_view->cancelDrawing();
+            m_view->progress().cancel();
         },
         [this] {
-            m_view->resumeDrawing();
+            m_view->progress().resume();
             takeFrame();
         });
-    connect(m_view, &SceneView::workingChanged, this, [this](bool works) { m_document.work().setBusy(this, works); });
+    connect(&m_view->progress(), &ViewProgress::workingChanged, this,
+            [this](bool works) { m_document.work().setBusy(this, works); });
     connect(&work, &WorkList::changed, this, [this] {
         const WorkList& now = m_document.work();
-        m_view->setStopped(now.isStopped(this) || now.isStopped(&m_document.frames()));
+        m_view->progress().setStopped(now.isStopped(this) || now.isStopped(&m_document.frames()));
     });
 }
 

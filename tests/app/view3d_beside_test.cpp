@@ -18,9 +18,9 @@ protected:
         ASSERT_TRUE(waitUntilDrawn());
     }
     void turn() {
-        app::OrbitCamera camera = view.camera();
+        app::OrbitCamera camera = view.camera().now();
         app::orbit(camera, 30, 0);
-        view.setCamera(camera);
+        view.camera().set(camera);
     }
 
     const app::VtkWidget& vtk = *view.findChild<app::VtkWidget*>();
@@ -40,8 +40,8 @@ TEST_F(View3dBeside, TheWindowDoesNotWaitForAPicture) {
     }
     ASSERT_TRUE(waitUntilDrawn());
     EXPECT_FALSE(working->isVisible());
-    EXPECT_EQ(vtk.shown()->content, view.content());
-    EXPECT_EQ(vtk.shown()->view.camera, view.camera());
+    EXPECT_EQ(vtk.shown()->content, view.space().content());
+    EXPECT_EQ(vtk.shown()->view.camera, view.camera().now());
 }
 
 // Whoever presses Esc to leave a talk that has just begun leaves no empty view behind.
@@ -72,7 +72,7 @@ TEST_F(View3dBeside, OfManyChangesMeanwhileTheNewestAloneIsDrawn) {
     }
     ASSERT_TRUE(waitUntilDrawn());
     EXPECT_LE(drawn, 3) << "the one that had begun, the newest, and that with smooth edges";
-    EXPECT_EQ(vtk.shown()->view.camera, view.camera());
+    EXPECT_EQ(vtk.shown()->view.camera, view.camera().now());
 }
 
 // On its way to another space it shows the one before; the last one that was asked for counts, and a camera asked for
@@ -80,25 +80,26 @@ TEST_F(View3dBeside, OfManyChangesMeanwhileTheNewestAloneIsDrawn) {
 TEST_F(View3dBeside, TheWindowDoesNotWaitForALargeMeshToBeMoved) {
     using app::ViewSpace;
     document.setScene(test::manyPolygons());
-    ASSERT_TRUE(QTest::qWaitFor([&] { return view.content() && view.content()->mesh->faces.size() > 60000; }, 20000));
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] { return view.space().content() && view.space().content()->mesh->faces.size() > 60000; }, 20000));
     const auto comesTo = [&](ViewSpace space) {
-        return QTest::qWaitFor([&] { return view.space().space == space; }, 20000);
+        return QTest::qWaitFor([&] { return view.space().id().space == space; }, 20000);
     };
     panel.setSpace({ViewSpace::Eye});
-    EXPECT_EQ(view.space().space, ViewSpace::World);
+    EXPECT_EQ(view.space().id().space, ViewSpace::World);
     ASSERT_TRUE(comesTo(ViewSpace::Eye));
-    EXPECT_EQ(view.shown()->world, view.content()->mesh);
+    EXPECT_EQ(view.space().shown()->world, view.space().content()->mesh);
     panel.setSpace({ViewSpace::Clip});
     panel.setSpace({ViewSpace::World});
     QTest::qWait(300);
-    EXPECT_EQ(view.space().space, ViewSpace::World);
+    EXPECT_EQ(view.space().id().space, ViewSpace::World);
     lessons::SpaceShown asked;
     asked.space = "screen";
     asked.camera.emplace();
     asked.camera->distance = 77;
     EXPECT_TRUE(panel.lookAt(asked).empty());
     ASSERT_TRUE(comesTo(ViewSpace::Screen));
-    EXPECT_EQ(view.camera().distance, 77);
+    EXPECT_EQ(view.camera().now().distance, 77);
 }
 
 }  // namespace

@@ -71,18 +71,19 @@ TEST_F(ShownView3d, ALargeMeshIsCoarseWhileItMovesAndWholeAtRest) {
     pipeline::Scene scene = test::pyramid();
     scene.objects[0].mesh = test::sphere(150, 400, 800);
     document.setScene(scene);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return view.content() && !document.frames().busy() && view.isDrawn(); }, 60000));
-    ASSERT_TRUE(view.content()->mesh->coarse);
-    EXPECT_LT(view.content()->mesh->coarse->size(), view.content()->mesh->faces.size() / 10);
+    ASSERT_TRUE(
+        QTest::qWaitFor([&] { return view.space().content() && !document.frames().busy() && view.isDrawn(); }, 60000));
+    ASSERT_TRUE(view.space().content()->mesh->coarse);
+    EXPECT_LT(view.space().content()->mesh->coarse->size(), view.space().content()->mesh->faces.size() / 10);
     const auto* said = view.findChild<QLabel*>("coarse");
     EXPECT_FALSE(said->isVisible());
 
     bool wasCoarse = false;
     QObject::connect(&view, &app::SceneView::drawn, [&] { wasCoarse = wasCoarse || said->isVisible(); });
     for (int i = 0; i < 300 && !wasCoarse; ++i) {
-        app::OrbitCamera camera = view.camera();
+        app::OrbitCamera camera = view.camera().now();
         app::orbit(camera, 3, 0);
-        view.setCamera(camera);
+        view.camera().set(camera);
         QTest::qWait(10);
     }
     EXPECT_TRUE(wasCoarse);

@@ -15,8 +15,8 @@ protected:
         openPyramid();
     }
     QPoint lightHandle() const {
-        const app::HandleView place = app::handleView(view.viewFrame(), view.shown()->map);
-        const glm::dvec2 p = app::placeOf(place, view.handles().front().at).at;
+        const app::HandleView place = app::handleView(view.viewFrame(), view.space().shown()->map);
+        const glm::dvec2 p = app::placeOf(place, view.handles().all().front().at).at;
         return {int(p.x), int(p.y)};
     }
     // With every button that is down, as a mouse has it.
@@ -27,7 +27,7 @@ protected:
     void takeHoldAt(QPoint at) {
         send(QEvent::MouseButtonPress, at, Qt::LeftButton, Qt::LeftButton);
         send(QEvent::MouseMove, at + QPoint(20, 5), Qt::NoButton, Qt::LeftButton);
-        ASSERT_TRUE(view.isDragging());
+        ASSERT_TRUE(view.handles().isDragging());
         ASSERT_NE(lightNow(), kLight);
     }
     void letGoAt(QPoint at) { send(QEvent::MouseButtonRelease, at, Qt::LeftButton, Qt::NoButton); }
@@ -52,9 +52,9 @@ TEST_F(View3dDrag, EndsWithItsOwnButtonWhateverAnotherOneDoes) {
         send(QEvent::MouseMove, end, Qt::NoButton, Qt::LeftButton | other);
         EXPECT_EQ(lightNow(), dragged) << "it does not jump";
         send(QEvent::MouseButtonRelease, end, other, Qt::LeftButton);
-        EXPECT_TRUE(view.isDragging());
+        EXPECT_TRUE(view.handles().isDragging());
         letGoAt(end);
-        EXPECT_FALSE(view.isDragging());
+        EXPECT_FALSE(view.handles().isDragging());
         EXPECT_EQ(document.history().stack()->count(), 1);
         document.history().stack()->undo();
         ASSERT_TRUE(QTest::qWaitFor([&] { return !document.frames().busy(); }));
@@ -78,7 +78,7 @@ TEST_F(View3dDrag, AViewThatIsHiddenPutsItBack) {
     const QPoint at = lightHandle();
     takeHoldAt(at);
     panel.hide();
-    EXPECT_FALSE(view.isDragging());
+    EXPECT_FALSE(view.handles().isDragging());
     EXPECT_EQ(document.scene(), before);
     panel.show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(&panel));
@@ -93,7 +93,7 @@ TEST_F(View3dDrag, AnotherSceneIsNotChangedByADragInTheOneBefore) {
     other.objects[0].material.exponent = 3;
     QSignalSpy ready(&document.frames(), &app::FrameFeed::frameReady);
     document.setScene(other);
-    EXPECT_FALSE(view.isDragging());
+    EXPECT_FALSE(view.handles().isDragging());
     send(QEvent::MouseMove, at + QPoint(40, 5), Qt::NoButton, Qt::LeftButton);
     letGoAt(at + QPoint(40, 5));
     EXPECT_EQ(document.scene(), other);
@@ -108,7 +108,7 @@ TEST_F(View3dDrag, EndsWhereItsReleaseWentElsewhere) {
     const QPoint at = lightHandle();
     takeHoldAt(at);
     send(QEvent::MouseMove, at + QPoint(60, 5), Qt::NoButton, Qt::NoButton);
-    EXPECT_FALSE(view.isDragging());
+    EXPECT_FALSE(view.handles().isDragging());
     EXPECT_EQ(document.scene(), before);
 }
 
@@ -119,7 +119,7 @@ TEST_F(View3dDrag, EndsWhereTheSceneChangesUnderIt) {
     pipeline::Scene dark = document.scene();
     dark.lights.clear();
     document.edit(dark, "no lights", app::Document::Change::Done);
-    EXPECT_FALSE(view.isDragging());
+    EXPECT_FALSE(view.handles().isDragging());
     send(QEvent::MouseMove, at + QPoint(40, 5), Qt::NoButton, Qt::LeftButton);
     EXPECT_EQ(document.scene(), dark);
 }
@@ -153,7 +153,7 @@ TEST_F(View3dDrag, APressOfItsOwnButtonAgainEndsIt) {
     takeHoldAt(at);
     const Vec3d dragged = lightNow();
     send(QEvent::MouseButtonPress, {5, 5}, Qt::LeftButton, Qt::LeftButton);
-    EXPECT_FALSE(view.isDragging());
+    EXPECT_FALSE(view.handles().isDragging());
     EXPECT_EQ(lightNow(), dragged);
     EXPECT_EQ(document.history().stack()->count(), 1);
 }

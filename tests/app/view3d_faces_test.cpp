@@ -20,7 +20,7 @@ TEST_F(View3dFaces, KeysGoFromFaceToFaceOfAPointLight) {
     auto* face = panel.findChild<QToolButton*>("face");
     EXPECT_TRUE(face->isHidden()) << "the world has no faces";
     panel.setSpace({app::ViewSpace::Light});
-    ASSERT_TRUE(QTest::qWaitFor([&] { return view.space().space == app::ViewSpace::Light; }, 10000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return view.space().id().space == app::ViewSpace::Light; }, 10000));
     EXPECT_EQ(face->text(), "face −z") << "the one that sees the most";
     QTest::keyClick(&view, Qt::Key_F);
     EXPECT_EQ(face->text(), "face +x");
@@ -44,5 +44,5 @@ TEST_F(View3dFaces, TheLightsSpaceComesWithoutANewFrame) {
     document.setScene(test::boxOverGround());
     ASSERT_TRUE(QTest::qWaitFor([&] { return ready.count() > 0 && !document.frames().busy(); }, 10000));
     panel.setSpace({app::ViewSpace::Light});
-    EXPECT_EQ(view.space().space, app::ViewSpace::Light);
+    EXPECT_EQ(view.space().id().space, app::ViewSpace::Light);
 }

@@ -18,7 +18,7 @@ protected:
     }
     void goTo(app::ViewSpace space) {
         panel.setSpace({space});
-        ASSERT_TRUE(QTest::qWaitFor([&] { return !view.isMoving(); }, 5000));
+        ASSERT_TRUE(QTest::qWaitFor([&] { return !view.space().isMoving(); }, 5000));
     }
     const QToolButton* button(const char* name) { return panel.findChild<QToolButton*>(name); }
     QString tip(const char* name) { return button(name)->toolTip(); }
@@ -66,9 +66,9 @@ TEST_F(View3dHeader, ACameraAskedForInALightsSpaceIsThereOnceTheSpaceIs) {
     asked.camera.emplace();
     asked.camera->distance = 77;
     EXPECT_TRUE(panel.lookAt(asked).empty());
-    ASSERT_TRUE(QTest::qWaitFor([&] { return view.space().space == app::ViewSpace::Light; }, 5000));
-    EXPECT_EQ(view.camera().distance, 77);
-    EXPECT_TRUE(view.isTouched());
+    ASSERT_TRUE(QTest::qWaitFor([&] { return view.space().id().space == app::ViewSpace::Light; }, 5000));
+    EXPECT_EQ(view.camera().now().distance, 77);
+    EXPECT_TRUE(view.camera().isTouched());
 }
 
 }  // namespace

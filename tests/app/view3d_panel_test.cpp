@@ -29,7 +29,7 @@ protected:
     // The display tells of a pointer without a button when it likes; once it is pressed that would end the drag.
     void hover(QPoint at, const char* handle) {
         QTest::mouseMove(&view, at);
-        ASSERT_TRUE(QTest::qWaitFor([&] { return view.numbers().startsWith(handle); }, 5000)) << handle;
+        ASSERT_TRUE(QTest::qWaitFor([&] { return view.handles().numbers().startsWith(handle); }, 5000)) << handle;
     }
     void TearDown() override { Theme::current().set(ThemeId::Light); }
 
@@ -117,8 +117,8 @@ TEST_F(View3dWindow, AClickPicksThePixelThatShowsThePoint) {
 
 TEST_F(View3dWindow, AClickOnWhatTheEyeDoesNotSeeSaysWhy) {
     openPyramid();
-    view.go(app::ViewPreset::Front);  // polygon 0 faces this way, away from the eye
-    ASSERT_TRUE(QTest::qWaitFor([&] { return view.camera().forward == Vec3d(0, 1, 0); }, 5000));
+    view.camera().go(app::ViewPreset::Front);  // polygon 0 faces this way, away from the eye
+    ASSERT_TRUE(QTest::qWaitFor([&] { return view.camera().now().forward == Vec3d(0, 1, 0); }, 5000));
     QSignalSpy said(&document, &Document::said);
     clickAt({335, 25, 50});
     EXPECT_FALSE(document.pointing().pixel());
@@ -128,27 +128,27 @@ TEST_F(View3dWindow, AClickOnWhatTheEyeDoesNotSeeSaysWhy) {
 
 TEST_F(View3dWindow, DraggingOrbitsAndPicksNothing) {
     openPyramid();
-    const app::OrbitCamera before = view.camera();
+    const app::OrbitCamera before = view.camera().now();
     const QPoint middle = view.rect().center();
     QTest::mousePress(&view, Qt::LeftButton, {}, middle);
     QTest::mouseMove(&view, middle + QPoint(40, 10));
     QTest::mouseMove(&view, middle + QPoint(80, 20));
     QTest::mouseRelease(&view, Qt::LeftButton, {}, middle + QPoint(80, 20));
     EXPECT_FALSE(document.pointing().pixel());
-    EXPECT_GT(glm::length(view.camera().forward - before.forward), 0.1);
-    EXPECT_EQ(view.camera().target, before.target);
+    EXPECT_GT(glm::length(view.camera().now().forward - before.forward), 0.1);
+    EXPECT_EQ(view.camera().now().target, before.target);
 }
 
 TEST_F(View3dWindow, KeysGoToNamedViewsAndNothingElseListens) {
     openPyramid();
     const auto goesTo = [&](Qt::Key key, Vec3d forward) {
         QTest::keyClick(&view, key);
-        return QTest::qWaitFor([&] { return glm::length(view.camera().forward - forward) < 1e-9; }, 5000);
+        return QTest::qWaitFor([&] { return glm::length(view.camera().now().forward - forward) < 1e-9; }, 5000);
     };
     EXPECT_TRUE(goesTo(Qt::Key_7, {0, 0, -1}));
     EXPECT_TRUE(goesTo(Qt::Key_3, {-1, 0, 0}));
     QTest::keyClick(&view, Qt::Key_5);
-    EXPECT_TRUE(view.camera().orthographic);
+    EXPECT_TRUE(view.camera().now().orthographic);
     EXPECT_TRUE(panel.findChild<QToolButton*>("orthographic")->isChecked());
     QTest::keyClick(&view, Qt::Key_5);
     EXPECT_TRUE(goesTo(Qt::Key_1, {0, 1, 0}));
@@ -167,8 +167,8 @@ TEST_F(View3dWindow, TheSceneStandsAboveTheLegend) {
     for (const double scale : {1.0, 2.0}) {
         Theme::current().setScale(scale);
         ASSERT_TRUE(legend->isVisible());
-        for (const app::Vec3d& corner : view.shown()->bounds.corners())
-            EXPECT_LE(project(view.camera(), view.viewFrame().size, corner).at.y, legend->y()) << scale;
+        for (const app::Vec3d& corner : view.space().shown()->bounds.corners())
+            EXPECT_LE(project(view.camera().now(), view.viewFrame().size, corner).at.y, legend->y()) << scale;
     }
     Theme::current().setScale(1);
 }
@@ -208,7 +208,7 @@ TEST_F(View3dWindow, AtThePointTheDiscIsThePolygonsColour) {
 
 namespace {
 
-const app::Handle& lightHandle(const SceneView& view) { return view.handles().front(); }
+const app::Handle& lightHandle(const SceneView& view) { return view.handles().all().front(); }
 
 }  // namespace
 
@@ -218,20 +218,20 @@ TEST_F(View3dWindow, ADraggedLightIsOneStepOfUndo) {
     const pipeline::Scene before = document.scene();
     ASSERT_EQ(lightHandle(view).name, "light 0");
     const QPoint at = view.mapFrom(&panel, this->at(lightHandle(view).at));
-    const app::OrbitCamera camera = view.camera();
+    const app::OrbitCamera camera = view.camera().now();
     hover(at, "light 0: x ");
     QTest::mousePress(&view, Qt::LeftButton, {}, at);
     QSignalSpy ready(&document.frames(), &app::FrameFeed::frameReady);
     QTest::mouseMove(&view, at + QPoint(20, 5));
-    EXPECT_TRUE(view.isDragging());
-    EXPECT_TRUE(view.numbers().startsWith("light 0: x "));
+    EXPECT_TRUE(view.handles().isDragging());
+    EXPECT_TRUE(view.handles().numbers().startsWith("light 0: x "));
     ASSERT_TRUE(ready.wait()) << "the frame follows before the button is let go";
     EXPECT_NE(document.frames().shown()->scene().lights[0].position, before.lights[0].position);
     QTest::mouseMove(&view, at + QPoint(40, 10));
     QTest::mouseRelease(&view, Qt::LeftButton, {}, at + QPoint(40, 10));
     EXPECT_EQ(document.history().stack()->count(), 1);
     EXPECT_EQ(document.history().stack()->undoText(), "move light 0");
-    EXPECT_EQ(view.camera(), camera) << "the view does not turn with what is dragged";
+    EXPECT_EQ(view.camera().now(), camera) << "the view does not turn with what is dragged";
     document.history().stack()->undo();
     EXPECT_EQ(document.scene(), before);
 }
@@ -255,18 +255,18 @@ TEST_F(View3dWindow, AnObjectIsTurnedByItsRing) {
     openPyramid();
     document.pointing().pick(kRightFace);
     QTest::keyClick(&view, Qt::Key_M);
-    ASSERT_EQ(view.handles().back().tool, app::HandleTool::Turn);
+    ASSERT_EQ(view.handles().all().back().tool, app::HandleTool::Turn);
     const pipeline::Scene before = document.scene();
     // From above, over its origin.
-    app::OrbitCamera camera = view.camera();
+    app::OrbitCamera camera = view.camera().now();
     app::lookAlong(camera, {0, 0, -1});
-    camera.target = view.handles().back().at;
-    view.setCamera(camera);
-    const QPoint middle = view.mapFrom(&panel, at(view.handles().back().at));
+    camera.target = view.handles().all().back().at;
+    view.camera().set(camera);
+    const QPoint middle = view.mapFrom(&panel, at(view.handles().all().back().at));
     hover(middle, "pyramid");
-    EXPECT_EQ(view.numbers(), "pyramid: rotation x 0.0°  y 0.0°  z 0.0°\nM: scale it");
+    EXPECT_EQ(view.handles().numbers(), "pyramid: rotation x 0.0°  y 0.0°  z 0.0°\nM: scale it");
     QTest::mousePress(&view, Qt::LeftButton, {}, middle + QPoint(46, 0));
-    ASSERT_TRUE(view.isDragging());
+    ASSERT_TRUE(view.handles().isDragging());
     QTest::mouseMove(&view, middle + QPoint(33, -33));
     EXPECT_NEAR(document.scene().objects[0].transform.rotation.z, 45, 3);
     QTest::mouseMove(&view, middle + QPoint(0, -46));
@@ -281,25 +281,25 @@ TEST_F(View3dWindow, AnObjectIsTurnedByItsRing) {
 TEST_F(View3dWindow, HandlesWorkInEyeSpaceToo) {
     openPyramid();
     panel.setSpace({app::ViewSpace::Eye});
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !view.isMoving(); }, 5000));
-    ASSERT_EQ(view.handles().front().kind, app::Handle::Kind::LightDirection);
-    const app::HandleView place = app::handleView(view.viewFrame(), view.shown()->map);
-    const glm::dvec2 p = app::placeOf(place, view.handles().front().at).at;
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !view.space().isMoving(); }, 5000));
+    ASSERT_EQ(view.handles().all().front().kind, app::Handle::Kind::LightDirection);
+    const app::HandleView place = app::handleView(view.viewFrame(), view.space().shown()->map);
+    const glm::dvec2 p = app::placeOf(place, view.handles().all().front().at).at;
     const QPoint at{int(p.x), int(p.y)};
     QTest::mousePress(&view, Qt::LeftButton, {}, at);
-    EXPECT_TRUE(view.isDragging());
+    EXPECT_TRUE(view.handles().isDragging());
     QTest::mouseMove(&view, at + QPoint(20, 5));
     QTest::mouseRelease(&view, Qt::LeftButton, {}, at + QPoint(20, 5));
     EXPECT_EQ(document.history().stack()->undoText(), "move light 0");
     panel.setSpace({app::ViewSpace::Point});
-    EXPECT_TRUE(view.handles().empty());
+    EXPECT_TRUE(view.handles().all().empty());
 }
 
 TEST_F(View3dWindow, KeysGoFromSpaceToSpace) {
     openPyramid();
     const auto comesTo = [&](app::ViewSpace space) {
         QTest::keyClick(&view, Qt::Key_S);
-        return QTest::qWaitFor([&] { return view.space().space == space && !view.isMoving(); }, 5000);
+        return QTest::qWaitFor([&] { return view.space().id().space == space && !view.space().isMoving(); }, 5000);
     };
     EXPECT_TRUE(comesTo(app::ViewSpace::Eye));
     EXPECT_TRUE(comesTo(app::ViewSpace::Clip));
@@ -308,7 +308,7 @@ TEST_F(View3dWindow, KeysGoFromSpaceToSpace) {
     EXPECT_TRUE(comesTo(app::ViewSpace::Point)) << "the pyramid's light has no shadow buffer";
     EXPECT_TRUE(comesTo(app::ViewSpace::World));
     QTest::keyClick(&view, Qt::Key_S, Qt::ShiftModifier);
-    EXPECT_EQ(view.space().space, app::ViewSpace::Point);
+    EXPECT_EQ(view.space().id().space, app::ViewSpace::Point);
 }
 
 TEST_F(View3dWindow, AClickPicksInEverySpace) {
@@ -316,10 +316,10 @@ TEST_F(View3dWindow, AClickPicksInEverySpace) {
     for (const app::ViewSpace space : {app::ViewSpace::Eye, app::ViewSpace::Clip, app::ViewSpace::Screen}) {
         document.pointing().pick({});
         panel.setSpace({space});
-        ASSERT_TRUE(QTest::qWaitFor([&] { return !view.isMoving(); }, 5000));
-        view.go(app::ViewPreset::Eye);
+        ASSERT_TRUE(QTest::qWaitFor([&] { return !view.space().isMoving(); }, 5000));
+        view.camera().go(app::ViewPreset::Eye);
         QTest::qWait(400);
-        const auto map = app::mapOf(*view.content(), {space});
+        const auto map = app::mapOf(*view.space().content(), {space});
         clickAt(map->toSpace({335, 125, 50}));
         ASSERT_TRUE(document.pointing().pixel()) << int(space);
         EXPECT_NEAR(document.pointing().pixel()->x, 277.2, 1.5);
@@ -342,7 +342,7 @@ TEST_F(View3dWindow, WantsNoMoreThanTheShadingLeaves) {
     QSignalSpy ready(&document.frames(), &app::FrameFeed::frameReady);
     panel.changeOptions(options);
     ASSERT_TRUE(ready.wait());
-    EXPECT_EQ(view.content()->mesh->vertexNormals.size(), 5u);
+    EXPECT_EQ(view.space().content()->mesh->vertexNormals.size(), 5u);
 }
 
 TEST_F(View3dWindow, AfterADragItShowsTheSameAsAViewThatHasSeenNothingElse) {

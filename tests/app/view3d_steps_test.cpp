@@ -14,7 +14,7 @@ TEST_F(View3dSteps, InsideTheTransformStageItShowsNothingOfLaterStages) {
     openPyramid();
     document.pointing().pick(glm::ivec2(268, 281));
     ASSERT_TRUE(waitUntilDrawn());
-    const auto positions = view.content()->mesh->positions;
+    const auto positions = view.space().content()->mesh->positions;
     for (const char* place : {"transform/start", "transform/vertex=3", "transform"}) {
         SCOPED_TRACE(place);
         document.stepper().goTo(*pipeline::parsePlace(place));
@@ -25,7 +25,7 @@ TEST_F(View3dSteps, InsideTheTransformStageItShowsNothingOfLaterStages) {
             },
             10000));
         ASSERT_TRUE(waitUntilDrawn());
-        const app::ViewContent& content = *view.content();
+        const app::ViewContent& content = *view.space().content();
         EXPECT_EQ(content.mesh->positions, positions);
         EXPECT_TRUE(content.mesh->polygonNormals.empty());
         EXPECT_TRUE(content.mesh->picture.pixels.empty());

@@ -73,7 +73,7 @@ TEST_F(WindowPick, ARowOfATableIsMarkedInEveryView) {
     EXPECT_NEAR(canvas()->content().marked[0][0].x(), 226.67, 0.01);
     EXPECT_NEAR(canvas()->content().marked[0][0].y(), 286.67, 0.01);
     ASSERT_TRUE(find<SceneView>("sceneView")->isVisible());
-    const auto& content = find<SceneView>("sceneView")->content();
+    const auto& content = find<SceneView>("sceneView")->space().content();
     EXPECT_EQ(content->markedLoop, (std::vector<std::uint32_t>{1, 2, 4}));
     QTest::mouseClick(canvas(), Qt::LeftButton, Qt::NoModifier, onCanvas({268, 281}));
     EXPECT_FALSE(document().pointing().selection());

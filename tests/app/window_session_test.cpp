@@ -38,9 +38,9 @@ protected:
         first.features().range->set({700, 600});
         first.features().overlays->set(OverlayId::Edges, true);
         first.canvas()->setZoom(8, QPointF(100, 100));
-        OrbitCamera camera = window.views().view3d().view().camera();
+        OrbitCamera camera = window.views().view3d().view().camera().now();
         orbit(camera, 31, 7);
-        window.views().view3d().view().setCamera(camera);
+        window.views().view3d().view().camera().set(camera);
     }
     // Which the file in the folder names; empty where there is no such file.
     std::string keptScene(const char* name) {

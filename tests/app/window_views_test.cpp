@@ -256,17 +256,17 @@ TEST_F(WindowViews, A3dViewThatIsNotOnShowTakesNoFrameAndThenTheNewest) {
     const glm::ivec2 rightFace{268, 281};
     SceneView& view = views().view3d().view();
     press("Ctrl+Shift+5");
-    const auto before = view.content();
+    const auto before = view.space().content();
     document().change(*findSetting(document().scene(), "camera.theta"), 41);
     EXPECT_TRUE(waitForFrame());
     document().pointing().pick(rightFace);
-    EXPECT_EQ(view.content(), before);
+    EXPECT_EQ(view.space().content(), before);
     press("Ctrl+Shift+4");
     EXPECT_TRUE(waitForFrame());
-    ASSERT_TRUE(view.content());
-    EXPECT_EQ(view.content()->eye.eye, pipeline::makeView(document().scene()).eye);
-    EXPECT_GE(view.content()->pickedPolygon, 0);
-    EXPECT_FALSE(view.content()->mesh->polygonNormals.empty()) << "its buffers are wanted again";
+    ASSERT_TRUE(view.space().content());
+    EXPECT_EQ(view.space().content()->eye.eye, pipeline::makeView(document().scene()).eye);
+    EXPECT_GE(view.space().content()->pickedPolygon, 0);
+    EXPECT_FALSE(view.space().content()->mesh->polygonNormals.empty()) << "its buffers are wanted again";
 }
 
 TEST_F(WindowViews, LinkedViewsZoomAndMoveTogether) {

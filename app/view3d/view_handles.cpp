@@ -1,10 +1,10 @@
-// The handles of a SceneView: what is near the cursor, and what a drag does.
+#include "app/view3d/view_handles.h"
+
 #include <QCursor>
 #include <algorithm>
 
 #include "app/view3d/handle_painter.h"
 #include "app/view3d/scene_view.h"
-#include "app/view3d/view_corner.h"
 
 namespace app {
 
@@ -17,31 +17,31 @@ glm::dvec2 toVector(QPointF p) { return {p.x(), p.y()}; }
 
 }  // namespace
 
-void SceneView::updateOverlay() { m_overlay->update(); }
+ViewHandles::ViewHandles(SceneView& view) : m_view(view) {}
 
-// What belongs to a picture that is on its way is painted once, with it.
-void SceneView::updateWithPicture() {
-    if (!m_vtk || m_vtk->isNewest()) updateOverlay();
+bool ViewHandles::areShown() const {
+    const ShownSpace& space = m_view.space();
+    return m_view.options().handles && !space.isPoint() && space.shown() && !space.isMoving();
 }
 
-void SceneView::setHandles(std::vector<Handle> handles) {
+HandleView ViewHandles::onScreen() const { return handleView(m_view.viewFrame(), m_view.space().shown()->map); }
+
+void ViewHandles::set(std::vector<Handle> handles) {
     if (handles.size() != m_handles.size()) m_hot.reset();
     m_handles = std::move(handles);
-    updateWithPicture();
+    m_view.updateWithPicture();
 }
 
-void SceneView::setNumbers(const QString& text) {
+void ViewHandles::setNumbers(const QString& text) {
     m_numbers = text;
-    updateOverlay();
+    m_view.updateOverlay();
 }
 
-HandleView SceneView::handlesOnScreen() const { return handleView(viewFrame(), shown()->map); }
-
-void SceneView::findHandle(QPointF position) {
+void ViewHandles::find(QPointF position) {
     const std::optional<std::size_t> before = m_hot;
     std::optional<Grip> grip;
-    if (showsHandles()) {
-        const HandleView view = handlesOnScreen();
+    if (areShown()) {
+        const HandleView view = onScreen();
         grip = gripAt(m_handles, m_hot, view, toVector(position));
         const bool gone = !grip && m_hot &&
                           (*m_hot >= m_handles.size() || glm::length(placeOf(view, m_handles[*m_hot].at).at -
@@ -52,30 +52,31 @@ void SceneView::findHandle(QPointF position) {
     }
     m_arm = grip ? grip->arm : std::nullopt;
     if (grip) m_hot = grip->handle;
-    m_last = position;
+    m_cursor = position;
     if (!m_hot && !before) return;
-    grip&& holds(m_handles[*m_hot], grip->arm) ? setCursor(Qt::SizeAllCursor) : unsetCursor();
-    emit handleHovered(grip ? &m_handles[*m_hot] : nullptr);
-    updateOverlay();
+    grip&& holds(m_handles[*m_hot], grip->arm) ? m_view.setCursor(Qt::SizeAllCursor) : m_view.unsetCursor();
+    emit hovered(grip ? &m_handles[*m_hot] : nullptr);
+    m_view.updateOverlay();
 }
 
-bool SceneView::beginDrag(QPointF position) {
-    if (!showsHandles()) return false;
-    m_heldView = handlesOnScreen();
+bool ViewHandles::begin(QPointF position) {
+    m_cursor = m_pressedAt = position;
+    if (!areShown()) return false;
+    m_heldView = onScreen();
     const auto grip = gripAt(m_handles, m_hot, m_heldView, toVector(position));
     if (!grip || !holds(m_handles[grip->handle], grip->arm)) return false;
-    m_flight.stop();
     m_hot = grip->handle;
     m_arm = grip->arm;
     m_held = m_handles[*m_hot];
     m_heldAt = m_held.value;
-    m_touched = true;  // a moved light would turn the view that frames it
-    updateOverlay();
+    m_isDragging = true;
+    m_view.camera().touch();  // a moved light would turn the view that frames it
+    m_view.updateOverlay();
     return true;
 }
 
-void SceneView::dragTo(QPointF position, Qt::KeyboardModifiers modifiers) {
-    m_last = position;
+void ViewHandles::dragTo(QPointF position, Qt::KeyboardModifiers modifiers) {
+    m_cursor = position;
     // A click may tremble.
     constexpr double kSlop = 3;
     if (m_heldAt == m_held.value && (position - m_pressedAt).manhattanLength() < kSlop) return;
@@ -84,28 +85,25 @@ void SceneView::dragTo(QPointF position, Qt::KeyboardModifiers modifiers) {
                                                           : DragStep::Usual;
     m_heldAt = draggedTo(m_held, m_arm, m_heldView, toVector(m_pressedAt), toVector(position - m_pressedAt), step);
     emit dragged(m_held, m_heldAt, false);
-    updateOverlay();
+    m_view.updateOverlay();
 }
 
-void SceneView::endDrag() {
-    m_drag = Drag::None;
+bool ViewHandles::end() {
+    m_isDragging = false;
     emit dragged(m_held, m_heldAt, true);
-    if (const auto hit = hitAt(m_last); hit && m_heldAt == m_held.value) emit clicked(*hit);
-    findHandle(m_last);
+    return m_heldAt != m_held.value;
 }
 
-void SceneView::cancelDrag() {
-    const bool held = isDragging();
-    m_drag = Drag::None;
-    if (!held) return updateOverlay();
-    emit dragCancelled(m_held);
-    findHandle(m_last);
+void ViewHandles::cancel() {
+    m_isDragging = false;
+    emit cancelled(m_held);
+    find(m_cursor);
 }
 
 // x, y and z hold it to an arm, and let go of it again; Esc puts it back.
-bool SceneView::dragKey(int key, Qt::KeyboardModifiers modifiers) {
+bool ViewHandles::press(int key, Qt::KeyboardModifiers modifiers) {
     if (key == Qt::Key_Escape) {
-        cancelDrag();
+        cancel();
         return true;
     }
     if (key != Qt::Key_X && key != Qt::Key_Y && key != Qt::Key_Z) return false;
@@ -113,17 +111,14 @@ bool SceneView::dragKey(int key, Qt::KeyboardModifiers modifiers) {
     if (arm >= m_held.arms.size()) return true;
     const bool letGo = m_arm == arm && holds(m_held, std::nullopt);
     m_arm = letGo ? std::nullopt : std::optional(arm);
-    dragTo(m_last, modifiers);
+    dragTo(m_cursor, modifiers);
     return true;
 }
 
-// Where no word can be read.
-std::vector<QRectF> SceneView::takenPlaces() const {
+std::vector<QRectF> ViewHandles::places() const {
     std::vector<QRectF> places;
-    for (const QWidget* corner : {static_cast<QWidget*>(m_legend), static_cast<QWidget*>(m_cube)})
-        if (corner->isVisible()) places.emplace_back(corner->geometry());
-    if (!showsHandles()) return places;
-    const HandleView view = handlesOnScreen();
+    if (!areShown()) return places;
+    const HandleView view = onScreen();
     const double r = kHandleRadius * view.view.scale;  // its border included
     for (const Handle& handle : m_handles) {
         const glm::dvec2 at = placeOf(view, handle.at).at;
@@ -132,22 +127,22 @@ std::vector<QRectF> SceneView::takenPlaces() const {
     return places;
 }
 
-void SceneView::paintHandles(QPainter& painter) const {
-    if (!showsHandles()) return;
-    const HandleView view = handlesOnScreen();
+void ViewHandles::paint(QPainter& painter) const {
+    if (!areShown()) return;
+    const HandleView view = onScreen();
     const auto isHeld = [&](const Handle& handle) {
-        return isDragging() && handle.kind == m_held.kind && handle.index == m_held.index;
+        return m_isDragging && handle.kind == m_held.kind && handle.index == m_held.index;
     };
     for (std::size_t i = 0; i < m_handles.size(); ++i)
-        if (!isHeld(m_handles[i])) paintHandle(painter, m_handles[i], view, !isDragging() && m_hot == i, m_arm);
-    if (isDragging()) {  // never late, though the picture may be
+        if (!isHeld(m_handles[i])) paintHandle(painter, m_handles[i], view, !m_isDragging && m_hot == i, m_arm);
+    if (m_isDragging) {  // never late, though the picture may be
         Handle held = m_held;
         if (held.tool == HandleTool::Move) held.at = m_heldAt;
         paintHandle(painter, held, view, true, m_arm);
     }
     if (m_numbers.isEmpty()) return;
     // Below the arms, which they would cover.
-    QPointF beside = m_last;
+    QPointF beside = m_cursor;
     if (m_hot && *m_hot < m_handles.size() && !m_handles[*m_hot].arms.empty())
         beside.setY(std::max(beside.y(), placeOf(view, m_handles[*m_hot].at).at.y + kBelowArms * view.view.scale));
     paintNumbers(painter, m_numbers, beside, view.view);

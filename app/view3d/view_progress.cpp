@@ -1,30 +1,52 @@
-// What a SceneView says about its picture while another one is on its way.
+#include "app/view3d/view_progress.h"
+
+#include <QLabel>
+
 #include "app/core/numbers.h"
 #include "app/core/theme.h"
+#include "app/core/working_bar.h"
 #include "app/view3d/scene_view.h"
+#include "app/view3d/vtk_widget.h"
 
 namespace app {
 
-void SceneView::setBuilding(bool building) {
-    m_building = building;
-    tellWorking();
+ViewProgress::ViewProgress(SceneView& view, VtkWidget* vtk)
+    : m_view(view), m_vtk(vtk), m_working(new WorkingBar(&view)), m_coarse(new QLabel(&view)) {
+    m_coarse->setObjectName("coarse");
+    m_coarse->setProperty("kind", "overlay");
+    m_coarse->setAttribute(Qt::WA_TransparentForMouseEvents);
+    m_coarse->hide();
+    if (!vtk) return;
+    connect(vtk, &VtkWidget::busyChanged, this, [this](bool busy) {
+        m_rendering = busy;
+        tell();
+        emit renderingChanged(busy);
+    });
 }
 
-void SceneView::tellWorking() {
+void ViewProgress::cancel() { m_vtk ? m_vtk->cancel() : void(); }
+
+void ViewProgress::resume() { m_vtk ? m_vtk->resume() : void(); }
+
+void ViewProgress::setBuilding(bool building) {
+    m_building = building;
+    tell();
+}
+
+void ViewProgress::tell() {
     m_working->setWorking(m_rendering || m_building);
     // Without the first picture there would be nothing to see: nobody is asked to stop that one.
     emit workingChanged(m_building || (m_rendering && m_vtk->shown()));
 }
 
-void SceneView::setStopped(bool stopped) {
+void ViewProgress::setStopped(bool stopped) {
     m_stopped = stopped;
     m_working->setStopped(stopped);
     if (m_vtk) showDetail();
 }
 
-// What a view that moves leaves out of a large mesh.
-void SceneView::showDetail() {
-    const bool isCoarse = m_vtk->isCoarse() && shown();
+void ViewProgress::showDetail() {
+    const bool isCoarse = m_vtk->isCoarse() && m_view.space().shown();
     m_coarse->setVisible(isCoarse);
     if (!isCoarse) return;
     const ViewMesh& mesh = *m_vtk->shown()->content->mesh;
