@@ -1,8 +1,8 @@
-// The handles of a View3dPanel: what there is to drag, and what a drag does to the scene.
+#include "app/view3d/view3d_handles.h"
+
 #include <QScopedValueRollback>
 
 #include "app/core/text.h"
-#include "app/view3d/view3d_panel.h"
 
 namespace app {
 
@@ -26,64 +26,72 @@ std::optional<std::size_t> ownerOf(const Document& document) {
 QString nameOf(const Handle& handle) {
     const QString name = toQString(handle.name);
     switch (handle.tool) {
-        case HandleTool::Turn: return View3dPanel::tr("turn %1").arg(name);
-        case HandleTool::Scale: return View3dPanel::tr("scale %1").arg(name);
+        case HandleTool::Turn: return View3dHandles::tr("turn %1").arg(name);
+        case HandleTool::Scale: return View3dHandles::tr("scale %1").arg(name);
         case HandleTool::Move: break;
     }
-    return View3dPanel::tr("move %1").arg(name);
+    return View3dHandles::tr("move %1").arg(name);
 }
 
 QString nextTool(HandleTool tool) {
     switch (tool) {
-        case HandleTool::Move: return View3dPanel::tr("M: turn it");
-        case HandleTool::Turn: return View3dPanel::tr("M: scale it");
+        case HandleTool::Move: return View3dHandles::tr("M: turn it");
+        case HandleTool::Turn: return View3dHandles::tr("M: scale it");
         case HandleTool::Scale: break;
     }
-    return View3dPanel::tr("M: move it");
+    return View3dHandles::tr("M: move it");
 }
 
 }  // namespace
 
-// Of the frame on show, so that handles stand where the picture has them.
-void View3dPanel::showHandles() {
-    const auto& frame = m_document.frames().shown();
-    if (!frame || !m_view->space().shown() || m_view->space().id().space == ViewSpace::Point)
-        return m_view->handles().set({});
-    m_view->handles().set(
-        handlesOf(frame->scene(), *m_view->space().shown(), ownerOf(m_document), m_view->options().objectTool));
+View3dHandles::View3dHandles(Document& document, SceneView& view) : m_document(document), m_view(view) {
+    connect(&view.handles(), &ViewHandles::dragged, this, &View3dHandles::drag);
+    connect(&view.handles(), &ViewHandles::cancelled, this, &View3dHandles::cancel);
+    connect(&view.handles(), &ViewHandles::hovered, this, &View3dHandles::showNumbers);
+    connect(&document, &Document::sceneChanged, this, &View3dHandles::drop);
 }
 
-void View3dPanel::drag(const Handle& handle, Vec3d value, bool done) {
-    if (!m_beforeDrag && !isIn(m_document.scene(), handle)) return m_view->input().cancelDrag();
-    if (!m_beforeDrag) m_beforeDrag = std::make_shared<const pipeline::Scene>(m_document.scene());
+void View3dHandles::forget() { m_before.reset(); }
+
+void View3dHandles::show() {
+    const auto& frame = m_document.frames().shown();
+    if (!frame || !m_view.space().shown() || m_view.space().id().space == ViewSpace::Point)
+        return m_view.handles().set({});
+    m_view.handles().set(
+        handlesOf(frame->scene(), *m_view.space().shown(), ownerOf(m_document), m_view.options().objectTool));
+}
+
+void View3dHandles::drag(const Handle& handle, Vec3d value, bool done) {
+    if (!m_before && !isIn(m_document.scene(), handle)) return m_view.input().cancelDrag();
+    if (!m_before) m_before = std::make_shared<const pipeline::Scene>(m_document.scene());
     const QScopedValueRollback own(m_drags, true);
-    m_document.edit(withHandleAt(*m_beforeDrag, handle, value), nameOf(handle),
+    m_document.edit(withHandleAt(*m_before, handle, value), nameOf(handle),
                     done ? Document::Change::Done : Document::Change::Live);
     showNumbers(&handle);
-    if (done) m_beforeDrag.reset();
+    if (done) m_before.reset();
 }
 
 // The scene has changed under a drag: what it began with is gone.
-void View3dPanel::dropDrag() {
-    if (m_drags || !m_beforeDrag) return;
-    m_beforeDrag.reset();
-    m_view->input().cancelDrag();
+void View3dHandles::drop() {
+    if (m_drags || !m_before) return;
+    m_before.reset();
+    m_view.input().cancelDrag();
 }
 
-void View3dPanel::cancelDrag(const Handle& handle) {
-    if (!m_beforeDrag) return;
+void View3dHandles::cancel(const Handle& handle) {
+    if (!m_before) return;
     const QScopedValueRollback own(m_drags, true);
-    m_document.edit(*m_beforeDrag, nameOf(handle), Document::Change::Done);
-    m_beforeDrag.reset();
+    m_document.edit(*m_before, nameOf(handle), Document::Change::Done);
+    m_before.reset();
 }
 
-void View3dPanel::showNumbers(const Handle* handle) {
-    if (!handle || !isIn(m_document.scene(), *handle)) return m_view->handles().setNumbers({});
+void View3dHandles::showNumbers(const Handle* handle) {
+    if (!handle || !isIn(m_document.scene(), *handle)) return m_view.handles().setNumbers({});
     QString text = toQString(handle->name + ": " + numbersOf(m_document.scene(), *handle));
     const bool canChange =
-        handle->kind == Handle::Kind::Object && !handle->arms.empty() && !m_view->handles().isDragging();
+        handle->kind == Handle::Kind::Object && !handle->arms.empty() && !m_view.handles().isDragging();
     if (canChange) text += '\n' + nextTool(handle->tool);
-    m_view->handles().setNumbers(text);
+    m_view.handles().setNumbers(text);
 }
 
 }  // namespace app

@@ -7,13 +7,14 @@
 #include "app/view3d/scene_view.h"
 #include "lessons/state/window_state.h"
 
-class QLabel;
 class QMenu;
-class QToolButton;
 
 namespace app {
 
 class PictureTurns;
+class View3dHandles;
+class View3dHeader;
+class View3dSpaces;
 
 // The 3D view of the document's frame: the scene in any of its spaces with normals, the vectors at the
 // picked point, lights, eye and frustum. A click picks the pixel that shows the point under it.
@@ -21,10 +22,11 @@ class View3dPanel : public QWidget {
     Q_OBJECT
 public:
     explicit View3dPanel(Document& document, QWidget* parent = nullptr);
+    ~View3dPanel() override;
 
     SceneView& view() { return *m_view; }
-    void setBare(bool bare);          // without the header
-    QMenu* menu() { return m_menu; }  // of its last button; the window adds what it can do with the view
+    void setBare(bool bare);  // without the header
+    QMenu* menu() const;      // of its last button; the window adds what it can do with the view
     void changeOptions(const ViewOptions& options);
     // A light's space waits for the frame that brings its shadow buffer, and any for a large mesh to be moved there.
     void setSpace(SpaceId space);
@@ -40,26 +42,9 @@ protected:
     void hideEvent(QHideEvent* event) override;
 
 private:
-    void buildHeader();
-    void arrangeHeader();
-    void fillSpaces(QMenu& menu);
-    void goTo(SpaceId space);
-    void enter(SpaceId space, std::shared_ptr<const ViewContent> moved);
-    void showSpace();
-    void stepSpace(int step);
-    void fillFaces(QMenu& menu);
-    void stepFace(int step);
-    void showFace();
-    const LightFrustum* shownFrustum() const;  // of the light whose space is on show; null in any other
-    QToolButton* addToggle(const QString& icon, const QString& name, const QString& tip);
-    QToolButton* addMenuButton(const QString& icon, const QString& name, const QString& tip);
-    void applyTheme();
-    void showOptions();
-    QString normalsTip() const;
-    void showToggles();
     bool wantsFrusta() const;
-    void addFrusta();
     void wantBuffers();
+    void takeSpace();
     void observeWork();
     void showWanted();
     void takeCamera(const std::optional<lessons::SpaceShown::Camera>& camera);
@@ -81,20 +66,12 @@ private:
     void takeHover();
     void pick(const Hit& hit);
     void hover(const std::optional<Hit>& hit);
-    void showHandles();
-    void drag(const Handle& handle, Vec3d value, bool done);
-    void cancelDrag(const Handle& handle);
-    void dropDrag();
-    void showNumbers(const Handle* handle);
 
     Document& m_document;
     SceneView* m_view;
-    QWidget* m_header;
-    QToolButton *m_space, *m_face;
-    QLabel* m_remark;
-    QMenu* m_menu;
-    QToolButton *m_cameras, *m_orthographic, *m_normals, *m_vectors, *m_lights, *m_eye;
-    NormalsShown m_lastNormals = NormalsShown::Polygons;  // what the toggle brings back
+    View3dHeader* m_header;
+    std::unique_ptr<View3dSpaces> m_spaces;
+    std::unique_ptr<View3dHandles> m_handles;
     struct Wanted {
         ViewOptions options;
         SpaceId space;
@@ -104,12 +81,8 @@ private:
     std::optional<Wanted> m_wanted;  // once the scene's first frame is there
     Made m_made;                     // of the content on show; of no frame before the first of a scene
     PictureTurns* m_turns;
-    BackgroundJob m_building;                             // of the content, where there is much
-    BackgroundJob m_moving;                               // of it to the space to go to
-    bool m_missed = false;                                // a frame, or what is picked in it, while it was put away
-    std::shared_ptr<const pipeline::Scene> m_beforeDrag;  // null while nothing is dragged
-    bool m_drags = false;                                 // the scene changes by a drag, just now
-    std::optional<SpaceId> m_awaited;                     // the space to go to when all of it is there
+    BackgroundJob m_building;  // of the content, where there is much
+    bool m_missed = false;     // a frame, or what is picked in it, while it was put away
 };
 
 }  // namespace app

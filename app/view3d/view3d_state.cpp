@@ -7,6 +7,7 @@
 #include "app/core/text.h"
 #include "app/view3d/space_picture.h"
 #include "app/view3d/view3d_panel.h"
+#include "app/view3d/view3d_spaces.h"
 #include "lessons/state/shown_words.h"
 
 namespace app {
@@ -133,7 +134,7 @@ void View3dPanel::showWanted() {
     if (!wanted) return;
     changeOptions(wanted->options);
     setSpace(wanted->space);
-    if (m_awaited) {
+    if (m_spaces->awaited()) {
         m_wanted = wanted;
         return;
     }
@@ -153,7 +154,7 @@ void View3dPanel::observeWork() {
         this, tr("the 3D view"),
         [this] {
             m_building.forget();
-            m_moving.forget();
+            m_spaces->stopMoving();
             m_view->progress().cancel();
         },
         [this] {
