@@ -87,6 +87,8 @@ try {
   const own = (told.algorithm?.lines ? told.algorithm : told).lines.map(line => line.text);
   expect('the algorithm has the lines of the program', (await p.run('[...document.querySelectorAll(".code .text")].map(line => line.textContent.trim()).join("\\n")')) === own.map(line => line.trim()).join('\n'), await text('.code'));
   expect('and its values', (await text('.code')).includes('polygon = 2'), await text('.code'));
+  await p.run('step(0, "z-buffer/start")');
+  expect('before its first step a stage is named once', (await text('#stepped')).split('Z-buffer').length === 2, await text('#stepped'));
   await p.run('one("#algorithmbox").open = false, step(0, "shading")');
 
   // Derived buffers are made of the frame.
@@ -242,6 +244,8 @@ try {
   expect('a wrong answer leaves the focus in its field', (await press('#typed')) === 'typed');
   const voices = await k.run('[...document.querySelectorAll("[role=status], [role=alert], [aria-live]")].filter(part => part.textContent.includes("Not yet")).length');
   expect('a verdict is spoken once', voices === 1, voices);
+  const verdictText = await k.run('document.querySelector("#said").textContent');
+  expect('and says its word once', verdictText.split(/not yet/i).length === 2, verdictText);
   for (let i = 1; i < hints; ++i) await press('#hint');
   expect('the last hint hands the focus on', (await press('#hint')) === 'giveup');
   expect('so does the answer', ['goon', 'question'].includes(await press('#giveup')), await k.run('document.activeElement.outerHTML.slice(0, 80)'));

@@ -84,6 +84,12 @@ try {
   expect('and marks the right choice, in words too', (await texts('.choices .right')).join() === 'CThe third ● right', await texts('.choices .right'));
   expect('with its equation', (await of('.equation math', 'namespaceURI'))?.endsWith('MathML'));
 
+  await to('asks');
+  await t.key('n');
+  await t.until('lecturer && lecturer.document.querySelector(".said")');
+  expect('the notes beside a question have the right choice', await t.run('lecturer.document.querySelector(".choices .right")?.textContent.includes("The third")'));
+  await t.run('lecturer.close()');
+
   await to('dark');
   expect('the equation ends with the frame buffer', (await texts('.equation > div')).at(-1)?.startsWith('FB'), await texts('.equation > div'));
   expect('no sentence has lost its spaces', !/\p{L}{25}/u.test(await of('.equation') ?? ''), await of('.equation'));

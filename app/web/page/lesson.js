@@ -31,7 +31,8 @@ function drawQuestion() {
     said.append(element('p', { className: 'mark ' + verdict.mark.replace(' ', '-'), textContent: `${mark} ${word}` }));
     const words = element('div');
     fillHtml(words, verdict.said);
-    said.append(words);
+    dropBeginning(words, word);
+    if (words.textContent.trim()) said.append(words);
   }
   one('#hints').replaceChildren(...question.hints.map((hint, i) => {
     const box = element('div', { className: 'hint' }, element('b', { textContent: `Hint ${i + 1}` }), element('div'));
@@ -55,6 +56,14 @@ function drawQuestion() {
   }
   one('#goon').hidden = !question.settled || !page.has_then || page.then;
   one('#goback').hidden = !page.then;
+}
+
+/** "Not yet: too small." below a mark that says "Not yet" is "Too small." @param {Element} box @param {string} word */
+function dropBeginning(box, word) {
+  const text = document.createTreeWalker(box, NodeFilter.SHOW_TEXT).nextNode(), begins = text?.nodeValue.match(/^\s*(.*?)[.:]\s*/);
+  if (!begins || begins[1] !== word) return;
+  const rest = text.nodeValue.slice(begins[0].length);
+  text.nodeValue = rest.charAt(0).toUpperCase() + rest.slice(1);
 }
 
 /** The place to answer, by the kind of question; what stands there already stays. */

@@ -68,7 +68,9 @@ function stepWords() {
   const step = view.step;
   if (!step) return 'the whole frame';
   const { done, of, unit } = step.progress;
-  return `${step.label}: ${step.words || 'start'}${of ? ` (${done} of ${of} ${unit})` : ''}`;
+  // The words may begin with the stage: "Z-buffer, done".
+  const words = step.words?.startsWith(step.label) ? step.words : `${step.label}: ${step.words || 'start'}`;
+  return `${words}${of ? ` (${done} of ${of} ${unit})` : ''}`;
 }
 
 /** way: 1 forth, -1 back, 0 to a place. @param {number} way @param {string} [place] */

@@ -95,7 +95,11 @@ function fillLecturer() {
   const part = (heading, cue) => {
     const box = make('div', '');
     box.append(make('h2', heading + (cue ? ': ' + nameOf(cue) : '')));
-    if (cue) box.append(page.importNode(one('.room', cue), true), make('p', captionOf(cue)));
+    if (!cue) return box;
+    box.append(page.importNode(one('.room', cue), true), make('p', captionOf(cue)));
+    // The answer's choices, of which the right one is marked.
+    const choices = one('.choices', one('.asks', cue) ? cues[cues.indexOf(cue) + 1] : cue);
+    if (choices) box.append(page.importNode(choices, true));
     return box;
   };
   const list = make('ol', ''), time = make('div', '');
