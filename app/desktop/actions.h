@@ -1,6 +1,7 @@
 #pragma once
+#include <functional>
 #include <map>
-#include <span>
+#include <vector>
 
 #include <QAction>
 #include <QMenuBar>
@@ -105,35 +106,53 @@ enum class ActionId : unsigned char {
     Manual,
 };
 
-// One action: its place in the menus, its key, and one line on what it does. Menus, the list of
-// keys and the command palette are made from these rows.
+// One action in one row, which the feature that carries it out adds. Menus, the list of keys and the command palette are
+// made from the rows, in the order of the ids.
 struct ActionRow {
     ActionId id;
     const char* menu;  // "View", "View/Theme"
     const char* text;
     const char* keys;  // QKeySequence's portable text; several parted by "; "
     const char* tip;
-    bool checkable = false;
-    bool startsGroup = false;  // a line above it in its menu
+    std::function<void()> run;
+    std::function<QString()> whyNot = {};  // why it cannot run now; empty: it can
+    std::function<bool()> isOn = {};       // of a switch, or of one of several choices
+    std::function<QString()> name = {};    // in place of `text`, where that changes
+    bool needsScene = true;                // on show; else it can run on the start page too
+    bool startsGroup = false;              // a line above it in its menu
+    bool inTalk = false;                   // its keys work while presenting too
+    QWidget* within = nullptr;             // its keys work in this part alone; null: in the whole window
 };
-std::span<const ActionRow> actionTable();
 
-// The table's rows as Qt's actions, with their menus.
+// The rows as Qt's actions, with their menus.
 class Actions : public QObject {
     Q_OBJECT
 public:
-    // The keys work wherever the focus is in `window`.
-    explicit Actions(QWidget* window);
+    // hasScene: whether one is on show. The keys work wherever the focus is in `window`.
+    Actions(QWidget* window, std::function<bool()> hasScene);
 
+    void add(ActionRow row);
+    void addChoices(std::vector<ActionRow> rows);  // of which one at a time is on
+    const std::map<ActionId, ActionRow>& rows() const { return m_rows; }
     QAction* operator[](ActionId id) const { return m_actions.at(id); }
-    // Fills the bar with the table's menus, in their order. A menu named "File" is found again by menu("File").
-    void addMenus(QMenuBar& bar);
+    QString whyNot(ActionId id) const;  // empty: it can run now
+    QList<QAction*> inTalk() const;
+
+    // Fills the bar with the menus of all rows. Then a menu named "File" is found by menu("File").
+    void fillMenus(QMenuBar& bar);
     QMenu* menu(const QString& path) const { return m_menus.value(path); }
-    // Disabled actions say why.
-    void setEnabled(ActionId id, bool enabled, const QString& whyNot = {});
+    // Asks every row anew. A disabled action has the reason as its tool tip.
+    void refresh();
+
+signals:
+    void menusFilled();
 
 private:
+    void update(const ActionRow& row);
+
     QWidget* m_window;
+    std::function<bool()> m_hasScene;
+    std::map<ActionId, ActionRow> m_rows;
     std::map<ActionId, QAction*> m_actions;
     QHash<QString, QMenu*> m_menus;
 };

@@ -17,55 +17,93 @@ namespace {
 
 using A = ActionId;
 
-struct Copy {
+struct EquationCopy {
     A id;
+    const char *text, *keys, *tip;
     QString (MathView::*write)() const;
     const char* form;
 };
-constexpr std::array kCopies{Copy{A::CopyEquationText, &MathView::asText, "text"},
-                             Copy{A::CopyEquationMarkdown, &MathView::asMarkdown, "Markdown"},
-                             Copy{A::CopyEquationLatex, &MathView::asLatex, "LaTeX"},
-                             Copy{A::CopyEquationJson, &MathView::asJson, "JSON"}};
+constexpr EquationCopy kCopies[]{{A::CopyEquationText, "Copy equation as text", "Ctrl+Shift+C",
+                                  "Copy the picked pixel's equation.", &MathView::asText, "text"},
+                                 {A::CopyEquationMarkdown, "Copy equation as Markdown", "",
+                                  "Copy it with its formulas between $$.", &MathView::asMarkdown, "Markdown"},
+                                 {A::CopyEquationLatex, "Copy equation as LaTeX", "",
+                                  "Copy it as an align* of amsmath.", &MathView::asLatex, "LaTeX"},
+                                 {A::CopyEquationJson, "Copy equation as JSON", "",
+                                  "Copy its lines as text and LaTeX, for programs.", &MathView::asJson, "JSON"}};
+
+QString whyNoPixel(const Document& document) {
+    return document.pointing().pixel() ? QString() : Document::tr("Pick a pixel first.");
+}
+
+QString whyNoEquation(const Document& document, const InspectorPanel& inspector) {
+    if (inspector.report() && inspector.report()->covered) return {};
+    return document.pointing().pixel() ? Document::tr("Nothing was drawn at this pixel.") : whyNoPixel(document);
+}
+
+void addCopies(Actions& actions, Document& document, InspectorPanel& inspector, ViewArea& views) {
+    actions.add({.id = A::CopyValue,
+                 .menu = "Edit",
+                 .text = "Copy value",
+                 .keys = "Alt+C",
+                 .tip = "Copy the picked pixel's value in the buffer on show, with all its digits.",
+                 .run = [&views] { views.activeBuffer().features().copies->copyValue(); },
+                 .whyNot = [&document] { return whyNoPixel(document); },
+                 .startsGroup = true});
+    actions.add({.id = A::CopyPicture,
+                 .menu = "Edit",
+                 .text = "Copy picture",
+                 .keys = "",
+                 .tip = "Copy the buffer on show as a picture, a pixel each.",
+                 .run = [&views] { views.activeBuffer().features().copies->copyPicture(); }});
+    for (const EquationCopy& copy : kCopies)
+        actions.add({.id = copy.id,
+                     .menu = "Edit",
+                     .text = copy.text,
+                     .keys = copy.keys,
+                     .tip = copy.tip,
+                     .run =
+                         [&document, &inspector, copy] {
+                             QApplication::clipboard()->setText((inspector.equation().math()->*copy.write)());
+                             emit document.said(Document::tr("Copied the equation as %1.").arg(copy.form));
+                         },
+                     .whyNot = [&document, &inspector] { return whyNoEquation(document, inspector); }});
+}
 
 }  // namespace
 
-void connectExplainActions(Actions& actions, Document& document, InspectorPanel& inspector, ViewArea& views) {
-    for (const Copy& copy : kCopies)
-        QObject::connect(actions[copy.id], &QAction::triggered, &inspector, [&document, &inspector, copy] {
-            QApplication::clipboard()->setText((inspector.equation().math()->*copy.write)());
-            emit document.said(Document::tr("Copied the equation as %1.").arg(copy.form));
-        });
-    QObject::connect(actions[A::Condition], &QAction::triggered, &views,
-                     [&views] { views.activeBuffer().condition().open(); });
-    QObject::connect(actions[A::CopyValue], &QAction::triggered, &views,
-                     [&views] { views.activeBuffer().features().copies->copyValue(); });
-    QObject::connect(actions[A::CopyPicture], &QAction::triggered, &views,
-                     [&views] { views.activeBuffer().features().copies->copyPicture(); });
-    QObject::connect(actions[A::StopWhere], &QAction::triggered, &views, [&views] {
-        ConditionBar& condition = views.activeBuffer().condition();
-        condition.isVisible() && condition.hasCondition() ? condition.runToStop() : condition.open();
-    });
+void addExplainActions(Actions& actions, Document& document, InspectorPanel& inspector, ViewArea& views) {
+    addCopies(actions, document, inspector, views);
     EquationSection& equation = inspector.equation();
-    QObject::connect(actions[A::KeepResult], &QAction::triggered, &equation, &EquationSection::setKept);
-    QObject::connect(&equation, &EquationSection::keptChanged, &actions, [&actions, &document, &inspector] {
-        enableExplainActions(actions, document, inspector, document.hasScene());
-    });
-}
-
-void enableExplainActions(Actions& actions, const Document& document, InspectorPanel& inspector, bool hasScene) {
-    const auto enable = [&](A id, bool can, const QString& whyNot) {
-        actions.setEnabled(id, hasScene && can, hasScene ? whyNot : Document::tr("Open a scene first."));
-    };
-    const bool covered = inspector.report() && inspector.report()->covered;
-    const QString noEquation = document.pointing().pixel() ? Document::tr("Nothing was drawn at this pixel.")
-                                                           : Document::tr("Pick a pixel first.");
-    for (const Copy& copy : kCopies) enable(copy.id, covered, noEquation);
-    for (const A id : {A::Condition, A::StopWhere, A::CopyPicture}) enable(id, true, {});
-    enable(A::CopyValue, document.pointing().pixel().has_value(), Document::tr("Pick a pixel first."));
-    const EquationSection& equation = inspector.equation();
-    enable(A::KeepResult, covered && equation.canKeep(),
-           covered ? Document::tr("Nothing has changed the result since the pixel was picked.") : noEquation);
-    actions[A::KeepResult]->setChecked(equation.keeps());
+    actions.add({.id = A::KeepResult,
+                 .menu = "Edit",
+                 .text = "Keep the result before",
+                 .keys = "Alt+K",
+                 .tip = "Keep what the picked pixel's intensity was before the last change, or drop it.",
+                 .run = [&equation] { equation.setKept(!equation.keeps()); },
+                 .whyNot =
+                     [&document, &inspector, &equation] {
+                         const QString why = whyNoEquation(document, inspector);
+                         if (!why.isEmpty() || equation.canKeep()) return why;
+                         return Document::tr("Nothing has changed the result since the pixel was picked.");
+                     },
+                 .isOn = [&equation] { return equation.keeps(); }});
+    QObject::connect(&equation, &EquationSection::keptChanged, &actions, &Actions::refresh);
+    actions.add({.id = A::StopWhere,
+                 .menu = "Run",
+                 .text = "Stop where…",
+                 .keys = "Ctrl+Shift+F10",
+                 .tip = "Go on until a condition begins to hold at a pixel; ask for the condition first.",
+                 .run = [&views] {
+                     ConditionBar& condition = views.activeBuffer().condition();
+                     condition.isVisible() && condition.hasCondition() ? condition.runToStop() : condition.open();
+                 }});
+    actions.add({.id = A::Condition,
+                 .menu = "Inspect",
+                 .text = "Condition…",
+                 .keys = "Ctrl+/",
+                 .tip = "Ask a question of every pixel: n_dot_l.0 > 0.9 && x < 300.",
+                 .run = [&views] { views.activeBuffer().condition().open(); }});
 }
 
 }  // namespace app

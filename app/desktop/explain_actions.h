@@ -7,8 +7,7 @@ class Document;
 class InspectorPanel;
 class ViewArea;
 
-// What the actions do that explain the picked pixel's colour, and when they can.
-void connectExplainActions(Actions& actions, Document& document, InspectorPanel& inspector, ViewArea& views);
-void enableExplainActions(Actions& actions, const Document& document, InspectorPanel& inspector, bool hasScene);
+// Adds the actions that copy and explain the picked pixel's colour.
+void addExplainActions(Actions& actions, Document& document, InspectorPanel& inspector, ViewArea& views);
 
 }  // namespace app

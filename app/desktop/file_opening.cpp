@@ -3,10 +3,12 @@
 #include <QApplication>
 #include <QDropEvent>
 #include <QFileDialog>
+#include <QMenu>
 #include <QMimeData>
 
 #include "app/core/document.h"
 #include "app/core/text.h"
+#include "app/desktop/actions.h"
 #include "app/desktop/scene_files.h"
 #include "app/desktop/window_cues.h"
 #include "app/desktop/window_lessons.h"
@@ -15,6 +17,7 @@
 #include "app/panels/start_page.h"
 #include "lessons/library.h"
 #include "lessons/state/cue_list.h"
+#include "pipeline/formats/built_in_scenes.h"
 #include "pipeline/formats/format_table.h"
 
 namespace app {
@@ -29,7 +32,7 @@ QString fileFilters() {
 
 }  // namespace
 
-FileOpening::FileOpening(QWidget& window, Document& document, StartPage& start, SceneFiles& files,
+FileOpening::FileOpening(QWidget& window, Actions& actions, Document& document, StartPage& start, SceneFiles& files,
                          WindowLessons& lessons, WindowCues& cues, WindowRenderer& renderer, CuePanel& cuePanel)
     : QObject(&window),
       m_window(window),
@@ -46,6 +49,22 @@ FileOpening::FileOpening(QWidget& window, Document& document, StartPage& start, 
     connect(&start, &StartPage::recentChosen, &files, &SceneFiles::openRecent);
     connect(&start, &StartPage::lessonChosen, &lessons, &WindowLessons::open);
     connect(&cuePanel, &CuePanel::openAsked, this, [this] { choose(tr("Open a cue list"), WindowCues::fileFilter()); });
+    actions.add({.id = ActionId::Open,
+                 .menu = "File",
+                 .text = "Open…",
+                 .keys = "Ctrl+O",
+                 .tip = "Open a scene file.",
+                 .run = [this] { choose(); },
+                 .needsScene = false});
+    connect(&actions, &Actions::menusFilled, this, [this, &actions] { addScenesMenu(actions); });
+}
+
+void FileOpening::addScenesMenu(const Actions& actions) {
+    QMenu* const file = actions.menu("File");
+    auto* builtIn = new QMenu(tr("Scenes"), file);
+    file->insertMenu(actions[ActionId::Save], builtIn);
+    for (const pipeline::BuiltInScene& scene : pipeline::builtInScenes())
+        builtIn->addAction(toQString(scene.title), this, [this, path = toQString(scene.file.string())] { open(path); });
 }
 
 bool FileOpening::open(const QString& file, const std::function<void()>& then) {

@@ -6,6 +6,7 @@ class QDropEvent;
 
 namespace app {
 
+class Actions;
 class CuePanel;
 class Document;
 class SceneFiles;
@@ -19,8 +20,8 @@ class WindowRenderer;
 class FileOpening : public QObject {
     Q_OBJECT
 public:
-    FileOpening(QWidget& window, Document& document, StartPage& start, SceneFiles& files, WindowLessons& lessons,
-                WindowCues& cues, WindowRenderer& renderer, CuePanel& cuePanel);
+    FileOpening(QWidget& window, Actions& actions, Document& document, StartPage& start, SceneFiles& files,
+                WindowLessons& lessons, WindowCues& cues, WindowRenderer& renderer, CuePanel& cuePanel);
 
     // `then` runs once its scene is on show. False if the scene on show stays.
     bool open(const QString& file, const std::function<void()>& then = {});
@@ -30,6 +31,7 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+    void addScenesMenu(const Actions& actions);
     void choose(const QString& title, const QString& filters);
     bool takesDrop(QObject* watched, const QDropEvent& drop) const;
     void takeDrop(const QDropEvent& drop);

@@ -134,10 +134,10 @@ KeySheet::KeySheet(const Actions& actions, QWidget* window)
 
 std::vector<KeyRow> KeySheet::rows() const {
     std::vector<KeyRow> rows;
-    for (const ActionRow& entry : actionTable()) {
-        const QAction* action = m_actions[entry.id];
+    for (const auto& [id, entry] : m_actions.rows()) {
+        const QAction* action = m_actions[id];
         const QString region = QString(entry.menu).section('/', 0, 0);
-        if (entry.id == ActionId::Bookmark1)
+        if (id == ActionId::Bookmark1)
             rows.push_back({region, tr("Bookmark 1 to 9"), "Ctrl+1 … Ctrl+9"});
         else if (!action->shortcut().isEmpty() && QString(entry.menu) != "Run/Bookmarks")
             rows.push_back({region, action->text(), keysText(*action)});

@@ -3,6 +3,7 @@
 #include <QInputDialog>
 #include <QMainWindow>
 #include <QMenu>
+#include <optional>
 
 #include "app/desktop/actions.h"
 #include "app/desktop/layout_store.h"
@@ -13,22 +14,57 @@
 
 namespace app {
 
-// The user's own ones stand below the named ones, each with a way to delete it.
-Layouts::Layouts(QMainWindow& window, const Actions& actions, ViewArea& views, WindowLayout& layout, StatusLine& status)
+Layouts::Layouts(QMainWindow& window, Actions& actions, ViewArea& views, WindowLayout& layout, StatusLine& status)
     : QObject(&window), m_window(window), m_views(views), m_layout(layout), m_status(status) {
+    addNamed(actions);
+    actions.add({.id = ActionId::KeepLayout,
+                 .menu = "View/Layout",
+                 .text = "Keep this layout…",
+                 .keys = "",
+                 .tip = "Keep panels and views as they are, under a name.",
+                 .run = [this] { keepThis(); }});
+    actions.add({.id = ActionId::ResetLayout,
+                 .menu = "View/Layout",
+                 .text = "Reset",
+                 .keys = "",
+                 .tip = "Put all panels back in their places.",
+                 .run = [this] { reset(); }});
+    connect(&actions, &Actions::menusFilled, this, [this, &actions] { addKeptMenu(actions); });
+    connect(this, &Layouts::applied, &actions, &Actions::refresh);
+}
+
+void Layouts::addNamed(Actions& actions) {
     using A = ActionId;
-    const auto on = [&](A id, auto run) { connect(actions[id], &QAction::triggered, this, run); };
-    on(A::LookLayout, [this] { apply("one", m_views.hasThumbnails()); });
-    on(A::ExplainLayout, [this] { apply("two", true); });
-    on(A::CompareLayout, [this] { apply("compare", m_views.hasThumbnails()); });
-    on(A::FourLayout, [this] { apply("four", m_views.hasThumbnails()); });
-    on(A::SpaceLayout, [this] { apply("space", false); });
-    on(A::PictureLayout, [this] { apply("buffer", m_views.hasThumbnails()); });
-    on(A::KeepLayout, [this] { keepThis(); });
-    on(A::ResetLayout, [this] { reset(); });
-    QMenu* menu = actions.menu("View/Layout");
+    struct Named {
+        A id;
+        const char *text, *keys, *tip, *arrangement;
+        std::optional<bool> thumbnails = {};  // nothing: as they are
+    };
+    static constexpr Named kNamed[]{
+        {A::LookLayout, "Look", "Ctrl+Shift+1", "A buffer beside the 3D view.", "one"},
+        {A::ExplainLayout, "Explain", "Ctrl+Shift+2",
+         "Two buffers one above the other, beside the 3D view, and the buffers small.", "two", true},
+        {A::CompareLayout, "Compare", "Ctrl+Shift+3", "Two buffers side by side.", "compare"},
+        {A::FourLayout, "Four views", "Ctrl+Shift+6",
+         "Three buffers that explain the stage, and the 3D view, in two rows.", "four"},
+        {A::SpaceLayout, "3D view alone", "Ctrl+Shift+4", "The 3D view in the whole middle.", "space", false},
+        {A::PictureLayout, "One buffer alone", "Ctrl+Shift+5", "A buffer in the whole middle.", "buffer"}};
+    for (const Named& named : kNamed)
+        actions.add(
+            {.id = named.id,
+             .menu = "View/Layout",
+             .text = named.text,
+             .keys = named.keys,
+             .tip = named.tip,
+             .run = [this, named] { apply(named.arrangement, named.thumbnails.value_or(m_views.hasThumbnails())); },
+             .startsGroup = named.id == A::LookLayout});
+}
+
+// The user's own layouts are below the named ones, each with a way to delete it.
+void Layouts::addKeptMenu(const Actions& actions) {
+    QMenu* const menu = actions.menu("View/Layout");
     auto* drop = new QMenu(tr("Delete"), menu);
-    QAction* before = menu->insertMenu(actions[A::ResetLayout], drop);
+    QAction* const before = menu->insertMenu(actions[ActionId::ResetLayout], drop);
     connect(menu, &QMenu::aboutToShow, this, [this, menu, drop, before] {
         for (QAction* old : menu->actions())
             if (old->property("kept").toBool()) delete old;

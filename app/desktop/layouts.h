@@ -14,7 +14,7 @@ class WindowLayout;
 class Layouts : public QObject {
     Q_OBJECT
 public:
-    Layouts(QMainWindow& window, const Actions& actions, ViewArea& views, WindowLayout& layout, StatusLine& status);
+    Layouts(QMainWindow& window, Actions& actions, ViewArea& views, WindowLayout& layout, StatusLine& status);
 
     void applyKept(const QString& name);
 
@@ -22,6 +22,8 @@ signals:
     void applied();
 
 private:
+    void addNamed(Actions& actions);
+    void addKeptMenu(const Actions& actions);
     void apply(const char* arrangement, bool thumbnails);
     void keepThis();
     void reset();

@@ -1,6 +1,7 @@
 #include "app/desktop/main_window.h"
 
 #include <QCloseEvent>
+#include <QStackedWidget>
 #include <QToolBar>
 
 #include "app/core/freed_memory.h"
@@ -8,25 +9,28 @@
 #include "app/core/scene_opener.h"
 #include "app/core/session_file.h"
 #include "app/desktop/actions.h"
-#include "app/desktop/command_palette.h"
+#include "app/desktop/explain_actions.h"
+#include "app/desktop/exports.h"
 #include "app/desktop/failure_reports.h"
 #include "app/desktop/file_opening.h"
-#include "app/desktop/key_sheet.h"
 #include "app/desktop/layout_store.h"
 #include "app/desktop/layouts.h"
+#include "app/desktop/look_actions.h"
 #include "app/desktop/look_keeper.h"
 #include "app/desktop/palette_commands.h"
 #include "app/desktop/panel_docks.h"
-#include "app/desktop/pixel_field.h"
 #include "app/desktop/popover.h"
 #include "app/desktop/presentation.h"
 #include "app/desktop/scene_files.h"
 #include "app/desktop/session.h"
 #include "app/desktop/shown_state.h"
+#include "app/desktop/stage_actions.h"
 #include "app/desktop/state_clipboard.h"
 #include "app/desktop/status_line.h"
 #include "app/desktop/step_actions.h"
+#include "app/desktop/tool_windows.h"
 #include "app/desktop/top_bar.h"
+#include "app/desktop/view_actions.h"
 #include "app/desktop/view_area.h"
 #include "app/desktop/views_room.h"
 #include "app/desktop/window_centre.h"
@@ -58,21 +62,17 @@ QToolBar* makeTimelineBar(QMainWindow& window) {
 
 }  // namespace
 
-MainWindow::MainWindow() : m_opener(new SceneOpener(this)), m_actions(new Actions(this)) {
+MainWindow::MainWindow()
+    : m_opener(new SceneOpener(this)),
+      m_actions(new Actions(this, [this] { return m_layout && m_layout->showsScene(); })),
+      m_centre(new WindowCentre(m_document, this)) {
     setObjectName("mainWindow");
     setMinimumSize(1024, 640);
     setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
-    m_top = new TopBar(m_document, *m_actions, this);
-    setMenuWidget(m_top);
-    m_centre = new WindowCentre(m_document, this);
     setCentralWidget(m_centre);
-    makeFeatures(*m_top);
-    m_palette = new CommandPalette(this);
-    m_keys = new KeySheet(*m_actions, this);
-    m_pixelField = new PixelField(this);
+    makeFeatures();
     new FreedMemory(m_document, this);
-    connectActions();
     connectDocument();
     followTheme(this, [this] {
         if (!m_presentation->changesWindow()) m_layout->fitText();
@@ -90,43 +90,114 @@ MainWindow::~MainWindow() {
     qDeleteAll(findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly));
 }
 
-void MainWindow::makeFeatures(TopBar& top) {
+void MainWindow::makeFeatures() {
+    Actions& actions = *m_actions;
     ViewArea& views = m_centre->views();
     ErrorList& errors = m_centre->errors();
+    auto* top = new TopBar(m_document, this);
+    setMenuWidget(top);
     m_docks = new PanelDocks(*this, m_document, views);
     const Panels& panels = m_docks->panels();
+    addStepActions(actions, m_document);
     QToolBar* const timelineBar = makeTimelineBar(*this);
-    auto* timeline = new Timeline(m_document, transportOf(*m_actions), timelineBar);
+    auto* timeline = new Timeline(m_document, transportOf(actions), timelineBar);
     timelineBar->addWidget(timeline);
     auto* status = new StatusLine(m_document, *m_opener, this);
     setStatusBar(status);
-    const AroundViews around{top.strip(), *timelineBar, *timeline, *status};
+    const AroundViews around{top->strip(), *timelineBar, *timeline, *status};
     m_presentation = new Presentation(m_document, panels.cues->model(), *m_opener, *this);
     m_layout = new WindowLayout(*this, m_document, *m_centre, around, *m_docks, *m_presentation);
-    m_layouts = new Layouts(*this, *m_actions, views, *m_layout, *status);
+    auto* layouts = new Layouts(*this, actions, views, *m_layout, *status);
     m_shown = new ShownState(m_document, views, *m_layout, errors, this);
-    m_files =
-        new SceneFiles(*this, m_document, *m_opener, *m_shown, *m_layout, *panels.lesson, *m_presentation, errors);
-    m_clipboard = new StateClipboard(m_document, *m_shown, *m_files, errors, this);
-    m_lessons = new WindowLessons(*this, m_document, *m_opener, *m_centre, around, *m_docks, *m_layout, *m_shown,
-                                  *m_presentation);
-    m_renderer = new WindowRenderer(*this, m_document, *m_docks, views, *m_layout, *m_files, *m_lessons);
-    m_cues = new WindowCues(*this, m_document, *m_opener, *m_docks, views, *m_layout, *m_shown, *m_files,
-                            *m_presentation, errors);
-    m_opening =
-        new FileOpening(*this, m_document, m_centre->start(), *m_files, *m_lessons, *m_cues, *m_renderer, *panels.cues);
-    m_commands = new PaletteCommands(*this, m_document, *m_actions, *m_docks, views, *m_layouts, *m_shown, *m_lessons,
-                                     *m_opening);
-    new WindowTitle(*this, top.title(), m_document, *m_layout, *m_files, *m_lessons);
-    new WindowKeys(*this, m_document, *m_actions, *m_layout, *m_opener, *m_files);
+    m_files = new SceneFiles(*this, actions, m_document, *m_opener, *m_shown, *m_layout, *panels.lesson,
+                             *m_presentation, errors);
+    new StateClipboard(m_centre->pages(), actions, m_document, *m_shown, *m_files, errors);
+    new Exports(*this, actions, m_document, views, *m_shown);
+    m_lessons = new WindowLessons(*this, actions, m_document, *m_opener, *m_centre, around, *m_docks, *m_layout,
+                                  *m_shown, *m_presentation);
+    auto* renderer = new WindowRenderer(*this, actions, m_document, *m_docks, views, *m_layout, *m_files, *m_lessons);
+    m_cues = new WindowCues(*this, actions, m_document, *m_docks, views, *m_layout, *m_shown, *m_files, *m_presentation,
+                            errors);
+    m_opening = new FileOpening(*this, actions, m_document, m_centre->start(), *m_files, *m_lessons, *m_cues, *renderer,
+                                *panels.cues);
+    new PaletteCommands(*this, m_document, actions, *m_docks, views, *layouts, *m_shown, *m_lessons, *m_opening);
+    new ToolWindows(*this, actions, m_document, *m_layout, *m_files, *m_lessons, m_centre->start());
+    new StageActions(*this, actions, m_document, views, top->strip());
+    new LookActions(*this, actions);
+    addViewActions(actions, views);
+    addExplainActions(actions, m_document, *panels.inspector, views);
+    addActions();
+    new WindowTitle(*this, top->title(), m_document, *m_layout, *m_files, *m_lessons);
+    new WindowKeys(*this, m_document, actions, *m_layout, *m_opener, *m_files);
     connect(m_opener, &SceneOpener::changed, status,
             [this, status] { status->setVisible(m_layout->showsViews() || m_opener->busy()); });
     connect(status, &StatusLine::cancelAsked, m_files, &SceneFiles::cancel);
-    connect(&m_centre->start(), &StartPage::keysRequested, (*m_actions)[ActionId::Keys], &QAction::trigger);
+    connect(renderer, &WindowRenderer::viewsChanged, this, &MainWindow::askAgain);
     connect(&m_centre->start(), &StartPage::viewChosen, this, [this](const lessons::WindowState& state) {
         const auto giveRoom = [this] { giveViewsRoom(*this, m_centre->views()); };
         if (m_files->mayLeave()) m_files->showState(state, {}, SceneChanges::Given, giveRoom);
     });
+    connect(top, &TopBar::commandAsked, actions[ActionId::RunCommand], &QAction::trigger);
+    actions.fillMenus(top->menus());
+    for (PanelDock* dock : m_docks->all())
+        actions.menu("View")->insertAction(actions[ActionId::TwoBufferViews], dock->toggleViewAction());
+    connect(actions.menu("File"), &QMenu::aboutToShow, this, &MainWindow::askAgain);
+}
+
+// What belongs to no feature: the window itself and its undo.
+void MainWindow::addActions() {
+    using A = ActionId;
+    QUndoStack* const undo = m_document.history().stack();
+    m_actions->add({.id = A::RestoreSession,
+                    .menu = "File",
+                    .text = "Restore the session at start",
+                    .keys = "",
+                    .tip = "Begin with what the window showed when it was closed.",
+                    .run = [] { SessionFile::setWanted(!SessionFile::isWanted()); },
+                    .isOn = [] { return SessionFile::isWanted(); },
+                    .needsScene = false,
+                    .startsGroup = true});
+    m_actions->add({.id = A::Quit,
+                    .menu = "File",
+                    .text = "Quit",
+                    .keys = "Ctrl+Q",
+                    .tip = "Close the window.",
+                    .run = [this] { close(); },
+                    .needsScene = false});
+    m_actions->add({.id = A::Undo,
+                    .menu = "Edit",
+                    .text = "Undo",
+                    .keys = "Ctrl+Z",
+                    .tip = "Take the last change back.",
+                    .run = [undo] { undo->undo(); },
+                    .whyNot = [undo] { return undo->canUndo() ? QString() : tr("Nothing to undo."); },
+                    .name = [undo] { return undo->canUndo() ? tr("Undo %1").arg(undo->undoText()) : tr("Undo"); },
+                    .inTalk = true});
+    m_actions->add({.id = A::Redo,
+                    .menu = "Edit",
+                    .text = "Redo",
+                    .keys = "Ctrl+Shift+Z; Ctrl+Y",
+                    .tip = "Make the change again.",
+                    .run = [undo] { undo->redo(); },
+                    .whyNot = [undo] { return undo->canRedo() ? QString() : tr("Nothing to redo."); },
+                    .name = [undo] { return undo->canRedo() ? tr("Redo %1").arg(undo->redoText()) : tr("Redo"); },
+                    .inTalk = true});
+    m_actions->add({.id = A::FullScreen,
+                    .menu = "View",
+                    .text = "Full screen",
+                    .keys = "F11",
+                    .tip = "Fill the screen, or give it back.",
+                    .run = [this] { isFullScreen() ? showNormal() : showFullScreen(); },
+                    .isOn = [this] { return isFullScreen(); },
+                    .needsScene = false,
+                    .startsGroup = true});
+    m_docks->all().front()->addButton((*m_actions)[A::Undo], "undo");
+    m_docks->all().front()->addButton((*m_actions)[A::Redo], "redo");
+}
+
+void MainWindow::askAgain() {
+    m_actions->refresh();
+    m_docks->enable(m_layout->showsScene());
 }
 
 ViewArea& MainWindow::views() { return m_centre->views(); }
@@ -142,22 +213,16 @@ void MainWindow::connectDocument() {
         m_centre->errors().hide();
         m_layout->showViews();
     });
-    connect(&m_document, &Document::sceneChanged, this, &MainWindow::enableActions);
-    connect(&m_document.frames(), &FrameFeed::frameReady, this, &MainWindow::enableActions);
-    connect(&m_document.pointing(), &Pointing::pixelChanged, this, &MainWindow::enableActions);
-    connect(&m_document.inspection(), &PixelInspection::changed, this, &MainWindow::enableActions);
-    connect(&m_document, &Document::stageChanged, this, &MainWindow::enableActions);
-    connect(&m_document.pointing(), &Pointing::channelChanged, this, &MainWindow::enableActions);
-    connect(&m_document.pointing(), &Pointing::selectionChanged, this, &MainWindow::enableActions);
-    connect(&m_document.stepper(), &Stepper::changed, this,
-            [this] { enableStepActions(*m_actions, m_document, m_layout->showsViews()); });
-    connect(m_document.history().stack(), &QUndoStack::indexChanged, this, &MainWindow::enableActions);
-    connect(m_layout, &WindowLayout::changed, this, &MainWindow::enableActions);
-    connect(m_layouts, &Layouts::applied, this, &MainWindow::enableActions);
-    connect(m_lessons, &WindowLessons::changed, this, &MainWindow::enableActions);
-    connect(m_renderer, &WindowRenderer::viewsChanged, this, &MainWindow::enableActions);
-    connect(&m_cues->model(), &CueModel::changed, this, &MainWindow::enableCueActions);
-    connect(&m_centre->views(), &ViewArea::changed, this, &MainWindow::enableViewActions);
+    for (const auto signal : {&Document::sceneChanged, &Document::stageChanged})
+        connect(&m_document, signal, this, &MainWindow::askAgain);
+    for (const auto signal : {&Pointing::pixelChanged, &Pointing::channelChanged, &Pointing::selectionChanged})
+        connect(&m_document.pointing(), signal, this, &MainWindow::askAgain);
+    connect(&m_document.frames(), &FrameFeed::frameReady, this, &MainWindow::askAgain);
+    connect(&m_document.inspection(), &PixelInspection::changed, this, &MainWindow::askAgain);
+    connect(&m_document.stepper(), &Stepper::changed, m_actions, &Actions::refresh);
+    connect(m_document.history().stack(), &QUndoStack::indexChanged, this, &MainWindow::askAgain);
+    connect(m_layout, &WindowLayout::changed, this, &MainWindow::askAgain);
+    connect(m_lessons, &WindowLessons::changed, this, &MainWindow::askAgain);
     reportFailures(m_document, m_centre->errors());
 }
 

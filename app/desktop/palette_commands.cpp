@@ -108,7 +108,7 @@ bool hasChoices(const pipeline::Setting& setting) {
 
 }  // namespace
 
-PaletteCommands::PaletteCommands(QMainWindow& window, Document& document, const Actions& actions, PanelDocks& docks,
+PaletteCommands::PaletteCommands(QMainWindow& window, Document& document, Actions& actions, PanelDocks& docks,
                                  ViewArea& views, Layouts& layouts, ShownState& shown, WindowLessons& lessons,
                                  FileOpening& opening)
     : QObject(&window),
@@ -120,14 +120,23 @@ PaletteCommands::PaletteCommands(QMainWindow& window, Document& document, const 
       m_layouts(layouts),
       m_shown(shown),
       m_lessons(lessons),
-      m_opening(opening) {}
+      m_opening(opening) {
+    auto* palette = new CommandPalette(&window);
+    actions.add({.id = ActionId::RunCommand,
+                 .menu = "Help",
+                 .text = "Run a command…",
+                 .keys = "Ctrl+Shift+P",
+                 .tip = "Find any action, buffer or scene by its name.",
+                 .run = [this, palette] { palette->open(all()); },
+                 .needsScene = false});
+}
 
 void PaletteCommands::addActionCommands(std::vector<PaletteEntry>& all) {
-    for (const ActionRow& row : actionTable()) {
-        QAction* action = m_actions[row.id];
-        if (row.id == ActionId::RunCommand) continue;
+    for (const auto& [id, row] : m_actions.rows()) {
+        QAction* action = m_actions[id];
+        if (id == ActionId::RunCommand) continue;
         all.push_back({action->text(), QString(row.menu).replace('/', QStringLiteral(" › ")), keysText(*action),
-                       action->property("whyNot").toString(), [action] { action->trigger(); }});
+                       m_actions.whyNot(id), [action] { action->trigger(); }});
     }
     for (PanelDock* dock : m_docks.all()) {
         QAction* action = dock->toggleViewAction();
@@ -137,7 +146,7 @@ void PaletteCommands::addActionCommands(std::vector<PaletteEntry>& all) {
                                             : tr("Open a scene first."),
                        [action] { action->trigger(); }});
     }
-    const QString noLayout = m_actions[ActionId::KeepLayout]->property("whyNot").toString();
+    const QString noLayout = m_actions.whyNot(ActionId::KeepLayout);
     for (const QString& name : keptLayouts())
         all.push_back({name, tr("View › Layout"), QString(), noLayout, [this, name] { m_layouts.applyKept(name); }});
 }
@@ -251,6 +260,7 @@ void PaletteCommands::showSideBySide(const SettingRef& setting) {
 }
 
 std::vector<PaletteEntry> PaletteCommands::all() {
+    m_actions.refresh();
     std::vector<PaletteEntry> all;
     addActionCommands(all);
     if (m_shown.hasScene() && m_document.frames().shown()) addViewCommands(all);

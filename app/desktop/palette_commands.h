@@ -26,12 +26,11 @@ class WindowLessons;
 class PaletteCommands : public QObject {
     Q_OBJECT
 public:
-    PaletteCommands(QMainWindow& window, Document& document, const Actions& actions, PanelDocks& docks, ViewArea& views,
+    PaletteCommands(QMainWindow& window, Document& document, Actions& actions, PanelDocks& docks, ViewArea& views,
                     Layouts& layouts, ShownState& shown, WindowLessons& lessons, FileOpening& opening);
 
-    std::vector<PaletteEntry> all();
-
 private:
+    std::vector<PaletteEntry> all();
     void addActionCommands(std::vector<PaletteEntry>& all);
     void addViewCommands(std::vector<PaletteEntry>& all);
     void addSettingCommands(std::vector<PaletteEntry>& all);
@@ -39,7 +38,7 @@ private:
 
     QMainWindow& m_window;
     Document& m_document;
-    const Actions& m_actions;
+    Actions& m_actions;
     PanelDocks& m_docks;
     ViewArea& m_views;
     Layouts& m_layouts;

@@ -9,6 +9,7 @@
 #include "app/core/recent_files.h"
 #include "app/core/shown_name.h"
 #include "app/core/text.h"
+#include "app/desktop/actions.h"
 #include "app/desktop/keep_changes.h"
 #include "app/desktop/presentation.h"
 #include "app/desktop/shown_state.h"
@@ -23,7 +24,7 @@
 
 namespace app {
 
-SceneFiles::SceneFiles(QWidget& window, Document& document, SceneOpener& opener, ShownState& shown,
+SceneFiles::SceneFiles(QWidget& window, Actions& actions, Document& document, SceneOpener& opener, ShownState& shown,
                        WindowLayout& layout, LessonPanel& lessons, const Presentation& presentation, ErrorList& errors)
     : QObject(&window),
       m_window(window),
@@ -38,6 +39,53 @@ SceneFiles::SceneFiles(QWidget& window, Document& document, SceneOpener& opener,
     m_watch->setParent(this);
     connect(m_watch, &FileWatch::changed, this, &SceneFiles::takeFileChange);
     connect(&presentation, &Presentation::cancelAsked, this, &SceneFiles::cancel);
+    addActions(actions);
+    connect(&actions, &Actions::menusFilled, this, [this, &actions] { addRecentMenu(actions); });
+}
+
+void SceneFiles::addActions(Actions& actions) {
+    using A = ActionId;
+    const auto whyNotSave = [this] { return this->whyNotSave(); };
+    actions.add(
+        {.id = A::ReadAgain,
+         .menu = "File",
+         .text = "Reload",
+         .keys = "F5",
+         .tip = "Read the scene's file again; views, step and pixel stay.",
+         .run = [this] { reload(); },
+         .whyNot = [this] { return m_document.kept().scene ? QString() : tr("This scene comes from no file."); }});
+    actions.add({.id = A::Save,
+                 .menu = "File",
+                 .text = "Save scene",
+                 .keys = "Ctrl+S",
+                 .tip = "Write the scene to its file; ask for a name if the file holds more than this program writes.",
+                 .run = [this] { save(); },
+                 .whyNot = whyNotSave});
+    actions.add({.id = A::SaveAs,
+                 .menu = "File",
+                 .text = "Save scene as…",
+                 .keys = "Ctrl+Shift+S",
+                 .tip = "Write the scene with all its settings as a TOML file.",
+                 .run = [this] { saveAs(); },
+                 .whyNot = whyNotSave});
+    actions.add({.id = A::Close,
+                 .menu = "File",
+                 .text = "Close",
+                 .keys = "Ctrl+W",
+                 .tip = "Close the scene and show the start page.",
+                 .run = [this] { close(); },
+                 .startsGroup = true});
+}
+
+void SceneFiles::addRecentMenu(const Actions& actions) {
+    QMenu* const file = actions.menu("File");
+    auto* recent = new QMenu(tr("Open recent"), file);
+    file->insertMenu(actions[ActionId::Save], recent);
+    connect(file, &QMenu::aboutToShow, this, [this, recent] { fillRecent(*recent); });
+}
+
+QString SceneFiles::whyNotSave() const {
+    return m_lessons.lesson() ? tr("Close the lesson first: this scene is its own.") : QString();
 }
 
 bool SceneFiles::hasChangedOutside() const { return m_watch->hasChanged(); }

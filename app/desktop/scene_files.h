@@ -11,6 +11,7 @@ class QMenu;
 
 namespace app {
 
+class Actions;
 class ErrorList;
 class FileWatch;
 class LessonPanel;
@@ -25,8 +26,8 @@ class SceneFiles : public QObject {
 public:
     using Then = std::function<void()>;  // runs once the scene is on show
 
-    SceneFiles(QWidget& window, Document& document, SceneOpener& opener, ShownState& shown, WindowLayout& layout,
-               LessonPanel& lessons, const Presentation& presentation, ErrorList& errors);
+    SceneFiles(QWidget& window, Actions& actions, Document& document, SceneOpener& opener, ShownState& shown,
+               WindowLayout& layout, LessonPanel& lessons, const Presentation& presentation, ErrorList& errors);
 
     // Asks before changes to the scene on show are lost; false if it stays.
     bool open(const QString& file, const Then& then = {});
@@ -35,13 +36,13 @@ public:
     void showState(const lessons::WindowState& state, const std::filesystem::path& folder, SceneChanges changes,
                    const Then& then = {});
     void reload();
+    bool isReading() const { return m_opener.busy(); }
     void cancel();  // the reading
     bool save();    // false: not saved
     bool saveAs();  // likewise
     void close();
     bool mayLeave();
     bool wouldLoseChanges() const;
-    void fillRecent(QMenu& menu);
     bool hasChangedOutside() const;  // another program has written to the file
 
 signals:
@@ -51,6 +52,10 @@ signals:
     void changedOutside();  // the file
 
 private:
+    void addActions(Actions& actions);
+    void addRecentMenu(const Actions& actions);
+    QString whyNotSave() const;
+    void fillRecent(QMenu& menu);
     void read(const QString& name, SceneOpener::Read read, std::function<void(const OpenedScene&)> take);
     void showPoint();
     void showCarriedState(const OpenedScene& picture);

@@ -5,6 +5,7 @@
 
 #include "app/core/document_state.h"
 #include "app/core/text.h"
+#include "app/desktop/actions.h"
 #include "app/desktop/scene_files.h"
 #include "app/desktop/shown_state.h"
 #include "app/panels/error_list.h"
@@ -13,9 +14,26 @@
 
 namespace app {
 
-StateClipboard::StateClipboard(Document& document, ShownState& shown, SceneFiles& files, ErrorList& errors,
-                               QObject* parent)
-    : QObject(parent), m_document(document), m_shown(shown), m_files(files), m_errors(errors) {}
+StateClipboard::StateClipboard(QWidget& pages, Actions& actions, Document& document, ShownState& shown,
+                               SceneFiles& files, ErrorList& errors)
+    : QObject(&pages), m_document(document), m_shown(shown), m_files(files), m_errors(errors) {
+    actions.add({.id = ActionId::CopyState,
+                 .menu = "Edit",
+                 .text = "Copy view and state",
+                 .keys = "Ctrl+C",
+                 .tip = "Copy scene, stage, step, pixel and how every view looks, as text that a window shows again.",
+                 .run = [this] { copy(); },
+                 .startsGroup = true,
+                 .within = &pages});
+    actions.add({.id = ActionId::PasteState,
+                 .menu = "Edit",
+                 .text = "Paste view and state",
+                 .keys = "Ctrl+V",
+                 .tip = "Show what a window has copied as text.",
+                 .run = [this] { paste(); },
+                 .needsScene = false,
+                 .within = &pages});
+}
 
 // A scene that is no part of the program goes along, for a machine that does not have its file.
 void StateClipboard::copy() {

@@ -3,6 +3,7 @@
 
 namespace app {
 
+class Actions;
 class Document;
 class ErrorList;
 class SceneFiles;
@@ -12,12 +13,14 @@ class ShownState;
 class StateClipboard : public QObject {
     Q_OBJECT
 public:
-    StateClipboard(Document& document, ShownState& shown, SceneFiles& files, ErrorList& errors, QObject* parent);
+    // The keys work in `pages` alone: tables and formulas copy themselves.
+    StateClipboard(QWidget& pages, Actions& actions, Document& document, ShownState& shown, SceneFiles& files,
+                   ErrorList& errors);
 
+private:
     void copy();
     void paste();
 
-private:
     Document& m_document;
     ShownState& m_shown;
     SceneFiles& m_files;

@@ -5,10 +5,8 @@
 
 namespace app {
 
-// What the actions that step inside a frame do, and when they can.
-void connectStepActions(const Actions& actions, Document& document);
-// hasScene: a scene is on show.
-void enableStepActions(Actions& actions, const Document& document, bool hasScene);
+// Adds the actions that step inside a frame.
+void addStepActions(Actions& actions, Document& document);
 Timeline::Transport transportOf(const Actions& actions);
 
 }  // namespace app

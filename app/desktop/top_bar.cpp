@@ -5,28 +5,25 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include "app/desktop/actions.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/stage_strip.h"
 
 namespace app {
 
-TopBar::TopBar(Document& document, Actions& actions, QWidget* parent)
-    : QWidget(parent), m_title(new QLabel(this)), m_strip(new StageStrip(document, this)) {
+TopBar::TopBar(Document& document, QWidget* parent)
+    : QWidget(parent), m_menus(new QMenuBar(this)), m_title(new QLabel(this)), m_strip(new StageStrip(document, this)) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     auto* row = new QHBoxLayout;
-    auto* bar = new QMenuBar(this);
-    actions.addMenus(*bar);
-    bar->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Preferred);
+    m_menus->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Preferred);
     m_title->setObjectName("title");
     m_title->setProperty("tone", 2);
     m_title->setAlignment(Qt::AlignCenter);
     auto* command = new QPushButton(tr("Run a command   Ctrl+Shift+P"), this);
     command->setObjectName("runCommand");
-    connect(command, &QPushButton::clicked, actions[ActionId::RunCommand], &QAction::trigger);
-    row->addWidget(bar);
+    connect(command, &QPushButton::clicked, this, &TopBar::commandAsked);
+    row->addWidget(m_menus);
     row->addWidget(m_title, 1);
     row->addWidget(command);
     column->addLayout(row);

@@ -2,10 +2,10 @@
 #include <QWidget>
 
 class QLabel;
+class QMenuBar;
 
 namespace app {
 
-class Actions;
 class Document;
 class StageStrip;
 
@@ -13,12 +13,17 @@ class StageStrip;
 class TopBar : public QWidget {
     Q_OBJECT
 public:
-    TopBar(Document& document, Actions& actions, QWidget* parent);
+    TopBar(Document& document, QWidget* parent);
 
+    QMenuBar& menus() const { return *m_menus; }
     QLabel& title() const { return *m_title; }
     StageStrip& strip() const { return *m_strip; }
 
+signals:
+    void commandAsked();
+
 private:
+    QMenuBar* m_menus;
     QLabel* m_title;
     StageStrip* m_strip;
 };

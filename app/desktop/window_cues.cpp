@@ -1,14 +1,14 @@
 #include "app/desktop/window_cues.h"
 
-#include <QCoreApplication>
+#include <QGuiApplication>
 #include <QLayout>
 #include <QMainWindow>
 #include <algorithm>
 
 #include "app/core/document.h"
-#include "app/core/scene_opener.h"
 #include "app/core/shown_name.h"
 #include "app/core/text.h"
+#include "app/desktop/actions.h"
 #include "app/desktop/keep_changes.h"
 #include "app/desktop/layout_store.h"
 #include "app/desktop/panel_docks.h"
@@ -26,13 +26,13 @@ namespace app {
 
 QString WindowCues::fileFilter() { return tr("Cue lists (*%1)").arg(lessons::kCueEnding); }
 
-WindowCues::WindowCues(QMainWindow& window, Document& document, const SceneOpener& opener, const PanelDocks& docks,
+WindowCues::WindowCues(QMainWindow& window, Actions& actions, Document& document, const PanelDocks& docks,
                        ViewArea& views, WindowLayout& layout, ShownState& shown, SceneFiles& files,
                        Presentation& presentation, ErrorList& errors)
     : QObject(&window),
       m_window(window),
+      m_actions(actions),
       m_document(document),
-      m_opener(opener),
       m_dock(docks[PanelId::Cues]),
       m_panel(*docks.panels().cues),
       m_lessons(*docks.panels().lesson),
@@ -53,6 +53,73 @@ WindowCues::WindowCues(QMainWindow& window, Document& document, const SceneOpene
     connect(&files, &SceneFiles::notShown, this, forget);
     connectModel();
     reportUnread();
+    addActions(actions);
+}
+
+void WindowCues::addActions(Actions& actions) {
+    using A = ActionId;
+    actions.add({.id = A::Present,
+                 .menu = "View",
+                 .text = "Clean view",
+                 .keys = "Ctrl+F11",
+                 .tip = "Show the views alone on the whole screen, large; with cues, a talk.",
+                 .run = [this] { present(); },
+                 .whyNot =
+                     [this] {
+                         return m_layout.showsScene() || model().size() > 0 ? QString()
+                                                                            : tr("Open a scene or a cue list first.");
+                     },
+                 .needsScene = false,
+                 .inTalk = true});
+    actions.add({.id = A::NotesScreen,
+                 .menu = "View",
+                 .text = "Notes on second screen",
+                 .keys = "",
+                 .tip = "While presenting: notes, the next cue and the time on the other screen.",
+                 .run = [this] { m_withNotes = !m_withNotes; },
+                 .whyNot =
+                     [] {
+                         return QGuiApplication::screens().size() > 1
+                                    ? QString()
+                                    : tr("There is one screen; the notes stand in the panel Cues.");
+                     },
+                 .isOn = [this] { return m_withNotes; },
+                 .needsScene = false});
+    actions.add({.id = A::KeepCue,
+                 .menu = "Run",
+                 .text = "Keep as a cue",
+                 .keys = "Ctrl+B",
+                 .tip = "Keep what you see as the next cue of a talk.",
+                 .run = [this] { keep(); },
+                 .startsGroup = true,
+                 .inTalk = true});
+    actions.add({.id = A::NextCue,
+                 .menu = "Run",
+                 .text = "Next cue",
+                 .keys = "PgDown",
+                 .tip = "Show the next cue, as a clicker does.",
+                 .run = [this] { step(1); },
+                 .whyNot = [this] { return whyNotStep(1); },
+                 .needsScene = false,
+                 .inTalk = true});
+    actions.add({.id = A::PreviousCue,
+                 .menu = "Run",
+                 .text = "Previous cue",
+                 .keys = "PgUp",
+                 .tip = "Show the cue before, exactly as it was.",
+                 .run = [this] { step(-1); },
+                 .whyNot = [this] { return whyNotStep(-1); },
+                 .needsScene = false,
+                 .inTalk = true});
+    connect(&m_panel, &CuePanel::presentAsked, this, &WindowCues::present);
+    connect(&model(), &CueModel::changed, &actions, &Actions::refresh);
+}
+
+QString WindowCues::whyNotStep(int by) const {
+    const int next = model().current() + by;
+    if (turnsLesson() || (next >= 0 && next < model().size())) return {};
+    if (model().size() == 0) return tr("There are no cues; Ctrl+B keeps what you see as one.");
+    return by > 0 ? tr("This is the last cue.") : tr("This is the first cue.");
 }
 
 CueModel& WindowCues::model() const { return m_panel.model(); }
@@ -118,7 +185,7 @@ void WindowCues::goTo(int cue, const Then& then) {
         model().setCurrent(cue);
         if (then) then();
     });
-    if (m_opener.busy()) m_asked = cue;
+    if (m_files.isReading()) m_asked = cue;
 }
 
 bool WindowCues::saveAs() {
@@ -164,17 +231,17 @@ bool WindowCues::open(const QString& file, const QString& name, const Then& then
     return true;
 }
 
-void WindowCues::present(const QList<QAction*>& keys, bool withNotes) {
+void WindowCues::present() {
     if (m_presentation.isOn()) return m_presentation.end();
-    if (m_layout.showsScene()) return beginTalk(keys, withNotes);
-    goTo(std::max(0, model().current()), [this, keys, withNotes] { beginTalk(keys, withNotes); });
+    if (m_layout.showsScene()) return beginTalk();
+    goTo(std::max(0, model().current()), [this] { beginTalk(); });
 }
 
-void WindowCues::beginTalk(const QList<QAction*>& keys, bool withNotes) {
+void WindowCues::beginTalk() {
     const auto now = m_shown.now();
     if (!now) return;
     m_beforeTalk = m_window.saveState(kLayoutVersion);
-    m_presentation.begin(*now, keys, withNotes);
+    m_presentation.begin(*now, m_actions.inTalk(), m_withNotes);
 }
 
 void WindowCues::endTalk() {

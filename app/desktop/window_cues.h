@@ -6,11 +6,11 @@
 
 #include "lessons/state/window_state.h"
 
-class QAction;
 class QMainWindow;
 
 namespace app {
 
+class Actions;
 class CueModel;
 class CuePanel;
 class Document;
@@ -20,7 +20,6 @@ class PanelDock;
 class PanelDocks;
 class Presentation;
 class SceneFiles;
-class SceneOpener;
 class ShownState;
 class ViewArea;
 class WindowLayout;
@@ -31,8 +30,8 @@ class WindowCues : public QObject {
 public:
     using Then = std::function<void()>;
 
-    WindowCues(QMainWindow& window, Document& document, const SceneOpener& opener, const PanelDocks& docks,
-               ViewArea& views, WindowLayout& layout, ShownState& shown, SceneFiles& files, Presentation& presentation,
+    WindowCues(QMainWindow& window, Actions& actions, Document& document, const PanelDocks& docks, ViewArea& views,
+               WindowLayout& layout, ShownState& shown, SceneFiles& files, Presentation& presentation,
                ErrorList& errors);
 
     CueModel& model() const;
@@ -40,27 +39,28 @@ public:
     bool open(const QString& file, const QString& name = {}, const Then& then = {});
     bool saveAs();    // false: not saved
     bool mayLeave();  // asks about changes that the list's own file cannot take
-    void keep();
-    void replaceCurrent();
-    void step(int by);
-    bool turnsLesson() const;  // what a clicker sends
-    // Begins, or ends. keys: actions whose keys work in a talk too.
-    void present(const QList<QAction*>& keys, bool withNotes);
+    void present();   // begins, or ends
 
     static QString fileFilter();
 
 private:
+    void addActions(Actions& actions);
+    QString whyNotStep(int by) const;
     void connectModel();
     void reportUnread();
     void endTalk();
     std::optional<lessons::WindowState> state() const;
     void raisePanel();
     void goTo(int cue, const Then& then = {});
-    void beginTalk(const QList<QAction*>& keys, bool withNotes);
+    void keep();
+    void replaceCurrent();
+    void step(int by);
+    bool turnsLesson() const;  // what a clicker sends
+    void beginTalk();
 
     QMainWindow& m_window;
+    const Actions& m_actions;
     Document& m_document;
-    const SceneOpener& m_opener;
     PanelDock& m_dock;
     CuePanel& m_panel;
     LessonPanel& m_lessons;
@@ -72,6 +72,7 @@ private:
     ErrorList& m_errors;
     std::optional<int> m_asked;  // whose scene is being read
     QByteArray m_beforeTalk;     // where the panels stood
+    bool m_withNotes = true;     // on a second screen
 };
 
 }  // namespace app

@@ -61,7 +61,7 @@ bool WindowKeys::takeKey(QObject* watched, QKeyEvent& key) {
     if (isArrow && key.modifiers() == Qt::ControlModifier) {
         key.setAccepted(isPress);
         const ActionId stage = key.key() == Qt::Key_Left ? ActionId::PreviousStage : ActionId::NextStage;
-        if (isPress) emit m_document.said(m_actions[stage]->property("whyNot").toString());
+        if (isPress) emit m_document.said(m_actions.whyNot(stage));
         return true;
     }
     if (isPress || !keepsKey(watched, key)) return false;
@@ -72,11 +72,10 @@ bool WindowKeys::takeKey(QObject* watched, QKeyEvent& key) {
 // A key that nothing has taken: Esc cancels what takes long, another may be that of an action which cannot be done now.
 void WindowKeys::takeLeftKey(const QKeyEvent& key) {
     if (key.key() == Qt::Key_Escape && !m_document.work().running().isEmpty()) return m_document.work().cancel();
-    for (const ActionRow& row : actionTable()) {
-        const QAction* action = m_actions[row.id];
-        if (!action->isEnabled() && action->shortcuts().contains(QKeySequence(key.keyCombination())))
-            emit m_document.said(action->property("whyNot").toString());
-    }
+    for (const auto& [id, row] : m_actions.rows())
+        if (const QString why = m_actions.whyNot(id);
+            !why.isEmpty() && m_actions[id]->shortcuts().contains(QKeySequence(key.keyCombination())))
+            emit m_document.said(why);
 }
 
 }  // namespace app

@@ -9,6 +9,7 @@
 #include "app/core/scene_opener.h"
 #include "app/core/text.h"
 #include "app/core/theme.h"
+#include "app/desktop/actions.h"
 #include "app/desktop/edge_tab.h"
 #include "app/desktop/panel_docks.h"
 #include "app/desktop/presentation.h"
@@ -31,9 +32,9 @@ bool has(const std::vector<lessons::Part>& parts, std::optional<lessons::Part> p
 
 }  // namespace
 
-WindowLessons::WindowLessons(QMainWindow& window, Document& document, SceneOpener& opener, const WindowCentre& centre,
-                             const AroundViews& around, const PanelDocks& docks, WindowLayout& layout,
-                             ShownState& shown, const Presentation& presentation)
+WindowLessons::WindowLessons(QMainWindow& window, Actions& actions, Document& document, SceneOpener& opener,
+                             const WindowCentre& centre, const AroundViews& around, const PanelDocks& docks,
+                             WindowLayout& layout, ShownState& shown, const Presentation& presentation)
     : QObject(&window),
       m_window(window),
       m_document(document),
@@ -57,6 +58,14 @@ WindowLessons::WindowLessons(QMainWindow& window, Document& document, SceneOpene
     connect(&layout, &WindowLayout::startShows, this, &WindowLessons::listOnStartPage);
     makeBanner();
     makeEdge();
+    actions.add({.id = ActionId::Handout,
+                 .menu = "File",
+                 .text = "Lesson as a handout…",
+                 .keys = "",
+                 .tip = "Write the open lesson as pages for a browser.",
+                 .run = [this] { m_lessons.writeHandout(); },
+                 .whyNot = [this] { return m_lessons.lesson() ? QString() : tr("Open a lesson first."); },
+                 .needsScene = false});
 }
 
 void WindowLessons::makeBanner() {

@@ -11,6 +11,7 @@ class QToolBar;
 
 namespace app {
 
+class Actions;
 class EdgeTab;
 class LessonPanel;
 class SceneOpener;
@@ -21,9 +22,9 @@ enum class PanelId : unsigned char;
 class WindowLessons : public QObject {
     Q_OBJECT
 public:
-    WindowLessons(QMainWindow& window, Document& document, SceneOpener& opener, const WindowCentre& centre,
-                  const AroundViews& around, const PanelDocks& docks, WindowLayout& layout, ShownState& shown,
-                  const Presentation& presentation);
+    WindowLessons(QMainWindow& window, Actions& actions, Document& document, SceneOpener& opener,
+                  const WindowCentre& centre, const AroundViews& around, const PanelDocks& docks, WindowLayout& layout,
+                  ShownState& shown, const Presentation& presentation);
 
     void open(const QString& name);
     // One that stands anywhere, by its folder. False when it cannot be read.

@@ -31,7 +31,7 @@ int runWindow(int argc, char** argv, const WindowStart& start) {
     window.show();
     if (start.session) window.startSession(SessionFile::usualFolder(), start.file.isEmpty() && start.cues.isEmpty());
     if (!start.file.isEmpty()) window.openFile(start.file);
-    if (!start.cues.isEmpty()) window.cues().open(start.cues, start.cue, [&window] { window.present(); });
+    if (!start.cues.isEmpty()) window.cues().open(start.cues, start.cue, [&window] { window.cues().present(); });
     return application.exec();
 }
 

@@ -9,6 +9,7 @@
 #include "app/core/document.h"
 #include "app/core/renderer_check.h"
 #include "app/core/shown_name.h"
+#include "app/desktop/actions.h"
 #include "app/desktop/panel_docks.h"
 #include "app/desktop/scene_files.h"
 #include "app/desktop/view_area.h"
@@ -46,8 +47,8 @@ bool isMine(const QString& path, std::size_t lights) {
 
 }  // namespace
 
-WindowRenderer::WindowRenderer(QWidget& window, Document& document, const PanelDocks& docks, ViewArea& views,
-                               WindowLayout& layout, SceneFiles& files, WindowLessons& lessons)
+WindowRenderer::WindowRenderer(QWidget& window, Actions& actions, Document& document, const PanelDocks& docks,
+                               ViewArea& views, WindowLayout& layout, SceneFiles& files, WindowLessons& lessons)
     : QObject(&window),
       m_window(window),
       m_document(document),
@@ -68,6 +69,34 @@ WindowRenderer::WindowRenderer(QWidget& window, Document& document, const PanelD
         if (!m_document.renderer().isOpen()) leave();
     });
     connect(&lessons, &WindowLessons::begins, this, &WindowRenderer::leave);  // the lesson's scene is another
+    addActions(actions);
+}
+
+void WindowRenderer::addActions(Actions& actions) {
+    actions.add(
+        {.id = ActionId::CheckRenderer,
+         .menu = "File",
+         .text = "Check my renderer…",
+         .keys = "Ctrl+Shift+R",
+         .tip = "Choose the folder that your own renderer has written: which of its stages is the first that "
+                "is wrong?",
+         .run = [this] { chooseFolder(); },
+         .whyNot =
+             [this] { return m_lessons.isOpen() ? tr("Close the lesson first: this scene is its own.") : QString(); },
+         .needsScene = false,
+         .startsGroup = true});
+    actions.add({.id = ActionId::WorstPixel,
+                 .menu = "Inspect",
+                 .text = "Next worst pixel",
+                 .keys = "Alt+W",
+                 .tip = "Pick the pixel at which your renderer differs most; again: the next one.",
+                 .run = [this] { m_panel.finding().goToWorst(); },
+                 .whyNot =
+                     [this] {
+                         return m_document.renderer().report()
+                                    ? QString()
+                                    : tr("Check your renderer first: File, Check my renderer.");
+                     }});
 }
 
 QString WindowRenderer::startFolder() const {

@@ -6,6 +6,7 @@
 
 namespace app {
 
+class Actions;
 class Document;
 class PanelDocks;
 class RendererPanel;
@@ -18,10 +19,9 @@ class WindowLessons;
 class WindowRenderer : public QObject {
     Q_OBJECT
 public:
-    WindowRenderer(QWidget& window, Document& document, const PanelDocks& docks, ViewArea& views, WindowLayout& layout,
-                   SceneFiles& files, WindowLessons& lessons);
+    WindowRenderer(QWidget& window, Actions& actions, Document& document, const PanelDocks& docks, ViewArea& views,
+                   WindowLayout& layout, SceneFiles& files, WindowLessons& lessons);
 
-    void chooseFolder();
     // Compares the scene on show with what somebody's renderer has written: a folder, or files. Without a scene the one
     // that is in the folder is opened first.
     void check(const QStringList& paths);
@@ -32,6 +32,8 @@ signals:
     void viewsChanged();
 
 private:
+    void addActions(Actions& actions);
+    void chooseFolder();
     void chooseFiles();
     void checkChosen(QStringList paths);
     QString startFolder() const;

@@ -247,16 +247,35 @@ TEST(Keys, AreFoundByAnyOfTheirWords) {
     EXPECT_EQ(rowsWith(rows, "loupe run"), std::vector<KeyRow>());
 }
 
+// A row that a feature forgot to add would be no command at all.
+TEST_F(WindowCommands, EveryActionHasItsRow) {
+    EXPECT_EQ(window.actions().rows().size(), std::size_t(ActionId::Manual) + 1) << "Manual is the last one";
+}
+
+// One that cannot run says why, in every place where one looks for it.
+TEST_F(WindowCommands, AnActionSaysWhyItCannotRun) {
+    const Actions& actions = window.actions();
+    for (const auto& [id, row] : actions.rows()) {
+        EXPECT_EQ(actions[id]->isEnabled(), actions.whyNot(id).isEmpty()) << row.text;
+        EXPECT_EQ(actions[id]->toolTip(), actions[id]->isEnabled() ? QString(row.tip) : actions.whyNot(id)) << row.text;
+    }
+    EXPECT_EQ(actions.whyNot(ActionId::Play), "Open a scene first.");
+    openPyramid();
+    ASSERT_TRUE(waitForFrame());
+    EXPECT_EQ(actions.whyNot(ActionId::Play), "");
+    EXPECT_EQ(actions[ActionId::StepOn]->toolTip(), "Already at the last step; Home goes to the first.");
+}
+
 // "Open a scene file.", or a noun phrase; not what somebody does, as "Opens".
-TEST(Actions, AreDescribedInTheImperative) {
-    for (const ActionRow& row : actionTable()) {
+TEST_F(WindowCommands, AreDescribedInTheImperative) {
+    for (const auto& [id, row] : window.actions().rows()) {
         const QString verb = QString(row.tip).section(' ', 0, 0);
         EXPECT_FALSE(verb.endsWith('s') && !verb.endsWith("ss")) << row.text << ": " << row.tip;
     }
 }
 
 // Two that share a key: Qt calls neither.
-TEST(Keys, AreEachGivenOnce) {
+TEST_F(WindowCommands, HaveEachAKeyOfTheirOwn) {
     std::map<QString, std::string> owners;
     const auto add = [&](const char* keys, const char* owner) {
         for (const QString& key : QString(keys).split("; ", Qt::SkipEmptyParts)) {
@@ -264,7 +283,7 @@ TEST(Keys, AreEachGivenOnce) {
             EXPECT_TRUE(isNew) << key.toStdString() << ": " << at->second << " and " << owner;
         }
     };
-    for (const ActionRow& row : actionTable()) add(row.keys, row.text);
+    for (const auto& [id, row] : window.actions().rows()) add(row.keys, row.text);
     for (const PanelRow& row : panelTable()) add(row.keys, row.title);
 }
 

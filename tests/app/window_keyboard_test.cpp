@@ -230,7 +230,7 @@ TEST_F(WindowKeyboard, EscLeavesAConditionForThePicture) {
 
 TEST_F(WindowKeyboard, EveryMenuHasALetterThatNoCommandHas) {
     QSet<QString> keys;
-    for (const ActionRow& row : actionTable())
+    for (const auto& [id, row] : window.actions().rows())
         for (const QKeySequence& key : window.actions()[row.id]->shortcuts()) keys += key.toString();
     QSet<QString> letters;
     for (const QAction* menu : window.findChild<QMenuBar*>()->actions()) {

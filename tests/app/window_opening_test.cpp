@@ -126,7 +126,7 @@ TEST_F(WindowOpening, EscapeOrTheButtonStopsWhatTakesLongAndOneClickGoesOn) {
 
 TEST_F(WindowOpening, WhilePresentingTheAudienceSeesHowFarAndEscapeCancelsThat) {
     openPyramid();
-    window.present();
+    window.cues().present();
     ASSERT_TRUE(window.presentation().isOn());
     CleanView& clean = *window.presentation().cleanView();
     auto* bar = clean.findChild<OpeningBar*>("openingBar");
@@ -145,7 +145,7 @@ TEST_F(WindowOpening, WhilePresentingTheAudienceSeesHowFarAndEscapeCancelsThat) 
 
 TEST_F(WindowOpening, WhilePresentingEscapeStopsWhatTakesLongAndDoesNotEndTheTalkByMistake) {
     openPyramid();
-    window.present();
+    window.cues().present();
     CleanView& clean = *window.presentation().cleanView();
     auto* line = clean.findChild<WorkBar*>("workBar");
     auto* link = line->findChild<QPushButton*>("workLink");
@@ -246,11 +246,11 @@ TEST_F(WindowOpening, PresentingBeginsOnceTheCueIsThere) {
     talk.write("[[cue]]\nname = \"one\"\nscene = \"two_pyramids\"\n");
     talk.close();
     beSlow();
-    ASSERT_TRUE(window.cues().open(talk.fileName(), {}, [this] { window.present(); }));
+    ASSERT_TRUE(window.cues().open(talk.fileName(), {}, [this] { window.cues().present(); }));
     EXPECT_FALSE(window.presentation().isOn());
     ASSERT_TRUE(waitForScene());
     EXPECT_TRUE(window.presentation().isOn());
-    window.present();
+    window.cues().present();
 }
 
 TEST_F(WindowOpening, ASessionThatIsStillBeingReadIsThereForTheNextStart) {

@@ -77,7 +77,7 @@ TEST_F(WindowViews, AViewIsSplitTurnedAndClosedByKeys) {
     press("Ctrl+Alt+W");
     EXPECT_EQ(leavesOf(views().tree()).size(), 1u) << "one stays";
     EXPECT_FALSE(window.actions()[ActionId::CloseView]->isEnabled());
-    EXPECT_EQ(window.actions()[ActionId::CloseView]->property("whyNot"), "It is the only view.");
+    EXPECT_EQ(window.actions().whyNot(ActionId::CloseView), "It is the only view.");
 }
 
 TEST_F(WindowViews, KeysGoFromViewToView) {

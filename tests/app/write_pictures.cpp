@@ -79,12 +79,12 @@ bool take(app::MainWindow& window, const QString& tour, const ManualPicture& pic
 
 bool takeCleanView(app::MainWindow& window, const QString& tour, const QString& folder) {
     if (!window.cues().open(tour, "clean-view")) return false;
-    window.present();
+    window.cues().present();
     app::CleanView* const clean = window.presentation().cleanView();
     if (!clean) return false;
     rest(window.document(), kCleanMilliseconds);
     const QImage picture = clean->grab().toImage().scaledToWidth(1280, Qt::SmoothTransformation);
-    window.present();  // ends it
+    window.cues().present();  // ends it
     return write(picture, folder + "/clean-view.png");
 }
 

@@ -28,7 +28,6 @@ const std::map<std::string, ClassSize>& largerThanMost() {
         {"app/core/renderer_check.h RendererCheck", {31, 20}},
         {"app/core/stepper.h Stepper", {42, 16}},
         {"app/desktop/clean_view.h CleanView", {29, 23}},
-        {"app/desktop/main_window.h MainWindow", {35, 29}},
         {"app/desktop/notes_window.h NotesWindow", {19, 19}},
         {"app/desktop/slide_dialog.h SlideDialog", {12, 19}},
         {"app/desktop/view_area.h ViewArea", {59, 18}},
