@@ -158,10 +158,11 @@ void WindowLessons::begin() {
 
 void WindowLessons::end() {
     const Before before = *std::exchange(m_aside, std::nullopt);
-    m_layout.setKept(true);
     m_edge->hide();
     m_centre.views().setThumbnails(before.thumbnails);
-    if (!before.scene) return m_layout.showStart();
+    if (!before.scene) m_layout.showStart();  // which does not keep the lesson's panels
+    m_layout.setKept(true);
+    if (!before.scene) return;
     before.scene->putBack(m_document);
     if (before.state) m_shown.showPlace(*before.state);
     m_around.strip.setVisible(true);

@@ -82,6 +82,16 @@ TEST_F(WindowLesson, WithoutASceneClosingGoesBackToTheStartPage) {
     EXPECT_FALSE(shows("lesson"));
 }
 
+TEST_F(WindowLesson, ItsPanelsAreNotKeptForTheNextScene) {
+    window.resize(1800, 1000);  // all panels have room
+    openLesson();
+    ASSERT_FALSE(shows("inspector")) << "the page does without it";
+    find<QToolButton>("closeLesson")->click();
+    openPyramid();
+    EXPECT_TRUE(shows("inspector"));
+    EXPECT_TRUE(shows("scene"));
+}
+
 TEST_F(WindowLesson, WhatAPageHidesIsHiddenUntilTheAnswer) {
     openLesson();
     const auto normalView = [&] {
