@@ -10,19 +10,12 @@ using pipeline::FrameRequest;
 using pipeline::Scene;
 
 FrameWorker::FrameWorker(Deliver deliver, DeliverCheck deliverCheck, Fail fail)
-    : m_deliver(std::move(deliver)),
-      m_deliverCheck(std::move(deliverCheck)),
-      m_fail(std::move(fail)),
-      m_thread([this](std::stop_token quit) { work(std::move(quit)); }) {}
+    : m_deliver(std::move(deliver)), m_deliverCheck(std::move(deliverCheck)), m_fail(std::move(fail)) {}
 
 FrameWorker::~FrameWorker() {
-    m_thread.request_stop();
-    {
-        const std::lock_guard lock(m_mutex);
-        m_stopFrame.request_stop();
-        m_stopCheck.request_stop();
-    }
-    m_thread.join();
+    const std::lock_guard lock(m_mutex);
+    m_ends = true;
+    m_stopCheck.request_stop();
 }
 
 long FrameWorker::request(std::shared_ptr<const Scene> scene, FrameRequest request, Running running) {
@@ -30,19 +23,18 @@ long FrameWorker::request(std::shared_ptr<const Scene> scene, FrameRequest reque
     {
         const std::lock_guard lock(m_mutex);
         ticket = ++m_tickets;
-        m_next = Job{std::move(scene), std::move(request), ticket};
-        if (running == Running::Stop) m_stopFrame.request_stop();
         m_stopCheck.request_stop();
     }
-    m_arrived.notify_one();
+    m_worker.ask(
+        [this, scene = std::move(scene), request = std::move(request), ticket](const std::stop_token& stop) mutable {
+            request.stop = stop;
+            work(scene, request, ticket);
+        },
+        running);
     return ticket;
 }
 
-void FrameWorker::cancel() {
-    const std::lock_guard lock(m_mutex);
-    m_next.reset();
-    m_stopFrame.request_stop();
-}
+void FrameWorker::cancel() { m_worker.forget(); }
 
 namespace {
 
@@ -55,57 +47,44 @@ void readAhead(const pipeline::Frame& frame) {
 
 }  // namespace
 
-void FrameWorker::work(std::stop_token quit) {
-    while (!quit.stop_requested()) {
-        Job job;
-        {
-            std::unique_lock lock(m_mutex);
-            if (!m_arrived.wait(lock, quit, [this] { return m_next.has_value(); })) return;
-            job = std::move(*m_next);
-            m_next.reset();
-            // Fresh sources under the lock: a request that comes from here on stops this frame,
-            // one that came before is the frame. Quitting may have been asked for in between.
-            m_stopFrame = std::stop_source();
-            m_stopCheck = std::stop_source();
-            if (quit.stop_requested()) return;
-            job.request.stop = m_stopFrame.get_token();
-        }
-        const long ticket = job.ticket;
-        FramePtr frame = run(std::move(job));
-        if (!frame) continue;
-        m_last = std::move(frame);
-        m_deliver(m_last, ticket);
-        if (m_deliverCheck) check();
+void FrameWorker::work(const std::shared_ptr<const Scene>& scene, const FrameRequest& request, long ticket) {
+    {
+        const std::lock_guard lock(m_mutex);
+        if (m_ends) return;
+        m_stopCheck = std::stop_source();
     }
+    FramePtr frame = run(scene, request, ticket);
+    if (!frame) return;
+    m_last = std::move(frame);
+    m_deliver(m_last, ticket);
+    if (m_deliverCheck) check();
 }
 
 // Null where it was stopped, for a newer request waits or none is wanted, and where the machine has too little memory:
 // pipeline/plan/memory_limit.h says what a frame may take, and not what there is.
-FramePtr FrameWorker::run(Job job) {
+FramePtr FrameWorker::run(const std::shared_ptr<const Scene>& scene, const FrameRequest& request, long ticket) {
     try {
-        FramePtr frame = pipeline::runFrame(std::move(job.scene), job.request, m_last);
+        FramePtr frame = pipeline::runFrame(scene, request, m_last);
         if (frame) readAhead(*frame);
         return frame;
     } catch (const std::bad_alloc&) {
-        if (m_fail) m_fail(job.ticket);
+        if (m_fail) m_fail(ticket);
         return nullptr;
     }
 }
 
-// A check takes longer than a frame: beside a slider that moves it would take the processors from every next one.
-bool FrameWorker::staysIdle(const std::stop_token& stop) {
-    constexpr auto kQuiet = std::chrono::milliseconds(250);
-    std::unique_lock lock(m_mutex);
-    return !m_arrived.wait_for(lock, stop, kQuiet, [this] { return m_next.has_value(); }) && !stop.stop_requested();
-}
-
+// A check takes longer than a frame. Next to a slider that moves it would take the cores from every next one, so it waits
+// until no request has come for a while.
 void FrameWorker::check() {
+    constexpr auto kQuiet = std::chrono::milliseconds(250);
     std::stop_token stop;
     {
-        const std::lock_guard lock(m_mutex);
+        std::unique_lock lock(m_mutex);
         stop = m_stopCheck.get_token();
+        m_quiet.wait_for(lock, stop, kQuiet, [] { return false; });
     }
-    if (!staysIdle(stop)) return;
+    // A request may have stopped the check of the frame before, just when this one began.
+    if (stop.stop_requested() || m_worker.hasWaiting()) return;
     try {
         const FrameCheck found = checked(stop);
         if (!stop.stop_requested()) m_deliverCheck(m_last, found);

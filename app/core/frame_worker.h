@@ -1,17 +1,17 @@
 #pragma once
 #include <condition_variable>
 #include <functional>
+#include <memory>
 #include <mutex>
-#include <optional>
-#include <thread>
+#include <stop_token>
 
 #include "app/core/frame_check.h"
+#include "app/core/newest_worker.h"
 
 namespace app {
 
-// Computes frames on one thread of its own, one at a time. A newer request replaces a waiting one. It keeps the last
-// frame, so that the next one can reuse its results. If no request comes for a while, it checks the frame once. No Qt,
-// so that the thread sanitizer sees every lock.
+// Computes frames on the thread of a NewestWorker. It keeps the last frame, so that the next one can reuse its results.
+// If no request comes for a while, it checks the frame once. No Qt, so that the thread sanitizer sees every lock.
 class FrameWorker {
 public:
     // Called on the worker's thread with a finished frame and the ticket of its request; later with the check of that
@@ -25,38 +25,31 @@ public:
     FrameWorker(Deliver deliver, DeliverCheck deliverCheck, Fail fail = {});
     ~FrameWorker();  // stops and joins; no call comes after
 
-    // Whether a running frame may finish although a newer one is wanted. It may while a slider moves: a late picture is
-    // better than none.
-    enum class Running { Finish, Stop };
+    using Running = NewestWorker::Running;
     // The worker sets the stop token of `request` itself. Returns the request's ticket; tickets increase.
     long request(std::shared_ptr<const pipeline::Scene> scene, pipeline::FrameRequest request, Running running);
     void cancel();  // the running and the waiting request; the next frame reuses valid results
 
 private:
-    struct Job {
-        std::shared_ptr<const pipeline::Scene> scene;
-        pipeline::FrameRequest request;
-        long ticket = 0;
-    };
-    void work(std::stop_token quit);
-    pipeline::FramePtr run(Job job);
+    void work(const std::shared_ptr<const pipeline::Scene>& scene, const pipeline::FrameRequest& request, long ticket);
+    pipeline::FramePtr run(const std::shared_ptr<const pipeline::Scene>& scene, const pipeline::FrameRequest& request,
+                           long ticket);
     void check();
     FrameCheck checked(const std::stop_token& stop) const;
-    bool staysIdle(const std::stop_token& stop);
 
     Deliver m_deliver;
     DeliverCheck m_deliverCheck;
     Fail m_fail;
 
     std::mutex m_mutex;
-    std::condition_variable_any m_arrived;
+    std::condition_variable_any m_quiet;
     // Guarded by m_mutex.
-    std::optional<Job> m_next;
-    std::stop_source m_stopFrame, m_stopCheck;
+    std::stop_source m_stopCheck;
+    bool m_ends = false;
     long m_tickets = 0;
 
     pipeline::FramePtr m_last;  // used by the worker's thread only
-    std::jthread m_thread;      // last: starts when all other members exist
+    NewestWorker m_worker;      // last: its thread uses the other members
 };
 
 }  // namespace app
