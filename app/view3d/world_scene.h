@@ -2,21 +2,14 @@
 #include <vtkSmartPointer.h>
 
 #include <memory>
-#include <optional>
-#include <span>
 #include <vector>
 
-#include "app/view3d/drawing.h"
-#include "app/view3d/view_content.h"
-#include "app/view3d/view_options.h"
+#include "app/view3d/mesh_layers.h"
+#include "app/view3d/normal_glyphs.h"
+#include "app/view3d/picture_planes.h"
+#include "app/view3d/solid_layers.h"
 
-class vtkActor;
-class vtkGlyph3DMapper;
 class vtkOpenGLRenderWindow;
-class vtkPolyData;
-class vtkPolyDataMapper;
-class vtkRenderer;
-class vtkTexture;
 
 namespace app {
 
@@ -47,56 +40,32 @@ public:
     void setPart(const Part& part);
 
 private:
-    struct Layer {
-        vtkSmartPointer<vtkPolyDataMapper> mapper;
-        vtkSmartPointer<vtkActor> actor;
+    struct Lines {
+        WorldLayer layer;
+        std::vector<InkedLine> lines;
     };
-    struct Glyphs {
-        vtkSmartPointer<vtkGlyph3DMapper> mapper;
-        vtkSmartPointer<vtkActor> actor;
-    };
-    struct Plane {
-        Layer layer;
-        vtkSmartPointer<vtkTexture> texture;
-    };
-    Layer addLayer(vtkRenderer& renderer);
-    Plane addPlane();
-    Glyphs addGlyphs(vtkRenderer& renderer);
-    void colorMesh();
-    void makeFaces();
-    bool hasCoarse() const { return m_content && m_content->mesh->coarse; }
+    void showLines(Lines& lines);
     void colorLines();
-    void placeFrusta();
     void placeCamera(const ViewFrame& view);
-    void fadeEdges(const ViewFrame& view);
-    void showEdges();
-    void showPicture(const ViewFrame& view);
-    void placeNormals(std::vector<NormalArrow> arrows, std::optional<Vec3d> except);
-    void scaleNormals(const ViewFrame& view);
 
+    // In the order in which they are drawn.
     vtkSmartPointer<vtkRenderer> m_world, m_over;
-    Layer m_faces, m_coarseFaces, m_edges, m_ground, m_pickedOuter, m_pickedInner, m_lines, m_solids, m_vectors,
-        m_halos, m_shine;
-    Plane m_picture;
-    std::vector<Plane> m_frusta;  // the shadow buffers; as many as were ever needed
-    Glyphs m_normals, m_normalHalos;
-    struct PlacedNormals {
-        std::vector<NormalArrow> arrows;
-        std::optional<Vec3d> except;
-        vtkSmartPointer<vtkPolyData> data;
-    } m_placedNormals;
+    Lines m_ground;
+    MeshLayers m_mesh;
+    WorldLayer m_pickedOuter, m_pickedInner;
+    PicturePlanes m_planes;
+    Lines m_lines;
+    SolidLayers m_solids;
+    NormalGlyphs m_normals;
 
     std::shared_ptr<const ViewContent> m_content;
-    std::vector<InkedLine> m_groundLines, m_drawnLines;
     ViewOptions m_options;
     ThemeColors m_colors;
     QColor m_background;
-    double m_pixelRatio = 1;
-    double m_edgeStrength = 1;
-    bool m_isCoarse = false;
-    bool m_isFullOld = true, m_isCoarseOld = true, m_isPictureOld = true;  // they are made when they are shown
-    double m_glyphLength = -1;                                             // of the normals' arrows
-    double m_fovY = 30, m_halfHeight = 1;  // of the whole view: degrees; world units at the target
+    struct WholeView {
+        double fovY = 30, halfHeight = 1;  // degrees; world units at the target
+    };
+    WholeView m_whole;
 };
 
 }  // namespace app
