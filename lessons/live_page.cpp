@@ -55,6 +55,12 @@ std::string misconceptionRows(std::string_view lesson) {
     return text;
 }
 
+std::string indexLink(const std::string& file) {
+    return file.empty() ? file
+                        : fmt::format("<nav aria-label=\"Site\"><a href=\"{}\">All pages</a></nav>",
+                                      pipeline::escapedHtml(file));
+}
+
 // What stands between <main> and </main>: the lesson on paper, for a browser without scripts. Words stand for the pictures,
 // which the page makes itself otherwise.
 std::string paperOf(const std::string& handout) {
@@ -145,7 +151,8 @@ Result<LivePage> makePage(const LessonText& from, const std::string& folderName,
                                              {"PAPER", paperOf(handout->pages)},
                                              {"DATA", blockText(data)},
                                              {"SELF", parts.sharedCore.empty() ? "" : " 'self' file:"},
-                                             {"CORE", coreElement(parts)}});
+                                             {"CORE", coreElement(parts)},
+                                             {"INDEX", indexLink(parts.index)}});
     return page;
 }
 

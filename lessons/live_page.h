@@ -17,6 +17,7 @@ struct LiveParts {
     std::string page, style, script;  // page.html with holes @NAME@, its styles and scripts
     // The file beside the page that has the core, "globalThis.sharedCore = '…'" in base64; empty: it stands in the page.
     std::string sharedCore = {};
+    std::string index = {};  // the file beside the page that lists all pages; empty: none
 };
 // Found beside the installed program's resources, or in the source tree and its folder build/web. An error says how to
 // build the core where it is not there.

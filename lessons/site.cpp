@@ -25,7 +25,7 @@ using pipeline::escapedHtml;
 using pipeline::Result;
 namespace fs = std::filesystem;
 
-constexpr const char* kCoreFile = "shadescope-core.js";
+constexpr const char *kCoreFile = "shadescope-core.js", *kIndexFile = "index.html";
 
 // A page without scripts around `body`.
 std::string paperPage(const std::string& style, std::string_view title, const std::string& body) {
@@ -68,7 +68,7 @@ public:
         m_all = library.lessons.size() + scenes.size() + talks.size() + manual.size();
 
         add(kCoreFile, "globalThis.sharedCore = '" + pipeline::base64(m_parts.core) + "';\n");
-        m_parts.sharedCore = kCoreFile;
+        m_parts.sharedCore = kCoreFile, m_parts.index = kIndexFile;
         for (const fs::path& file : talks) addTalk(file);
         for (const Lesson& lesson : library.lessons) addLesson(lesson);
         for (const pipeline::BuiltInScene& scene : scenes) addScene(scene);
@@ -77,7 +77,7 @@ public:
         for (const fs::path& file : manual) addManual(file, pages);
         if (m_stop.stop_requested()) return Error{{}, "stopped", {}};
         if (!m_errors.empty()) return m_errors;
-        add("index.html", paperPage(m_style, "Shadescope", index()));
+        add(kIndexFile, paperPage(m_style, "Shadescope", index()));
         return std::move(m_site);
     }
 
@@ -155,7 +155,7 @@ private:
         title.erase(0, title.find_first_not_of("# "));
         add(manualFile(file.stem().string()),
             paperPage(m_style, title,
-                      "<nav>" + link("index.html", "Shadescope") + " › " + link("manual.html", "Manual") +
+                      "<nav>" + link(kIndexFile, "Shadescope") + " › " + link("manual.html", "Manual") +
                           "</nav>\n<main>" + body + "</main>\n"));
     }
 

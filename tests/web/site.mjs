@@ -37,6 +37,8 @@ for (const name of pages) {
 }
 expect('there are many links', links > 300, links);
 expect('every file is reached by a link', files.every(name => reached.has(name)), files.filter(name => !reached.has(name)));
+const live = pages.filter(name => /^(lesson|scene)-/.test(name) && !name.endsWith('-paper.html'));
+expect('every live page leads back to the index', live.every(name => markup(name).includes('href="index.html"')), live.filter(name => !markup(name).includes('href="index.html"')));
 const index = markup('index.html'), count = kind => new Set([...index.matchAll(new RegExp(`href="${kind}-[^"]*(?<!-paper)\\.html"`, 'g'))].map(match => match[0])).size;
 const lessons = JSON.parse(execFileSync(program, ['lesson', 'list', '--json'], { encoding: 'utf8' }));
 expect('the index has every lesson', count('lesson') === lessons.length, count('lesson'));
