@@ -1,11 +1,10 @@
 #include "app/desktop/look_keeper.h"
 
-#include <QDockWidget>
 #include <QEvent>
-#include <QMainWindow>
 
 #include "app/core/theme.h"
 #include "app/desktop/layout_store.h"
+#include "app/desktop/panel_docks.h"
 
 namespace app {
 namespace {
@@ -14,7 +13,8 @@ constexpr int kSoonMs = 500;
 
 }  // namespace
 
-LookKeeper::LookKeeper(QMainWindow& window, std::function<void()> keepPanels, std::function<bool()> isOther)
+LookKeeper::LookKeeper(QObject& window, const PanelDocks& docks, std::function<void()> keepPanels,
+                       std::function<bool()> isOther)
     : QObject(&window) {
     m_soon.setSingleShot(true);
     m_soon.setInterval(kSoonMs);
@@ -25,7 +25,7 @@ LookKeeper::LookKeeper(QMainWindow& window, std::function<void()> keepPanels, st
     });
     const auto start = [this] { m_soon.start(); };
     connect(&Theme::current(), &Theme::changed, this, start);
-    for (QDockWidget* dock : window.findChildren<QDockWidget*>()) {
+    for (PanelDock* dock : docks.all()) {
         connect(dock, &QDockWidget::visibilityChanged, this, start);
         connect(dock, &QDockWidget::dockLocationChanged, this, start);
         connect(dock, &QDockWidget::topLevelChanged, this, start);

@@ -3,16 +3,17 @@
 #include <QTimer>
 #include <functional>
 
-class QMainWindow;
-
 namespace app {
+
+class PanelDocks;
 
 // Keeps the theme and the places of panels a moment after each change: what ends the program must not take them back.
 class LookKeeper : public QObject {
     Q_OBJECT
 public:
     // `keepPanels` keeps the panels' places; nothing is kept while `isOther`, as in a talk, which has its own text size.
-    LookKeeper(QMainWindow& window, std::function<void()> keepPanels, std::function<bool()> isOther);
+    LookKeeper(QObject& window, const PanelDocks& docks, std::function<void()> keepPanels,
+               std::function<bool()> isOther);
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

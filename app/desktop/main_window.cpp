@@ -32,7 +32,6 @@
 #include "app/desktop/top_bar.h"
 #include "app/desktop/view_actions.h"
 #include "app/desktop/view_area.h"
-#include "app/desktop/views_room.h"
 #include "app/desktop/window_centre.h"
 #include "app/desktop/window_cues.h"
 #include "app/desktop/window_keys.h"
@@ -78,7 +77,7 @@ MainWindow::MainWindow()
         if (!m_presentation->changesWindow()) m_layout->fitText();
     });
     new LookKeeper(
-        *this, [this] { m_layout->keep(); }, [this] { return m_presentation->changesWindow(); });
+        *this, *m_docks, [this] { m_layout->keep(); }, [this] { return m_presentation->changesWindow(); });
     if (!restoreWindowPlace(*this)) takeFirstWindowPlace(*this);
     m_layout->showStart();
 }
@@ -120,7 +119,8 @@ void MainWindow::makeFeatures() {
                             errors);
     m_opening = new FileOpening(*this, actions, m_document, m_centre->start(), *m_files, *m_lessons, *m_cues, *renderer,
                                 *panels.cues);
-    new PaletteCommands(*this, m_document, actions, *m_docks, views, *layouts, *m_shown, *m_lessons, *m_opening);
+    new PaletteCommands(*this, m_document, actions, *m_docks, views, *m_layout, *layouts, *m_shown, *m_lessons,
+                        *m_opening);
     new ToolWindows(*this, actions, m_document, *m_layout, *m_files, *m_lessons, m_centre->start());
     new StageActions(*this, actions, m_document, views, top->strip());
     new LookActions(*this, actions);
@@ -134,7 +134,7 @@ void MainWindow::makeFeatures() {
     connect(status, &StatusLine::cancelAsked, m_files, &SceneFiles::cancel);
     connect(renderer, &WindowRenderer::viewsChanged, this, &MainWindow::askAgain);
     connect(&m_centre->start(), &StartPage::viewChosen, this, [this](const lessons::WindowState& state) {
-        const auto giveRoom = [this] { giveViewsRoom(*this, m_centre->views()); };
+        const auto giveRoom = [this] { m_layout->giveViewsRoom(); };
         if (m_files->mayLeave()) m_files->showState(state, {}, SceneChanges::Given, giveRoom);
     });
     connect(top, &TopBar::commandAsked, actions[ActionId::RunCommand], &QAction::trigger);

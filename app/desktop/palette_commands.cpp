@@ -13,7 +13,7 @@
 #include "app/desktop/panel_docks.h"
 #include "app/desktop/shown_state.h"
 #include "app/desktop/view_area.h"
-#include "app/desktop/views_room.h"
+#include "app/desktop/window_layout.h"
 #include "app/desktop/window_lessons.h"
 #include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_compare.h"
@@ -108,15 +108,16 @@ bool hasChoices(const pipeline::Setting& setting) {
 
 }  // namespace
 
-PaletteCommands::PaletteCommands(QMainWindow& window, Document& document, Actions& actions, PanelDocks& docks,
-                                 ViewArea& views, Layouts& layouts, ShownState& shown, WindowLessons& lessons,
-                                 FileOpening& opening)
+PaletteCommands::PaletteCommands(QWidget& window, Document& document, Actions& actions, PanelDocks& docks,
+                                 ViewArea& views, WindowLayout& layout, Layouts& layouts, ShownState& shown,
+                                 WindowLessons& lessons, FileOpening& opening)
     : QObject(&window),
       m_window(window),
       m_document(document),
       m_actions(actions),
       m_docks(docks),
       m_views(views),
+      m_layout(layout),
       m_layouts(layouts),
       m_shown(shown),
       m_lessons(lessons),
@@ -255,7 +256,7 @@ void PaletteCommands::showSideBySide(const SettingRef& setting) {
     if (count < 4) state.arrangement = state.arrangement.substr(1, state.arrangement.size() - 2);
     state.linked = true;
     m_shown.lookAt(state);
-    giveViewsRoom(m_window, m_views);
+    m_layout.giveViewsRoom();
     emit m_document.said(tr("Every view shows one value of %1.").arg(labelOf(setting)));
 }
 

@@ -4,8 +4,8 @@
 
 #include "app/desktop/command_palette.h"
 
-class QMainWindow;
 class QMenu;
+class QWidget;
 
 namespace pipeline {
 struct SettingRef;
@@ -20,14 +20,16 @@ class Layouts;
 class PanelDocks;
 class ShownState;
 class ViewArea;
+class WindowLayout;
 class WindowLessons;
 
 // What the command palette finds: actions, panels, buffers, settings, lessons and scenes.
 class PaletteCommands : public QObject {
     Q_OBJECT
 public:
-    PaletteCommands(QMainWindow& window, Document& document, Actions& actions, PanelDocks& docks, ViewArea& views,
-                    Layouts& layouts, ShownState& shown, WindowLessons& lessons, FileOpening& opening);
+    PaletteCommands(QWidget& window, Document& document, Actions& actions, PanelDocks& docks, ViewArea& views,
+                    WindowLayout& layout, Layouts& layouts, ShownState& shown, WindowLessons& lessons,
+                    FileOpening& opening);
 
 private:
     std::vector<PaletteEntry> all();
@@ -36,11 +38,12 @@ private:
     void addSettingCommands(std::vector<PaletteEntry>& all);
     void showSideBySide(const pipeline::SettingRef& setting);
 
-    QMainWindow& m_window;
+    QWidget& m_window;
     Document& m_document;
     Actions& m_actions;
     PanelDocks& m_docks;
     ViewArea& m_views;
+    WindowLayout& m_layout;
     Layouts& m_layouts;
     ShownState& m_shown;
     WindowLessons& m_lessons;

@@ -1,5 +1,6 @@
 #include "app/desktop/window_layout.h"
 
+#include <QCoreApplication>
 #include <QMainWindow>
 #include <QStackedWidget>
 #include <QToolBar>
@@ -176,6 +177,17 @@ void WindowLayout::putBack() {
     m_docks.putBack();
     m_views.setArrangement("one");
     fit(Fit::Always);
+}
+
+// Those that are now at the left first.
+void WindowLayout::giveViewsRoom() {
+    for (const Qt::DockWidgetArea area : {Qt::LeftDockWidgetArea, Qt::RightDockWidgetArea})
+        for (PanelDock* dock : m_docks.all()) {
+            if (m_views.withoutRoom() == 0) return;
+            if (dock->isFloating() || dock->isHidden() || m_window.dockWidgetArea(dock) != area) continue;
+            dock->hide();
+            QCoreApplication::sendPostedEvents(&m_window, QEvent::LayoutRequest);
+        }
 }
 
 // From the rail the left panels open one at a time.

@@ -42,7 +42,9 @@ public:
     // The panels that a window of its width has. Panels that the user has chosen stay within a class of widths.
     enum class Fit : unsigned char { AnotherClass, Always };
     void fit(Fit when);
-    void fitText();                               // after the text has changed its size
+    void fitText();  // after the text has changed its size
+    // Panels at the sides give way while views have no room. Their menu entries bring them back.
+    void giveViewsRoom();
     void putBack();                               // all panels in their first places
     void keep() const;                            // where panels are, for the next scene and the next start
     void setKept(bool kept) { m_isKept = kept; }  // a lesson's choice of panels is not kept
