@@ -52,6 +52,10 @@ int checkTalk(const std::string& cues) {
         printErrors(errors);
         return kBadInput;
     }
+    for (std::size_t i = 0; i < list->cues.size(); ++i)
+        if (list->cues[i].state.algorithm && asking(*list, i))
+            say("cue {}: the algorithm stays hidden; the choices are in its place.\n",
+                pipeline::inQuotes(pipeline::escapedControls(list->cues[i].name)));
     const auto questions = std::ranges::count_if(list->cues, [](const auto& cue) { return cue.ask.has_value(); });
     say("{}: {} and {} are right.\n", pipeline::escapedControls(list->title.empty() ? cues : list->title),
         pipeline::plural(std::int64_t(list->cues.size()), "cue"), pipeline::plural(questions, "question"));

@@ -40,4 +40,21 @@ TEST(PresentCheck, WhatDoesNotFitIsToldWithItsCue) {
     EXPECT_EQ(run({"present", "--check"}).status, 2);
 }
 
+// Beside a question, and beside its answer, the choices have the place of the algorithm.
+TEST(PresentCheck, AnAlgorithmThatChoicesHideIsToldAndIsNoError) {
+    const test::TemporaryFolder folder;
+    const std::string file = (folder / "talk.cues").string();
+    const std::string steps = "scene = \"pyramid\"\nplace = \"z-buffer/polygon=2\"\nalgorithm = true\n";
+    test::writeText(
+        file,
+        "[[cue]]\nname = \"Asks\"\nscene = \"pyramid\"\nask = \"Q\"\nchoices = [\"a\", \"b\"]\nright = \"A\"\n"
+        "[[cue]]\nname = \"Answers\"\n" +
+            steps + "[[cue]]\nname = \"Steps\"\n" + steps);
+    const auto done = run({"present", "--check", file});
+    EXPECT_EQ(done.status, 0) << done.err;
+    const std::string sentence = ": the algorithm stays hidden; the choices are in its place.";
+    EXPECT_NE(done.out.find("cue \"Answers\"" + sentence), std::string::npos) << done.out;
+    EXPECT_EQ(done.out.find("cue \"Steps\"" + sentence), std::string::npos) << done.out;
+}
+
 }  // namespace
