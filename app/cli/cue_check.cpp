@@ -38,6 +38,8 @@ public:
         if (m_state.place) checkPlace("place", *m_state.place);
         for (std::size_t i = 0; i < m_state.bookmarks.size(); ++i)
             checkPlace(fmt::format("bookmarks.{}", i), m_state.bookmarks[i]);
+        for (std::size_t i = 0; i < m_state.sliders.size(); ++i)
+            take(fmt::format("sliders.{}", i), findSetting(m_scene, m_state.sliders[i]));
         if (m_state.pixel) checkPixel("pixel", *m_state.pixel);
         for (const auto& [number, pixel] : m_state.pins) checkPixel("pins", pixel);
         if (m_state.selected) checkSelected(*m_state.selected);

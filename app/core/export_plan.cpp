@@ -70,26 +70,34 @@ QString sceneWord(const pipeline::Scene& scene) {
     return shellWord(toQString(scene.file.empty() ? scene.name : scene.file));
 }
 
+QStringList recipeWords(const std::vector<pipeline::BufferName>& buffers, const lessons::DerivedRecipe& recipe) {
+    bool needsText = false, needsMix = false;
+    for (const pipeline::BufferName& name : buffers) {
+        needsMix = needsMix || name.id == pipeline::BufferId::Mix;
+        needsText = needsText || name.id == pipeline::BufferId::Condition || name.id == pipeline::BufferId::Expression;
+    }
+    QStringList words;
+    if (needsText) words << "--where" << shellWord(toQString(recipe.text));
+    if (const std::string mix = mixText(recipe.mix); needsMix && !mix.empty())
+        words << "--mix" << shellWord(toQString(mix));
+    return words;
+}
+
 QString exportCommand(const pipeline::Scene& scene, const QStringList& changes, const pipeline::ExportRequest& request,
                       const lessons::DerivedRecipe& recipe, bool allBuffers) {
     QStringList words{"shadescope", "export", sceneWord(scene), "-o", shellWord(toQString(request.folder.string()))};
     QStringList formats, buffers;
-    bool anyDerived = false, needsText = false, needsMix = false;
+    bool anyDerived = false;
     for (const std::string& format : request.formats) formats += toQString(format);
     words << "--format" << formats.join(',');
     for (const pipeline::BufferName& name : request.buffers) {
         const bool isDerived = pipeline::isDerived(name.id);
         anyDerived = anyDerived || isDerived;
-        needsMix = needsMix || name.id == pipeline::BufferId::Mix;
-        needsText = needsText || name.id == pipeline::BufferId::Condition || name.id == pipeline::BufferId::Expression;
         if (isDerived || !allBuffers) buffers += toQString(name.text());
     }
     if (allBuffers && anyDerived) buffers.prepend("all");
     if (!buffers.isEmpty()) words << "--buffers" << buffers.join(',');
-    if (needsText) words << "--where" << shellWord(toQString(recipe.text));
-    if (const std::string mix = mixText(recipe.mix); needsMix && !mix.empty())
-        words << "--mix" << shellWord(toQString(mix));
-    return (words + changes).join(' ');
+    return (words + recipeWords(request.buffers, recipe) + changes).join(' ');
 }
 
 }  // namespace app

@@ -27,6 +27,9 @@ QString shellWord(const QString& word);
 // The scene as an argument of a command: its file, or its name.
 QString sceneWord(const pipeline::Scene& scene);
 
+// --where and --mix with the recipe, if one of the buffers is derived after it.
+QStringList recipeWords(const std::vector<pipeline::BufferName>& buffers, const lessons::DerivedRecipe& recipe);
+
 // The command line that writes the same files, with the words of ChangedSettings. It names the buffers unless they are
 // `allBuffers`, the default of an export, and gives the recipe if a derived buffer needs it.
 QString exportCommand(const pipeline::Scene& scene, const QStringList& changes, const pipeline::ExportRequest& request,

@@ -16,6 +16,7 @@ enum class ActionId : unsigned char {
     SaveAs,
     Export,
     SaveBuffer,
+    Figure,
     Slide,
     Film,
     Handout,

@@ -6,8 +6,10 @@
 #include "app/desktop/shown_state.h"
 #include "app/desktop/slide_dialog.h"
 #include "app/desktop/view_area.h"
+#include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_view.h"
 #include "app/panels/export_dialog.h"
+#include "app/panels/figure_dialog.h"
 #include "app/panels/film_dialog.h"
 #include "app/view3d/offscreen.h"
 #include "lessons/state/cue_list.h"
@@ -33,6 +35,13 @@ Exports::Exports(QWidget& window, Actions& actions, Document& document, ViewArea
                  .tip = "Write the buffer of the active view to a folder.",
                  .run = [this] { exportActive(); },
                  .whyNot = whyNot});
+    actions.add({.id = A::Figure,
+                 .menu = "File",
+                 .text = "Figure of this buffer…",
+                 .keys = "",
+                 .tip = "Write the buffer of the active view as a figure for a text: SVG, PDF or PNG, its size in mm.",
+                 .run = [this] { exportFigure(); },
+                 .whyNot = whyNot});
     actions.add({.id = A::Slide,
                  .menu = "File",
                  .text = "Picture for a slide…",
@@ -47,7 +56,8 @@ Exports::Exports(QWidget& window, Actions& actions, Document& document, ViewArea
                  .tip = "Write a buffer's build-up, step by step, as a GIF or as PNG files.",
                  .run = [this] { exportFilm(); },
                  .whyNot = whyNot});
-    connect(&views, &ViewArea::saveAsked, this, &Exports::exportActive);
+    connect(&views, &ViewArea::saveAsked, this,
+            [this](ViewArea::SavedAs as) { as == ViewArea::SavedAs::Figure ? exportFigure() : exportActive(); });
 }
 
 QString whyNoValues(const Document& document) {
@@ -77,6 +87,19 @@ void Exports::exportBuffers() { makeDialog()->open(); }
 void Exports::exportActive() {
     ExportDialog* const dialog = makeDialog();
     dialog->choose(m_views.activeBuffer().buffer());
+    dialog->open();
+}
+
+// What the active view shows: its part, unless that is all, and its own range.
+void Exports::exportFigure() {
+    const BufferView& view = m_views.activeBuffer();
+    FigureOrder order{.buffer = view.buffer()};
+    const QRect seen = view.canvas()->visiblePart(), all(QPoint(0, 0), view.canvas()->content().size);
+    if (!seen.isEmpty() && seen != all)
+        order.part = pipeline::Figure::Part{{seen.left(), seen.top()}, {seen.right(), seen.bottom()}};
+    if (const auto range = view.state().range) order.range = pipeline::PaletteRange{(*range)[0], (*range)[1]};
+    auto* dialog = new FigureDialog(m_document, order, &m_window);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->open();
 }
 

@@ -9,7 +9,7 @@ class ExportDialog;
 class ShownState;
 class ViewArea;
 
-// What the frame is written as: buffers, pictures for slides, step films.
+// What the frame is written as: buffers, figures, pictures for slides, step films.
 class Exports : public QObject {
     Q_OBJECT
 public:
@@ -18,6 +18,7 @@ public:
 private:
     void exportBuffers();
     void exportActive();
+    void exportFigure();
     void exportSlide();
     void exportFilm();
     ExportDialog* makeDialog();

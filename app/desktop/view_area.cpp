@@ -56,7 +56,10 @@ ViewArea::ViewArea(Document& document, QWidget* parent, ViewDress dress)
     connect(&document.stepper(), &Stepper::changed, this, [this] {
         if (std::exchange(m_inside, m_document.stepper().isInside()) != m_document.stepper().isInside()) showInside();
     });
-    connect(&document, &Document::sceneOpened, this, &ViewArea::showStage);
+    connect(&document, &Document::sceneOpened, this, [this] {
+        m_kept.sliders.clear();
+        showStage();
+    });
     m_focus.begin([this](QWidget* now) { takeFocus(now); });
 }
 
@@ -113,7 +116,8 @@ std::vector<BufferView*> ViewArea::shownBuffers() const {
 
 void ViewArea::fill(lessons::WindowState& state) const {
     state.arrangement = arrangement();
-    state.linked = m_linked;
+    state.linked = m_kept.linked;
+    state.sliders = m_kept.sliders;
     state.views.clear();
     state.spaces.clear();
     for (const lessons::ViewLeaf leaf : leavesOf(m_tree))
@@ -128,7 +132,8 @@ pipeline::Errors ViewArea::lookAt(const lessons::WindowState& state) {
     const auto wanted = lessons::arrangementOf(state.arrangement);
     if (!wanted) add(wanted.errors());
     setArrangement(wanted ? state.arrangement : "one");
-    m_linked = state.linked;
+    m_kept.linked = state.linked;
+    m_kept.sliders = state.sliders;
     const auto buffers = inOrder();
     for (std::size_t i = 0; i < std::min(buffers.size(), state.views.size()); ++i)
         add(buffers[i]->lookAt(state.views[i]));
@@ -215,7 +220,7 @@ void ViewArea::agreeSoon() {
 }
 
 void ViewArea::setLinked(bool linked) {
-    m_linked = linked;
+    m_kept.linked = linked;
     if (linked) lead(activeBuffer());
     emit changed();
 }

@@ -27,6 +27,8 @@ enum class ViewDress : unsigned char { Full, Bare };
 class ViewArea : public QWidget {
     Q_OBJECT
 public:
+    enum class SavedAs : unsigned char { Files, Figure };
+
     explicit ViewArea(Document& document, QWidget* parent = nullptr, ViewDress dress = ViewDress::Full);
 
     void showBuffer(const pipeline::BufferName& buffer);                 // in the active buffer view
@@ -45,7 +47,7 @@ public:
     void setAlone(bool alone);
 
     // Buffer views of pictures of the same size zoom and move together.
-    bool isLinked() const { return areLinked(m_tree, m_linked); }
+    bool isLinked() const { return areLinked(m_tree, m_kept.linked); }
     void setLinked(bool linked);
 
     // The view that the keys go to, or went to last.
@@ -76,8 +78,8 @@ public:
     QWidget* frameOf(lessons::ViewLeaf leaf) const;  // null where there is no such view
 
 signals:
-    void changed();    // the arrangement, or which view is active
-    void saveAsked();  // the active view's buffer, as files
+    void changed();      // the arrangement, or which view is active
+    void saveAsked(SavedAs as);  // the active view's buffer
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -120,8 +122,13 @@ private:
     lessons::ViewLeaf m_active;
     ViewDress m_dress;
     bool m_laysOut = false, m_leadsSoon = false, m_agreesSoon = false, m_alone = false;
-    std::optional<bool> m_linked;  // nothing: as the arrangement has it
-    bool m_inside = false;         // the stepper, when last looked at
+    // As the state had it that was shown last.
+    struct Kept {
+        std::optional<bool> linked;        // nothing: as the arrangement has it
+        std::vector<std::string> sliders;  // for the clean view
+    };
+    Kept m_kept;
+    bool m_inside = false;               // the stepper, when last looked at
     FocusWatch m_focus;
 };
 

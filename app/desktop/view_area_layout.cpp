@@ -112,7 +112,7 @@ bool ViewArea::setArrangement(const std::string& nameOrText) {
     for (const auto& [number, view] : m_spaces) add(spaces, number);
     renumber(tree, lessons::ViewLeaf::Kind::Buffer, buffers);
     renumber(tree, lessons::ViewLeaf::Kind::Space, spaces);
-    if (arrangementName(tree) != arrangementName(m_tree)) m_linked.reset();
+    if (arrangementName(tree) != arrangementName(m_tree)) m_kept.linked.reset();
     setTree(std::move(tree));
     return true;
 }
@@ -170,6 +170,7 @@ void ViewArea::layOut() {
     setShares(m_root, m_shown);
     m_middle->setUpdatesEnabled(true);
     if (focus && focus->isVisible() && m_middle->isAncestorOf(focus)) focus->setFocus();
+    m_thumbnails->setCurrent(activeBuffer().buffer());  // the active view may have gone
 }
 
 std::size_t ViewArea::withoutRoom() const { return m_alone ? 0 : leavesOf(m_tree).size() - leavesOf(m_shown).size(); }
@@ -239,7 +240,7 @@ void ViewArea::takeFocus(const QWidget* now) {
         }
         if (!isActive || leaf == m_active) continue;
         m_active = leaf;
-        if (leaf.kind == lessons::ViewLeaf::Kind::Buffer) m_thumbnails->setCurrent(activeBuffer().buffer());
+        m_thumbnails->setCurrent(activeBuffer().buffer());
         emit changed();
     }
 }
@@ -329,7 +330,11 @@ void ViewArea::addMenu(QMenu* menu, lessons::ViewLeaf leaf) {
     if (isBuffer) {
         menu->addAction(tr("Save this buffer…"), this, [this, leaf] {
             goTo(leaf);
-            emit saveAsked();
+            emit saveAsked(SavedAs::Files);
+        });
+        menu->addAction(tr("Figure…"), this, [this, leaf] {
+            goTo(leaf);
+            emit saveAsked(SavedAs::Figure);
         });
         menu->addSeparator();
     }

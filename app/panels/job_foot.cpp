@@ -44,22 +44,31 @@ JobFoot::JobFoot(const QString& name, const QString& start, QWidget* parent)
     auto* command = new QHBoxLayout;
     command->addWidget(same);
     command->addWidget(m_command, 1);
-    auto* row = new QHBoxLayout;
-    row->addWidget(m_message, 1);
-    row->addWidget(m_showFolder);
-    row->addWidget(m_cancel);
-    row->addWidget(m_start);
+    m_row = new QHBoxLayout;
+    m_row->addWidget(m_message, 1);
+    m_row->addWidget(m_showFolder);
+    m_row->addWidget(m_cancel);
+    m_row->addWidget(m_start);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->addLayout(command);
     column->addWidget(m_progress);
-    column->addLayout(row);
+    column->addLayout(m_row);
     m_progress->hide();
     m_showFolder->hide();
     followTheme(this, [this] {
         m_command->setFont(Theme::current().mono(12));
         m_progress->setFixedHeight(Theme::current().px(6));
     });
+}
+
+QPushButton* JobFoot::addButton(const QString& objectName, const QString& text) {
+    m_other = new QPushButton(text, this);
+    m_other->setObjectName(objectName);
+    m_other->setAutoDefault(false);
+    m_row->insertWidget(m_row->indexOf(m_cancel), m_other);
+    showButtons();
+    return m_other;
 }
 
 void JobFoot::setCommand(const QString& command) {
@@ -100,8 +109,11 @@ void JobFoot::finish(const QString& sentence, const QString& folder) {
 }
 
 void JobFoot::showButtons() {
-    m_start->setEnabled(m_ready && !m_running);
-    m_start->setToolTip(m_running ? tr("It is being written.") : m_ready ? QString() : m_whyNot);
+    for (QPushButton* button : {m_start, m_other}) {
+        if (!button) continue;
+        button->setEnabled(m_ready && !m_running);
+        button->setToolTip(m_running ? tr("It is being written.") : m_ready ? QString() : m_whyNot);
+    }
 }
 
 }  // namespace app

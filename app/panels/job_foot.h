@@ -1,6 +1,7 @@
 #pragma once
 #include <QWidget>
 
+class QHBoxLayout;
 class QLabel;
 class QLineEdit;
 class QProgressBar;
@@ -19,6 +20,8 @@ public:
     void setCommand(const QString& command);
     void setReady(bool ready, const QString& whyNot);  // to start; not while it runs
     QString message() const;
+    // Another way to take what is started, enabled when that is.
+    QPushButton* addButton(const QString& objectName, const QString& text);
 
     void begin();
     void setProgress(double share, const QString& what = {});  // share: 0 to 1
@@ -39,6 +42,8 @@ private:
     QLabel* m_message;
     QProgressBar* m_progress;
     QPushButton *m_showFolder, *m_cancel, *m_start;
+    QPushButton* m_other = nullptr;
+    QHBoxLayout* m_row;
 };
 
 }  // namespace app

@@ -22,9 +22,9 @@ namespace {
 constexpr double kMost = 1e300;  // of any number: all but what is none
 constexpr std::size_t kMaxViews = 16, kMaxList = 10000;
 
-const KnownKeys kKeys{"scene", "set",      "scene_text",  "stage",     "place",     "step",
-                      "pixel", "equation", "arrangement", "view",      "bookmarks", "view3d",
-                      "pins",  "selected", "linked",      "condition", "mix",       "algorithm"};
+const KnownKeys kKeys{"scene",    "set",         "scene_text", "stage",     "place",  "step", "pixel",
+                      "equation", "arrangement", "view",       "bookmarks", "view3d", "pins", "selected",
+                      "linked",   "condition",   "mix",        "algorithm", "sliders"};
 const KnownKeys kViewKeys{"buffer", "channel",    "range",   "overlays", "counts", "against", "compare", "wipe",
                           "metric", "difference", "flipped", "region",   "zoom",   "center",  "size"};
 constexpr std::array<string_view, 2> kCounts{"linear", "logarithmic"};
@@ -56,6 +56,9 @@ public:
         text(table, "condition", state.condition);
         text(table, "mix", state.mix);
         state.set = strings(table, "set", m_path);
+        state.sliders = strings(table, "sliders", m_path);
+        if (state.sliders.size() > kMostSliders)
+            m_values.refuse(*table.get("sliders"), m_path + "sliders", fmt::format("at most {} keys", kMostSliders));
         const auto stages = stageNames(), steps = stepNames();
         if (const auto* node = table.get("stage"))
             if (const auto i = m_values.choice(*node, m_path + "stage", stages)) state.stage = pipeline::kStages[*i];

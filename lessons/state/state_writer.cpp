@@ -91,6 +91,7 @@ std::string stateText(const WindowState& state, const std::string& prefix) {
         out.line("selected", tomlString(fmt::format("{} {}", kSelectedKinds[std::size_t(thing->kind)], thing->index)));
     out.line("equation", tomlString(kEquationChannels[std::size_t(state.channel)]));
     if (!state.condition.empty()) out.line("condition", tomlString(state.condition));
+    if (!state.sliders.empty()) out.line("sliders", list(state.sliders));
     if (!state.mix.empty()) out.line("mix", tomlString(state.mix));
     out.line("arrangement", tomlString(state.arrangement));
     if (state.linked) out.line("linked", *state.linked ? "true" : "false");

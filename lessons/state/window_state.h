@@ -76,6 +76,8 @@ private:
     std::map<std::string, pipeline::SourceLocation, std::less<>> m_places;
 };
 
+inline constexpr std::size_t kMostSliders = 2;
+
 // What the window shows, whatever its theme, size and docks: enough to see the same again. A session, a cue and a
 // picture's text are one of these; files have it in TOML.
 struct WindowState {
@@ -91,8 +93,9 @@ struct WindowState {
     std::optional<std::array<int, 2>> pixel = {};  // x, y; row 0 on top
     int channel = 2;                               // of the equation: 0 r, 1 g, 2 b
     std::string condition = {};                    // the text of the buffers `condition` and `expression`
-    std::string mix = {};                          // of the terms, as parseMix reads it; empty: every term as it is
-    std::map<int, std::array<int, 2>> pins = {};   // the pinned pixels by their numbers, 1 to 9
+    std::vector<std::string> sliders = {};        // settings with a slider in the clean view: at most kMostSliders keys
+    std::string mix = {};                         // of the terms, as parseMix reads it; empty: every term as it is
+    std::map<int, std::array<int, 2>> pins = {};  // the pinned pixels by their numbers, 1 to 9
     std::optional<Selection> selected = {};
     std::string arrangement = "one";  // of the views: as arrangementOf reads it
     std::optional<bool> linked = {};  // buffer views zoom and move together; nothing: as linksViews has it

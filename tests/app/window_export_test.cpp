@@ -1,8 +1,11 @@
 #include <QCheckBox>
 #include <QDir>
+#include <QDoubleSpinBox>
 #include <QFile>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPlainTextEdit>
+#include <QProcess>
 #include <QPushButton>
 #include <QTest>
 #include <QTreeWidget>
@@ -11,7 +14,9 @@
 #include "app/core/theme.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/view_area.h"
+#include "app/panels/buffer_view.h"
 #include "app/panels/export_dialog.h"
+#include "app/panels/figure_dialog.h"
 #include "app/view3d/offscreen.h"
 #include "tests/app/window_fixture.h"
 
@@ -239,6 +244,82 @@ TEST_F(WindowExport, EscapeCancelsAndSaysSoAndThenCloses) {
     ASSERT_TRUE(QTest::qWaitFor([&] { return message->text().contains("Cancelled"); }, 60000));
     QTest::keyClick(dialog, Qt::Key_Escape);
     EXPECT_FALSE(dialog->isVisible());
+}
+
+class WindowFigure : public WindowTest {
+protected:
+    FigureDialog* openDialog() {
+        openPyramid();
+        document().pointing().pick(glm::ivec2(268, 281));
+        window.views().first().setBuffer({pipeline::BufferId::ZView});
+        EXPECT_TRUE(waitForFrame());
+        window.actions()[ActionId::Figure]->trigger();
+        auto* dialog = window.findChild<FigureDialog*>();
+        EXPECT_NE(dialog, nullptr);
+        auto* picture = dialog->findChild<QLabel*>("figurePreview");
+        EXPECT_TRUE(QTest::qWaitFor([=] { return !picture->pixmap().isNull(); }, 30000));
+        return dialog;
+    }
+    void save(FigureDialog& dialog, const QString& file) {
+        dialog.save(file);
+        EXPECT_TRUE(QTest::qWaitFor([&] { return dialog.message().contains("Saved"); }, 30000))
+            << dialog.message().toStdString();
+    }
+    static QByteArray bytesOf(const QString& file) {
+        QFile read(file);
+        EXPECT_TRUE(read.open(QFile::ReadOnly));
+        return read.readAll();
+    }
+    static void choosePng(FigureDialog& dialog) {
+        const auto buttons = dialog.findChild<QWidget*>("figureFormat")->findChildren<QPushButton*>();
+        QTest::mouseClick(buttons.back(), Qt::LeftButton);
+    }
+};
+
+// The dialog's last line, run in a shell, gives the same bytes.
+TEST_F(WindowFigure, WritesWhatTheCommandWrites) {
+    FigureDialog* dialog = openDialog();
+    dialog->findChild<QCheckBox*>("figureEdges")->setChecked(true);
+    dialog->findChild<QCheckBox*>("figureGrid")->setChecked(true);
+    dialog->findChild<QDoubleSpinBox*>("figureWidth")->setValue(120);
+    save(*dialog, folder.filePath("z.svg"));
+    QStringList words = QProcess::splitCommand(dialog->findChild<QLineEdit*>("figureCommand")->text());
+    ASSERT_GT(words.size(), 4);
+    EXPECT_EQ(words.takeFirst(), "shadescope");
+    EXPECT_TRUE(words.contains("z_view") && words.contains("268,281") && words.contains("120mm")) << words.size();
+    words.replace(words.indexOf("-o") + 1, folder.filePath("same.svg"));
+    QProcess program;
+    program.start(SHADESCOPE_PROGRAM, words);
+    ASSERT_TRUE(program.waitForFinished(60000));
+    EXPECT_EQ(program.exitCode(), 0) << program.readAllStandardError().toStdString();
+    EXPECT_TRUE(bytesOf(folder.filePath("z.svg")) == bytesOf(folder.filePath("same.svg")));
+}
+
+// Width and format; the caption that is typed stays until "As made".
+TEST_F(WindowFigure, TheNextFigureBeginsWithTheSizeAndFormatOfTheLast) {
+    FigureDialog* dialog = openDialog();
+    choosePng(*dialog);
+    dialog->findChild<QDoubleSpinBox*>("figureWidth")->setValue(50.8);  // two inches: 600 dots
+    auto* caption = dialog->findChild<QPlainTextEdit*>("figureCaption");
+    EXPECT_TRUE(caption->toPlainText().contains("671.45 world units")) << caption->toPlainText().toStdString();
+    caption->setPlainText("Mine");
+    save(*dialog, folder.filePath("z.png"));
+    EXPECT_EQ(QImage(folder.filePath("z.png")).width(), 600);
+    EXPECT_TRUE(dialog->findChild<QLineEdit*>("figureCommand")->text().contains("--caption Mine"));
+    QTest::mouseClick(dialog->findChild<QPushButton*>("figureAsMade"), Qt::LeftButton);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return caption->toPlainText().contains("671.45"); }, 30000));
+    delete dialog;
+    FigureDialog again(document(), {.buffer = {pipeline::BufferId::Color}});
+    EXPECT_EQ(again.findChild<QDoubleSpinBox*>("figureWidth")->value(), 50.8);
+    EXPECT_TRUE(again.findChild<QLineEdit*>("figureCommand")->text().endsWith("color.png"));
+}
+
+TEST_F(WindowFigure, SaysWhyThereIsNone) {
+    openPyramid();
+    FigureDialog dialog(document(), {.buffer = {pipeline::BufferId::VerticesWorld}});
+    EXPECT_TRUE(dialog.findChild<QLabel*>("figurePreview")->text().contains("no pixels"));
+    EXPECT_FALSE(dialog.findChild<QPushButton*>("figureStart")->isEnabled());
+    EXPECT_FALSE(dialog.findChild<QPushButton*>("figureCopy")->isEnabled());
 }
 
 }  // namespace

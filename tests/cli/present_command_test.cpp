@@ -26,11 +26,13 @@ TEST(PresentCheck, WhatDoesNotFitIsToldWithItsCue) {
     test::writeText(
         file,
         "[[cue]]\nname = \"One\"\nscene = \"pyramid\"\npixel = [700, 0]\n"
+        "sliders = [\"light.0.intensity\", \"light.7.intensity\"]\n"
         "[[cue]]\nname = \"Two\"\nscene = \"no_such_scene\"\n"
         "[[cue]]\nname = \"Three\"\nscene = \"pyramid\"\nask = \"Q\"\nchoices = [\"a\", \"b\"]\nright = \"A\"\n");
     const auto done = run({"present", "--check", file});
     EXPECT_EQ(done.status, 3);
     EXPECT_NE(done.err.find("cue \"One\": "), std::string::npos) << done.err;
+    EXPECT_NE(done.err.find(":5:33: cue \"One\": "), std::string::npos) << "the second slider" << done.err;
     EXPECT_NE(done.err.find("cue \"Two\": "), std::string::npos) << done.err;
     EXPECT_NE(
         done.err.find(file + ": cue \"Three\": asks and is the last cue, expected a cue after it, which is the answer"),

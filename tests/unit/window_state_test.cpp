@@ -22,6 +22,7 @@ WindowState rich() {
     state.place = *pipeline::parsePlace("z-buffer/polygon=2/row=270/x=258");
     state.step = pipeline::StepLevel::Line;
     state.algorithm = true;
+    state.sliders = {"eye.x", "light.0.intensity"};
     state.pixel = {268, 281};
     state.channel = 0;
     state.arrangement = "four";
@@ -76,6 +77,8 @@ TEST(WindowState, WhatIsWrongIsToldWithItsPlace) {
     EXPECT_TRUE(errorsIn("pixel = [1]\n").starts_with("s.toml:1:9: pixel is an array of 1, expected an array of 2"));
     for (const char* text : {"pixel = [2.5, 3]\n", "pins = [[1, 4.5, 5]]\n", "[[view]]\nregion = [0, 0, 2, 1.5]\n"})
         EXPECT_NE(errorsIn(text).find("expected whole numbers from 0"), std::string::npos) << errorsIn(text);
+    EXPECT_EQ(errorsIn("sliders = [\"a\", \"b\", \"c\"]\n"),
+              "s.toml:1:11: sliders is an array, expected at most 2 keys\n");
     EXPECT_EQ(errorsIn("selected = \"polygn 3\"\n"),
               "s.toml:1:12: selected is \"polygn 3\", expected object, polygon, vertex or light, and its number\n");
     EXPECT_TRUE(errorsIn("pins = [[10, 3, 4]]\n").starts_with("s.toml:1:9: pins is "));
