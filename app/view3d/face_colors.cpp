@@ -6,6 +6,7 @@
 
 #include "app/view3d/view_mesh.h"
 #include "pipeline/illumination/illumination.h"
+#include "pipeline/scene/opacity.h"
 #include "pipeline/stages/cull.h"
 
 namespace app {
@@ -65,6 +66,7 @@ void colorFaces(const pipeline::Frame& frame, const pipeline::Topology& topology
         if (stop.stop_requested()) return;
         const auto polygon = static_cast<std::size_t>(face.polygon);
         const pipeline::Material& material = scene.objects[topology.objectOfPolygon(polygon)].material;
+        face.alpha = float(pipeline::opacity(material));
         if (verdicts) {
             const double code = verdicts->flat(polygon);
             face.shaded = pipeline::goesOn(static_cast<pipeline::Verdict>(int(code)));

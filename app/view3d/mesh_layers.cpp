@@ -55,7 +55,9 @@ void MeshLayers::color() {
 
 void MeshLayers::makeFaces() {
     if (!m_colors.view.isValid()) return;
-    const bool isCoarse = showsCoarse();
+    const bool isCoarse = showsCoarse(), isGlass = m_content && m_shown == FacesShown::Shaded;
+    m_glass.set(isGlass ? m_content->mesh.get() : nullptr, isCoarse ? Detail::Coarse : Detail::Full,
+                m_content ? m_content->faceStrength : 1, m_colors);
     m_faces.actor->SetVisibility(!isCoarse);
     m_coarseFaces.actor->SetVisibility(isCoarse);
     bool& isOld = isCoarse ? m_isCoarseOld : m_isFullOld;
@@ -82,6 +84,7 @@ void MeshLayers::showPicked() {
 
 // Edges closer together than they are wide would cover the faces that they bound.
 void MeshLayers::setView(const ViewFrame& view, double pixelRatio) {
+    m_glass.look(view.camera.forward);
     setWidth(m_edges, kEdgeWidth * view.scale * pixelRatio);
     constexpr double kGone = 3, kFull = 14;  // mean length
     const double pixels = m_content ? m_content->mesh->meanEdge / view.unitsPerMarkPixel() : kFull;

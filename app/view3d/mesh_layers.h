@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "app/view3d/drawing.h"
+#include "app/view3d/glass.h"
 #include "app/view3d/view_content.h"
 #include "app/view3d/view_options.h"
 #include "app/view3d/world_layer.h"
@@ -12,6 +13,7 @@ namespace app {
 class MeshLayers {
 public:
     explicit MeshLayers(vtkRenderer& world);
+    void addGlass(vtkRenderer& world) { m_glass.addTo(world); }  // after all that is opaque
 
     bool setContent(std::shared_ptr<const ViewContent> content);  // whether its mesh is another one
     void setFaces(FacesShown faces);
@@ -27,6 +29,7 @@ private:
     bool showsCoarse() const { return m_isCoarse && m_content && m_content->mesh->coarse; }
 
     WorldLayer m_faces, m_coarseFaces, m_edges;
+    Glass m_glass;  // the translucent faces
     std::shared_ptr<const ViewContent> m_content;
     FacesShown m_shown = ViewOptions().faces;
     ThemeColors m_colors;

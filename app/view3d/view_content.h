@@ -38,6 +38,7 @@ struct Face {
     std::array<glm::vec3, 3> colors{};      // one a vertex; equal with flat shading
     std::int32_t polygon = 0;               // counted over all objects
     bool shaded = true;                     // false: the pipeline culled the polygon, so that it has no colour
+    float alpha = 1;                        // opacity of its front; 0: not drawn
 };
 
 struct NormalArrow {

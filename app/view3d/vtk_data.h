@@ -18,7 +18,8 @@ namespace app {
 // array of unsigned bytes, one a point.
 
 // Three points a face, so that neighbours may differ in colour. `strength` as ViewContent::faceStrength.
-// By normals: those of the vertices where there are any, else of the polygons.
+// By normals: those of the vertices where there are any, else of the polygons; all faces are opaque then. Else only the
+// opaque ones.
 enum class Detail : unsigned char { Full, Coarse };  // Coarse: only where the mesh has it
 vtkSmartPointer<vtkPolyData> facesData(const ViewMesh& mesh, Detail detail, FacesShown shown, double strength,
                                        const ThemeColors& colors);

@@ -36,6 +36,7 @@ WorldScene::WorldScene(vtkOpenGLRenderWindow& window)
     m_over->SetActiveCamera(m_world->GetActiveCamera());
     window.AddRenderer(m_world);
     window.AddRenderer(m_over);
+    m_mesh.addGlass(*m_world);
     pullLines(m_ground.layer, -16);  // a floor in the ground's plane covers the grid
     pullLines(m_lines.layer, 2);
     pullLines(m_pickedOuter, 4);

@@ -254,3 +254,38 @@ TEST(View3dPicture, NormalsAsColours) {
         render(content, ViewPreset::Iso, {.normals = app::NormalsShown::Off, .faces = app::FacesShown::Normals});
     EXPECT_GT(countNear(image, place(content, {335, 125, 50}), 4, QColor(128, 242, 185)), 70);
 }
+
+// A face of opacity 1/4 before the background, and one of 1/2 before the two: what is nearer is laid over what is farther,
+// whatever the order of the faces. c = 1/2 near + 1/2 (1/4 far + 3/4 background).
+TEST(View3dPicture, TranslucentFacesLetThroughWhatIsBehindThem) {
+    ViewContent content = pyramidContent({});
+    app::ViewMesh mesh = *content.mesh;
+    const auto far = std::ranges::find(mesh.faces, 2, &app::Face::polygon);
+    ASSERT_NE(far, mesh.faces.end());
+    app::Face behind = *far, before = *far;
+    behind.colors.fill({1, 0, 0}), behind.alpha = 0.25f;
+    before.colors.fill({0, 0, 1}), before.alpha = 0.5f;
+    const Vec3d towards = -app::presetCamera(ViewPreset::Iso, content, {}, kSize, false).forward;
+    for (std::uint32_t& vertex : before.vertices) {
+        mesh.positions.push_back(mesh.positions[vertex] + 20.0 * towards);
+        vertex = std::uint32_t(mesh.positions.size() - 1);
+    }
+    mesh.edges.clear();
+    mesh.faces = {before, behind};
+    content.mesh = std::make_shared<const app::ViewMesh>(mesh);
+    const app::ViewOptions bare{.normals = app::NormalsShown::Off, .lights = false, .eye = false};
+    const glm::dvec2 middle = place(content, {335, 125, 50});
+    const glm::vec3 ground(Theme::current().colors().view.redF(), Theme::current().colors().view.greenF(),
+                           Theme::current().colors().view.blueF());
+    const auto byte = [](glm::vec3 c) { return QColor::fromRgbF(c.r, c.g, c.b); };
+    const glm::vec3 one = 0.25f * glm::vec3(1, 0, 0) + 0.75f * ground;
+    EXPECT_GT(
+        countNear(render(content, ViewPreset::Iso, bare), middle, 4, byte(0.5f * glm::vec3(0, 0, 1) + 0.5f * one)), 40);
+    mesh.faces = {behind};
+    content.mesh = std::make_shared<const app::ViewMesh>(mesh);
+    EXPECT_GT(countNear(render(content, ViewPreset::Iso, bare), middle, 4, byte(one)), 40);
+    mesh.faces[0].alpha = 0;
+    content.mesh = std::make_shared<const app::ViewMesh>(mesh);
+    EXPECT_GT(countNear(render(content, ViewPreset::Iso, bare), middle, 4, byte(ground)), 40)
+        << "as if it were not there";
+}
