@@ -8,11 +8,23 @@
 namespace app {
 namespace {
 
-constexpr double kLetters = 14.1;  // 26 px in 1080 lines
+constexpr double kLetters = 14.1, kLargest = 19.5;  // 26 and 36 px in 1080 lines
+
+// Broken between words; the second line is cut where both are too short.
+QStringList twoLines(const QString& text, const QFontMetrics& metrics, int room) {
+    if (metrics.horizontalAdvance(text) <= room) return {text};
+    qsizetype end = 0;
+    for (qsizetype next = text.indexOf(' '); next > 0; next = text.indexOf(' ', next + 1)) {
+        if (metrics.horizontalAdvance(text.left(next)) > room) break;
+        end = next;
+    }
+    if (end == 0) return {metrics.elidedText(text, Qt::ElideRight, room)};
+    return {text.left(end), metrics.elidedText(text.mid(end + 1), Qt::ElideRight, room)};
+}
 
 }  // namespace
 
-QSize CaptionLine::sizeHint() const { return {200, Theme::current().px(28)}; }
+QSize CaptionLine::sizeHint() const { return {200, Theme::current().px(38)}; }
 
 void CaptionLine::setText(const QString& stage, const QString& sentence) {
     m_stage = stage, m_sentence = sentence;
@@ -28,6 +40,32 @@ void CaptionLine::setCues(int count, int current) {
 void CaptionLine::setKey(const QString& key) {
     m_key = key;
     update();
+}
+
+// In letters as large as there is room for; what does not fit in the smallest ones has two lines.
+void CaptionLine::paintSentence(QPainter& painter, int room) const {
+    const Theme& theme = Theme::current();
+    double letters = kLargest;
+    int left = 0;
+    for (;; letters = std::max(letters - 0.5, kLetters)) {
+        left = m_stage.isEmpty() ? 0 : QFontMetrics(theme.text(letters, 600)).horizontalAdvance(m_stage) + theme.px(12);
+        if (letters == kLetters || left + QFontMetrics(theme.text(letters)).horizontalAdvance(m_sentence) <= room)
+            break;
+    }
+    painter.setFont(theme.text(letters, 600));
+    painter.setPen(theme.colors().accent);
+    painter.drawText(rect(), Qt::AlignVCenter | Qt::AlignLeft, m_stage);
+    const QFont font = theme.text(letters);
+    const QFontMetrics metrics(font);
+    painter.setFont(font);
+    painter.setPen(theme.colors().text);
+    const QRect box(left, 0, room - left, height());
+    const QStringList lines = twoLines(m_sentence, metrics, box.width());
+    for (int i = 0; i < lines.size(); ++i) {
+        const int top = int((height() - lines.size() * metrics.height()) / 2) + i * metrics.height();
+        painter.drawText(QRect(box.left(), top, box.width(), metrics.height()), Qt::AlignVCenter | Qt::AlignLeft,
+                         lines[i]);
+    }
 }
 
 void CaptionLine::paintEvent(QPaintEvent*) {
@@ -66,16 +104,7 @@ void CaptionLine::paintEvent(QPaintEvent*) {
         painter.drawRoundedRect(box, dot / 2, dot / 2);
         x += box.width() + gap;
     }
-    const QFont stageFont = theme.text(kLetters, 600), font = theme.text(kLetters);
-    painter.setFont(stageFont);
-    painter.setPen(colors.accent);
-    painter.drawText(rect(), Qt::AlignVCenter | Qt::AlignLeft, m_stage);
-    const int left = m_stage.isEmpty() ? 0 : QFontMetrics(stageFont).horizontalAdvance(m_stage) + theme.px(12);
-    const int room = int(right) - theme.px(12) - left;
-    painter.setFont(font);
-    painter.setPen(colors.text);
-    painter.drawText(QRect(left, 0, room, height()), Qt::AlignVCenter | Qt::AlignLeft,
-                     QFontMetrics(font).elidedText(m_sentence, Qt::ElideRight, room));
+    paintSentence(painter, int(right) - theme.px(12));
 }
 
 }  // namespace app

@@ -1,6 +1,8 @@
 #pragma once
 #include <QWidget>
 
+class QPainter;
+
 namespace app {
 
 // The foot of a presentation: the stage, a sentence, a dot a cue, and the last key.
@@ -21,6 +23,8 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
+    void paintSentence(QPainter& painter, int room) const;
+
     QString m_stage, m_sentence, m_key;
     int m_count = 0, m_current = -1;
 };

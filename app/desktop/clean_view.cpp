@@ -21,6 +21,7 @@
 #include "app/desktop/caption_line.h"
 #include "app/desktop/opening_bar.h"
 #include "app/desktop/pen_layer.h"
+#include "app/desktop/pinned_settings.h"
 #include "app/desktop/view_area.h"
 #include "app/desktop/work_bar.h"
 #include "app/panels/algorithm_panel.h"
@@ -62,6 +63,7 @@ CleanView::CleanView(Document& document, CueModel& cues, const SceneOpener& open
     m_title->setWordWrap(true);
     column->addWidget(m_title);
     column->addLayout(beside, 1);
+    column->addWidget(new PinnedSettings(document, this));
     column->addWidget(makeEquation());
     m_caption = new CaptionLine(this);
     column->addWidget(m_caption);
@@ -224,7 +226,10 @@ bool CleanView::stopWork() {
     return true;
 }
 
-pipeline::Errors CleanView::lookAt(const lessons::WindowState& state) { return m_views->lookAt(state); }
+pipeline::Errors CleanView::lookAt(const lessons::WindowState& state) {
+    findChild<PinnedSettings*>()->show(state.sliders);
+    return m_views->lookAt(state);
+}
 
 bool CleanView::takeKey(int key) {
     using Cover = PenLayer::Cover;

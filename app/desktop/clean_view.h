@@ -20,7 +20,7 @@ class SceneOpener;
 class ViewArea;
 
 // What an audience sees: the views as the window has them, the equation of the picked pixel or the algorithm of the step,
-// and a line of words; nothing else. It shows the document, as the window does. Keys: B black, W white, P pen, O spotlight, A algorithm, 1 the active view
+// the cue's sliders and a line of words; nothing else. It shows the document, as the window does. Keys: B black, W white, P pen, O spotlight, A algorithm, 1 the active view
 // alone, 2 all views, Esc stops what takes long, takes back what covers the views, then leaves.
 class CleanView : public QWidget {
     Q_OBJECT

@@ -8,6 +8,7 @@
 #include "app/desktop/ask_panel.h"
 #include "app/desktop/caption_line.h"
 #include "app/desktop/clean_view.h"
+#include "app/desktop/pinned_settings.h"
 #include "app/panels/algorithm_panel.h"
 #include "app/panels/algorithm_view.h"
 #include "app/panels/math_view.h"
@@ -79,6 +80,8 @@ void CleanView::showAlgorithm() {
 void CleanView::showQuestion() {
     m_title->setVisible(m_ask->asks());
     m_title->setText(m_ask->title());
+    auto* sliders = findChild<PinnedSettings*>();
+    sliders->setVisible(sliders->count() > 0 && (!m_ask->asks() || m_ask->isAnswer()));
     m_ask->setFixedWidth(int((m_ask->isAnswer() ? kAnswerWidth : kAskWidth) * width()));
     showAlgorithm();
     showEquation();

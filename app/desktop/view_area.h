@@ -78,7 +78,7 @@ public:
     QWidget* frameOf(lessons::ViewLeaf leaf) const;  // null where there is no such view
 
 signals:
-    void changed();      // the arrangement, or which view is active
+    void changed();              // the arrangement, or which view is active
     void saveAsked(SavedAs as);  // the active view's buffer
 
 protected:
@@ -128,7 +128,7 @@ private:
         std::vector<std::string> sliders;  // for the clean view
     };
     Kept m_kept;
-    bool m_inside = false;               // the stepper, when last looked at
+    bool m_inside = false;  // the stepper, when last looked at
     FocusWatch m_focus;
 };
 

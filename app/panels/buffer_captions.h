@@ -12,6 +12,7 @@ public:
 
     void setTitle(const QString& name);
     void setBare(bool bare) { m_bare = bare; }
+    bool isBare() const { return m_bare; }
     QLabel& notices() { return *m_notice; }
 
     void show() override;

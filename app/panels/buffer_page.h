@@ -21,13 +21,18 @@ public:
     explicit BufferPage(QWidget* parent);
 
     void show(const Absence& absence);
+    void setBare(bool bare);  // for an audience: the buffer's name, larger words, no button
+    void setTitle(const QString& name);
     QString text() const;
 
 signals:
     void offerTaken();
 
 private:
-    QLabel* m_message;
+    void setFonts();
+
+    bool m_bare = false;
+    QLabel *m_title, *m_message;
     QPushButton* m_offer;
 };
 

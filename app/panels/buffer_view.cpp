@@ -137,6 +137,7 @@ void BufferView::setBuffer(const pipeline::BufferName& name) {
     m_name = name;
     m_header->show(name, m_features.channel->channel());
     m_features.captions->setTitle(toQString(name.text()));
+    m_page->setTitle(toQString(name.text()));
     setAccessibleName(tr("Buffer view: %1").arg(toQString(name.text())));
     m_canvas->setAccessibleName(toQString(name.text()));
     want();
@@ -147,6 +148,8 @@ void BufferView::setBuffer(const pipeline::BufferName& name) {
 void BufferView::setBare(bool bare) {
     m_header->setVisible(!bare);
     m_features.captions->setBare(bare);
+    m_page->setBare(bare);
+    condition().setBare(bare);
     compare().bar()->setBare(bare);
     m_features.range->foot().setBare(bare);
     place();
@@ -224,7 +227,7 @@ void BufferView::take(const ShowAnswer& answer) {
     if (!isDifference(*m_shown->buffer.info)) {
         QStringList lines;
         for (const BufferFeature* feature : m_features.all) lines << feature->notice();
-        lines << m_shown->notice;
+        if (!m_features.captions->isBare()) lines << m_shown->notice;  // for one who measures, not for a hall
         lines.removeAll(QString());
         m_shown->notice = lines.join("<br>");
     }

@@ -50,6 +50,11 @@ ConditionBar::ConditionBar(Document& document, QWidget* parent)
            tr("On to the next step after which it holds at a pixel (Ctrl+Enter); Play stops there too"));
     button(m_close, "close", tr("No condition (Esc)"));
     auto* grid = new QGridLayout(this);
+    auto* words = new QLabel(this);  // in place of all else, for an audience
+    words->setObjectName("conditionWords");
+    words->setTextFormat(Qt::PlainText);
+    words->hide();
+    grid->addWidget(words, 0, 0, 1, 5);
     grid->addWidget(m_text, 0, 0);
     grid->addWidget(m_previous, 0, 1);
     grid->addWidget(m_next, 0, 2);
@@ -58,6 +63,7 @@ ConditionBar::ConditionBar(Document& document, QWidget* parent)
     grid->addWidget(m_said, 1, 0, 1, 5);
     grid->setColumnStretch(0, 1);
 
+    connect(m_text, &QLineEdit::textChanged, words, &QLabel::setText);
     m_text->setText(document.derived().text());
     connect(m_text, &QLineEdit::textChanged, &document.derived(), &DerivedBuffers::setText);
     connect(&document.derived(), &DerivedBuffers::textChanged, this, [this] {
@@ -109,13 +115,28 @@ ConditionBar::ConditionBar(Document& document, QWidget* parent)
 
 void ConditionBar::open() {
     reveal();
+    showWords(false);
     m_text->setFocus();
     m_text->selectAll();
 }
 
 void ConditionBar::reveal() {
+    showWords(property("bare").toBool());
     show();
     read();
+}
+
+void ConditionBar::setBare(bool bare) {
+    setProperty("bare", bare);
+    showWords(bare);
+}
+
+void ConditionBar::showWords(bool words) {
+    auto* label = findChild<QLabel*>("conditionWords");
+    label->setVisible(words);
+    for (QWidget* part : std::initializer_list<QWidget*>{m_text, m_said, m_previous, m_next, m_stop, m_close})
+        part->setVisible(!words);
+    label->setFont(Theme::current().mono(14));  // one set while it was hidden does not outlive a style sheet
 }
 
 void ConditionBar::close() {

@@ -24,6 +24,7 @@ public:
     void reveal();  // without
     void close();
     void setText(const QString& text);
+    void setBare(bool bare);  // for an audience: the condition as words, and nothing to press
     // Of the document's frame; null while it is closed, without a condition, or where it is wrong.
     std::shared_ptr<const lessons::ConditionMask> mask() const;
     QString said() const;  // the count, or what is wrong
@@ -47,6 +48,8 @@ private:
     void say(const QString& text, bool isWrong);
 
     Document& m_document;
+    void showWords(bool words);
+
     QLineEdit* m_text;
     QLabel* m_said;
     QToolButton *m_previous, *m_next, *m_stop, *m_close;

@@ -96,7 +96,10 @@ void RangeFoot::show(const ShownBuffer& shown, bool keepsFitting, bool logarithm
     setCurrentIndex(hasScale ? 0 : 1);
     m_legend->setEntries(shown.legend);
     if (!hasScale) return;
-    const auto [low, high] = std::minmax(shown.look.range.first, shown.look.range.last);
+    // For an audience the numbers name the ends of the bar, else those of the palette, which can be moved.
+    const double first = m_bare ? shown.scale.low : shown.look.range.first;
+    const double last = m_bare ? shown.scale.high : shown.look.range.last;
+    const auto [low, high] = std::minmax(first, last);
     m_low->setText(valueText(shown.buffer, low, 8));
     m_high->setText(valueText(shown.buffer, high, 8));
     m_unit->setText(toQString(shown.buffer.info->unit));

@@ -4,11 +4,19 @@
 #include <algorithm>
 #include <numeric>
 
+#include "app/core/luminance.h"
 #include "app/core/theme.h"
 
 namespace app {
 
 namespace {
+
+// Black or white, whichever has more contrast: WCAG 2.1, where both have the same from a luminance of 0.179 on.
+QColor inkOn(const QColor& ground) {
+    const auto light = [](double channel) { return std::pow(channel, 2.2); };
+    const double seen = luminance(light(ground.redF()), light(ground.greenF()), light(ground.blueF()));
+    return seen < 0.179 ? Qt::white : Qt::black;
+}
 
 // Also where one of them is a line or a point.
 bool isNear(const QRectF& box, const QRectF& window) {
@@ -156,7 +164,8 @@ struct ShapePainter {
             const QPointF centre = place(meanOf(picture.outline(shape)));
             if (!shape.fill.isValid() || !inside.contains(centre)) continue;
             if (shape.letter)
-                add(centre, {}, QString("%1  %2").arg(shape.letter).arg(picture.value(polygon)), shape.fill, Qt::black);
+                add(centre, {}, QString("%1  %2").arg(shape.letter).arg(picture.value(polygon)), shape.fill,
+                    inkOn(shape.fill));
             else if (writesAll || goesOn)
                 add(centre, {}, QString("%1  %2").arg(polygon).arg(picture.value(polygon)), colors.view,
                     goesOn ? colors.text : colors.text3);

@@ -157,8 +157,15 @@ std::vector<Place> captionPlaces(const PlacedLabel& caption, const ViewFrame& vi
 std::vector<Place> axisPlaces(const PlacedLabel& axis, glm::dvec2 foot, double scale) {
     const glm::dvec2 along = kBeyondTip * scale * unit(axis.mark - foot, {0, -1}), across{-along.y, along.x};
     const glm::dvec2 end = axis.mark;
-    return {{end + along},           {end + along + across, 20}, {end + along - across, 20},
-            {end + 2.0 * along, 30}, {end + across, 40},         {end - across, 40}};
+    // A thin line behind a letter counts more than a few pixels' way.
+    return {{end + along},
+            {end + along + across, 6},
+            {end + along - across, 6},
+            {end + 2.0 * along, 8},
+            {end + across, 10},
+            {end - across, 10},
+            {end - along + 1.2 * across, 14},
+            {end - along - 1.2 * across, 14}};
 }
 
 // Up or down by lines and farther away, on its own side of the corner or on the other one.

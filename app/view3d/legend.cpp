@@ -1,5 +1,6 @@
 #include <QFontMetricsF>
 #include <QPainterPath>
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -104,14 +105,14 @@ void paintVectorSample(QPainter& painter, const QRectF& box, VectorCode code, bo
     painter.restore();
 }
 
-QSizeF legendSize(double room) {
+QSizeF legendSize(double room, int count) {
     const double s = Theme::current().scale();
     const auto sizeOf = [&](int columns) {
-        const int rows = (int(kEntries.size()) + columns - 1) / columns;
+        const int rows = (count + columns - 1) / columns;
         return QSizeF(s * (kEntryWidth * columns + 2 * kPadding - kLastGap), s * kHeight * rows);
     };
-    const QSizeF row = sizeOf(int(kEntries.size()));
-    return row.width() <= room ? row : sizeOf((int(kEntries.size()) + 1) / 2);
+    const QSizeF row = sizeOf(count);
+    return row.width() <= room ? row : sizeOf((count + 1) / 2);
 }
 
 QRectF legendEntry(VectorCode code, const QRectF& legend) {
@@ -130,15 +131,19 @@ QRectF legendAt(glm::dvec2 size) {
     return {QPointF(kMargin, size.y - kMargin - legend.height()), legend};
 }
 
-void paintLegend(QPainter& painter, const QRectF& legend, const ViewOptions& options) {
+void paintLegend(QPainter& painter, const QRectF& legend, const ViewOptions& options,
+                 const std::optional<std::vector<VectorCode>>& only) {
     const ThemeColors& colors = Theme::current().colors();
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(QPen(colors.line, 1));
     painter.setBrush(colors.surface);
     painter.drawRoundedRect(legend.adjusted(0.5, 0.5, -0.5, -0.5), 4, 4);
+    std::size_t next = 0;  // the places follow each other
     for (const Entry& entry : kEntries)
-        paintVectorSample(painter, legendEntry(entry.code, legend), entry.code, options.shows(entry.code));
+        if (!only || std::ranges::find(*only, entry.code) != only->end())
+            paintVectorSample(painter, legendEntry(kEntries[next++].code, legend), entry.code,
+                              options.shows(entry.code));
     painter.restore();
 }
 

@@ -20,11 +20,13 @@ void paintProbe(QPainter& painter, Vec3d point, const ViewFrame& view);
 void paintVectorSample(QPainter& painter, const QRectF& box, VectorCode code, bool shown);
 // The legend of all five: what it takes, in one row or, where that is wider than `room`, in two; in that space, the place
 // of an entry.
-QSizeF legendSize(double room);
+QSizeF legendSize(double room, int count = 5);
 QRectF legendEntry(VectorCode code, const QRectF& legend);
 // In the lower left corner of a picture.
 QRectF legendAt(glm::dvec2 size);
-void paintLegend(QPainter& painter, const QRectF& legend, const ViewOptions& options);
+// only: these vectors alone, in a legend of the size for so many.
+void paintLegend(QPainter& painter, const QRectF& legend, const ViewOptions& options,
+                 const std::optional<std::vector<VectorCode>>& only = {});
 
 // The cube that turns with the camera. Its visible faces, and which of them a point is on.
 enum class CubeFace { None, X, Y, Z, MinusX, MinusY, MinusZ, Middle };

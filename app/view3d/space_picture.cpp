@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/view3d/normal_arrows.h"
 #include "app/view3d/overlay.h"
 #include "app/view3d/point_drawing.h"
 #include "app/view3d/space_content.h"
@@ -60,13 +61,16 @@ pipeline::Result<SpacePicture> spacePicture(const lessons::WindowState& state, c
                                             const std::shared_ptr<const pipeline::Scene>& scene, glm::ivec2 size,
                                             double pixelRatio, const std::stop_token& stop) {
     pipeline::Errors errors;
-    const ViewOptions options = optionsOf(shown, errors);
+    ViewOptions options = optionsOf(shown, errors);
     const auto space = spaceNamed(shown.space);
     if (!space) errors.push_back({{}, "the 3D view has no space \"" + shown.space + '"', {}});
     if (!errors.empty()) return errors;
     const bool isLight = space->space == ViewSpace::Light, isPoint = space->space == ViewSpace::Point;
     const auto world = worldOf(state, scene, options, options.lightFrusta || isLight, stop);
     if (!world) return pipeline::Error{{}, "stopped", {}};
+    ViewOptions first;
+    makeNormalsReadable(*world, first);
+    options = optionsOf(shown, errors, first);
     std::shared_ptr<const ViewContent> content = isPoint ? pointContent(*world) : world;
     if (!isPoint && space->space != ViewSpace::World) {
         const auto map = mapOf(*world, *space);

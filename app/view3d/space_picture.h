@@ -5,7 +5,7 @@
 namespace app {
 
 // How a state's 3D view is looked at. Errors: an option that there is not, or out of its range; it stays as it begins.
-ViewOptions optionsOf(const lessons::SpaceShown& shown, pipeline::Errors& errors);
+ViewOptions optionsOf(const lessons::SpaceShown& shown, pipeline::Errors& errors, ViewOptions options = {});
 std::optional<SpaceId> spaceNamed(std::string_view name);  // "eye", "light 0 -x"
 
 // What a 3D view of a state shows of its scene, at its place in the frame, as the window's own view of that size shows

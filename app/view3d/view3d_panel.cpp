@@ -75,7 +75,10 @@ View3dPanel::~View3dPanel() = default;
 
 QMenu* View3dPanel::menu() const { return m_header->menu(); }
 
-void View3dPanel::setBare(bool bare) { m_header->setVisible(!bare); }
+void View3dPanel::setBare(bool bare) {
+    m_header->setVisible(!bare);
+    m_view->corners().setBare(bare);
+}
 
 void View3dPanel::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
@@ -173,8 +176,10 @@ void View3dPanel::showContent(const Built& built, const Made& made) {
     const bool newScene = !m_made.frame;
     m_made = made;
     if (newScene) {
+        m_firstOptions = ViewOptions();
+        makeNormalsReadable(*content, m_firstOptions);  // the sliders show more or fewer, longer or shorter ones
         ViewOptions options = m_view->options();
-        makeNormalsReadable(*content, options);  // the sliders show more or fewer, longer or shorter ones
+        options.everyNormal = m_firstOptions.everyNormal, options.normalLength = m_firstOptions.normalLength;
         changeOptions(options);
     }
     m_view->space().setContent(content, newScene, built.moved);

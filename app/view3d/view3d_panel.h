@@ -73,11 +73,11 @@ private:
     std::unique_ptr<View3dSpaces> m_spaces;
     std::unique_ptr<View3dHandles> m_handles;
     struct Wanted {
-        ViewOptions options;
         SpaceId space;
         std::optional<lessons::SpaceShown::Camera> camera;
         lessons::SpaceShown asked;
     };
+    ViewOptions m_firstOptions;      // with which the scene on show begins
     std::optional<Wanted> m_wanted;  // once the scene's first frame is there
     Made m_made;                     // of the content on show; of no frame before the first of a scene
     PictureTurns* m_turns;

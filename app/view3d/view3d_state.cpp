@@ -87,8 +87,7 @@ std::optional<SpaceId> spaceNamed(std::string_view name) {
     return words ? std::optional(SpaceId{ViewSpace(words->space), words->light, words->face}) : std::nullopt;
 }
 
-ViewOptions optionsOf(const lessons::SpaceShown& shown, pipeline::Errors& errors) {
-    ViewOptions options;
+ViewOptions optionsOf(const lessons::SpaceShown& shown, pipeline::Errors& errors, ViewOptions options) {
     for (const auto& [name, value] : shown.options) {
         const auto row = std::ranges::find(kOptions, name, &OptionRow::name);
         if (row == kOptions.end()) {
@@ -110,7 +109,7 @@ lessons::SpaceShown View3dPanel::state() const {
     state.space = keyOf(m_view->space().id());
     for (const OptionRow& row : kOptions) {
         const double value = row.get(m_view->options());
-        if (value != row.get(ViewOptions())) state.options[std::string(row.name)] = value;
+        if (value != row.get(m_firstOptions)) state.options[std::string(row.name)] = value;
     }
     if (!m_view->camera().isTouched()) return state;
     const OrbitCamera& c = m_view->camera().now();
@@ -120,10 +119,10 @@ lessons::SpaceShown View3dPanel::state() const {
 
 pipeline::Errors View3dPanel::lookAt(const lessons::SpaceShown& state) {
     pipeline::Errors errors;
-    const ViewOptions options = optionsOf(state, errors);
+    optionsOf(state, errors);
     const auto space = spaceNamed(state.space);
     if (!space) errors.push_back({{}, "the 3D view has no space \"" + state.space + '"', lessons::kSpaceExpected});
-    m_wanted = Wanted{options, space.value_or(SpaceId()), state.camera, state};
+    m_wanted = Wanted{space.value_or(SpaceId()), state.camera, state};
     if (m_made.frame) showWanted();
     return errors;
 }
@@ -132,7 +131,8 @@ pipeline::Errors View3dPanel::lookAt(const lessons::SpaceShown& state) {
 void View3dPanel::showWanted() {
     const auto wanted = std::exchange(m_wanted, std::nullopt);
     if (!wanted) return;
-    changeOptions(wanted->options);
+    pipeline::Errors told;  // when it was asked for
+    changeOptions(optionsOf(wanted->asked, told, m_firstOptions));
     setSpace(wanted->space);
     if (m_spaces->awaited()) {
         m_wanted = wanted;

@@ -3,6 +3,7 @@
 #include <QHelpEvent>
 #include <QMouseEvent>
 #include <QToolTip>
+#include <algorithm>
 #include <array>
 
 namespace app {
@@ -56,12 +57,20 @@ ViewCorner::ViewCorner(Kind kind, QWidget* parent) : QWidget(parent), m_kind(kin
 
 QSize ViewCorner::sizeHint() const {
     const int side = Theme::current().px(kCubeSide);
-    return m_kind == Kind::Legend ? legendSize(m_room).toSize() : QSize(side, side);
+    if (m_kind == Kind::Cube) return {side, side};
+    return (m_only ? legendSize(m_room, std::max(1, int(m_only->size()))) : legendSize(m_room)).toSize();
 }
 
 void ViewCorner::setOptions(const ViewOptions& options) {
     if (options == m_options) return;
     m_options = options;
+    update();
+}
+
+void ViewCorner::setOnly(std::optional<std::vector<VectorCode>> codes) {
+    if (codes == m_only) return;
+    m_only = std::move(codes);
+    setAttribute(Qt::WA_TransparentForMouseEvents, m_only.has_value());
     update();
 }
 
@@ -75,7 +84,7 @@ void ViewCorner::setCamera(const OrbitCamera& camera, ViewSpace space) {
 void ViewCorner::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     if (m_kind == Kind::Legend)
-        paintLegend(painter, rect(), m_options);
+        paintLegend(painter, rect(), m_options, m_only);
     else
         paintCube(painter, rect(), m_camera, m_space);
 }

@@ -14,7 +14,8 @@ public:
 
     void setOptions(const ViewOptions& options);
     void setCamera(const OrbitCamera& camera, ViewSpace space);
-    void setRoom(int width) { m_room = width; }  // of the view: a legend that is wider has two rows
+    void setOnly(std::optional<std::vector<VectorCode>> codes);  // a legend of these alone, which does not hide them
+    void setRoom(int width) { m_room = width; }                  // of the view: a legend that is wider has two rows
     QSize sizeHint() const override;
 
 signals:
@@ -35,6 +36,7 @@ private:
 
     Kind m_kind;
     ViewOptions m_options;
+    std::optional<std::vector<VectorCode>> m_only;
     int m_room = 1 << 20;
     VectorCode m_hovered = VectorCode::None;
     OrbitCamera m_camera;

@@ -1,5 +1,7 @@
 #include "app/view3d/view_corners.h"
 
+#include <algorithm>
+
 #include "app/core/theme.h"
 #include "app/view3d/scene_view.h"
 #include "app/view3d/view_corner.h"
@@ -45,10 +47,20 @@ ViewCorners::ViewCorners(SceneView& view)
     });
 }
 
+std::vector<VectorCode> ViewCorners::drawn() const {
+    std::vector<VectorCode> codes;
+    const auto& shown = m_view.space().shown();
+    if (!shown) return codes;
+    for (const VectorArrow& vector : shown->vectors)
+        if (m_view.options().shows(vector.code) && std::ranges::count(codes, vector.code) == 0)
+            codes.push_back(vector.code);
+    return codes;
+}
+
 // A low view has its room for the scene; the letters stand at their vectors.
 bool ViewCorners::showsLegend() const {
     const auto& shown = m_view.space().shown();
-    return m_view.problem().isEmpty() && shown && shown->map.keepsLengths() &&
+    return m_view.problem().isEmpty() && shown && shown->map.keepsLengths() && !(m_isBare && drawn().empty()) &&
            5 * m_legend->height() <= m_view.height();
 }
 
@@ -62,6 +74,10 @@ std::vector<QRectF> ViewCorners::places() const {
 }
 
 void ViewCorners::show(bool works) {
+    if (m_isBare) {
+        m_legend->setOnly(drawn());
+        if (m_legend->size() != m_legend->sizeHint()) place();
+    }
     m_legend->setVisible(showsLegend());
     m_cube->setVisible(works && !m_view.space().isPoint());
     m_legend->setOptions(m_view.options());

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "app/view3d/orbit_camera.h"
+#include "app/view3d/view_content.h"
 
 namespace app {
 
@@ -16,15 +17,18 @@ class ViewCorners : public QObject {
 public:
     explicit ViewCorners(SceneView& view);
 
-    void place();                        // after a change of the view's size or the theme
-    void show(bool works);               // works: there is a picture below them
-    double takenFoot() const;            // of the view's height, by the legend
-    std::vector<QRectF> places() const;  // on the view
+    void setBare(bool bare) { m_isBare = bare; }  // for an audience: a legend of the vectors that are drawn alone
+    void place();                                 // after a change of the view's size or the theme
+    void show(bool works);                        // works: there is a picture below them
+    double takenFoot() const;                     // of the view's height, by the legend
+    std::vector<QRectF> places() const;           // on the view
 
 private:
     bool showsLegend() const;
+    std::vector<VectorCode> drawn() const;  // the vectors that the view has arrows of
 
     SceneView& m_view;
+    bool m_isBare = false;
     ViewCorner* m_legend;
     ViewCorner* m_cube;
 };

@@ -100,6 +100,32 @@ TEST(View3dNormals, FewOfThemAreAllShown) {
     EXPECT_TRUE(shownNormals(content, options).empty());
 }
 
+// Of a ball of thousands of polygons 150 or so are readable. A state that asks for nothing shows those, also in a view that
+// was hidden while the scene was opened; a state that asks for all of them gets them.
+using View3dHidden = ShownView3d;
+TEST_F(View3dHidden, NormalsAreThinnedOnceTheViewIsShown) {
+    panel.hide();
+    pipeline::Scene scene = test::pyramid();
+    scene.objects[0].mesh = pipeline::makeShape({.kind = pipeline::ShapeKind::Sphere, .tessellation = 31});
+    scene.objects[0].transform.scale = Vec3d(100.0);
+    QSignalSpy ready(&document.frames(), &app::FrameFeed::frameReady);
+    document.setScene(scene);
+    ASSERT_TRUE(ready.wait());
+    EXPECT_TRUE(panel.lookAt({}).empty());
+    panel.show();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return view.space().content() != nullptr; }, 20000));
+    const int every = view.options().everyNormal;
+    EXPECT_GT(every, 10);
+    EXPECT_TRUE(panel.state().options.empty()) << "nothing was chosen";
+    lessons::SpaceShown all;
+    all.options["every_normal"] = 1;
+    EXPECT_TRUE(panel.lookAt(all).empty());
+    EXPECT_EQ(view.options().everyNormal, 1);
+    EXPECT_EQ(panel.state().options.at("every_normal"), 1);
+    EXPECT_TRUE(panel.lookAt({}).empty());
+    EXPECT_EQ(view.options().everyNormal, every);
+}
+
 // A screen reader is told what stands beside a slider, and sets it; what is between two steps of the slider stays.
 TEST(View3dNormals, SlidersSpeakTheirNumbers) {
     app::ViewSettings settings;

@@ -273,7 +273,7 @@ TEST(View3dPicture, TranslucentFacesLetThroughWhatIsBehindThem) {
     mesh.edges.clear();
     mesh.faces = {before, behind};
     content.mesh = std::make_shared<const app::ViewMesh>(mesh);
-    const app::ViewOptions bare{.normals = app::NormalsShown::Off, .lights = false, .eye = false};
+    const app::ViewOptions bare{.normals = app::NormalsShown::Off};
     const glm::dvec2 middle = place(content, {335, 125, 50});
     const glm::vec3 ground(Theme::current().colors().view.redF(), Theme::current().colors().view.greenF(),
                            Theme::current().colors().view.blueF());

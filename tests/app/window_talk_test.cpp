@@ -3,26 +3,34 @@
 #include <QLabel>
 #include <QLayout>
 #include <QLineEdit>
+#include <QPushButton>
 #include <QTest>
+#include <QToolButton>
 #include <algorithm>
 #include <array>
 #include <map>
 
+#include "app/core/derived_buffers.h"
 #include "app/desktop/ask_panel.h"
 #include "app/desktop/caption_line.h"
 #include "app/desktop/clean_view.h"
 #include "app/desktop/panel_dock.h"
 #include "app/desktop/pen_layer.h"
 #include "app/desktop/presentation.h"
+#include "app/desktop/shown_state.h"
 #include "app/desktop/view_area.h"
+#include "app/desktop/window_cues.h"
 #include "app/panels/algorithm_view.h"
 #include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_compare.h"
+#include "app/panels/buffer_page.h"
 #include "app/panels/buffer_view.h"
 #include "app/panels/condition_bar.h"
 #include "app/panels/cue_panel.h"
 #include "app/panels/math_view.h"
 #include "app/panels/segmented.h"
+#include "app/panels/value_slider.h"
+#include "app/view3d/view3d_panel.h"
 #include "tests/app/window_fixture.h"
 
 namespace app {
@@ -225,6 +233,57 @@ TEST_F(AskingTalk, VotesAreTypedAndStayWithTheirQuestion) {
     EXPECT_EQ(view.caption(), "7 of 16 votes were right.");
     press("PgUp");
     EXPECT_EQ(model().votes(0), (std::vector<int>{0, 7, 9}));
+}
+
+// For one who measures there are chips with counts, buttons and a legend to press; a hall has the picture and its words.
+TEST_F(WindowTalk, AHallSeesNoCountsAndNothingToPress) {
+    CleanView& view = present();
+    BufferView& buffer = view.views().first();
+    buffer.setBuffer({pipeline::BufferId::Overdraw});
+    ASSERT_TRUE(waitForFrame());
+    ASSERT_TRUE(QTest::qWaitFor([&] { return buffer.shown() && buffer.isCurrent(); }, 10000));
+    EXPECT_TRUE(buffer.shown()->notice.isEmpty()) << buffer.shown()->notice.toStdString();
+    const auto* legend = view.views().view3d().view().findChild<QWidget*>("legend");
+    ASSERT_TRUE(waitForFrame());
+    EXPECT_FALSE(legend->isVisible()) << "no pixel is picked: no vector is drawn";
+    document().pointing().pick(glm::ivec2(268, 281));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return legend->isVisible(); }, 10000));
+    document().derived().setText("x < 300");
+    buffer.condition().reveal();
+    for (const QWidget* part : buffer.condition().findChildren<QToolButton*>()) EXPECT_FALSE(part->isVisible());
+    EXPECT_FALSE(buffer.condition().findChild<QLineEdit*>()->isVisible());
+    buffer.setBuffer({pipeline::BufferId::ShadowBuffer, 0});
+    ASSERT_TRUE(QTest::qWaitFor([&] { return buffer.message().contains("left out"); }, 10000));
+    const auto* page = buffer.findChild<BufferPage*>();
+    EXPECT_FALSE(page->findChild<QPushButton*>()->isVisible());
+    EXPECT_EQ(page->findChild<QLabel*>()->text(), "shadow_buffer.0");
+    EXPECT_TRUE(page->findChild<QLabel*>()->isVisible());
+}
+
+// A presenter moves it with the mouse; a clicker's keys go on turning the cues.
+TEST_F(WindowTalk, APinnedSettingIsASliderThatLeavesTheKeysToTheTalk) {
+    const QString file = folder.filePath("talk.cues");
+    QFile cues(file);
+    ASSERT_TRUE(cues.open(QFile::WriteOnly));
+    cues.write(
+        "[[cue]]\nname = \"One\"\nscene = \"pyramid\"\nsliders = [\"light.0.intensity\", \"shading\"]\n"
+        "[[cue]]\nname = \"Two\"\nscene = \"pyramid\"\n");
+    cues.close();
+    ASSERT_TRUE(window.cues().open(file));
+    CleanView& view = present();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return view.findChild<ValueSlider*>() != nullptr; }));
+    EXPECT_EQ(window.shown().now()->sliders, (std::vector<std::string>{"light.0.intensity", "shading"}))
+        << "kept again";
+    auto* slider = view.findChild<ValueSlider*>();
+    EXPECT_TRUE(slider->isVisible() && view.rect().contains(slider->geometry()));
+    const double before = document().scene().lights[0].intensity;
+    QTest::mouseClick(slider, Qt::LeftButton, Qt::NoModifier, slider->position(before + 10).toPoint());
+    EXPECT_NEAR(document().scene().lights[0].intensity, before + 10, 2) << "within a pixel of the slider";
+    QWidget* focus = QApplication::focusWidget();
+    EXPECT_FALSE(focus && slider->parentWidget()->isAncestorOf(focus));
+    press("PgDown");
+    EXPECT_EQ(window.cues().model().current(), 1);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return view.findChild<ValueSlider*>() == nullptr; }));
 }
 
 }  // namespace
