@@ -141,13 +141,16 @@ QWidget* FigureFields::makeCaption() {
     m_asMade->setObjectName("figureAsMade");
     m_asMade->setProperty("kind", "link");
     m_asMade->setAutoDefault(false);
+    m_asMade->setEnabled(false);
     m_asMade->setToolTip(tr("Write the caption from the buffer, the scene and the marked pixel"));
     connect(m_caption, &QPlainTextEdit::textChanged, this, [this] {
         m_order.caption = m_caption->toPlainText();
+        m_asMade->setEnabled(true);
         emit changed();
     });
     connect(m_asMade, &QPushButton::clicked, this, [this] {
         m_order.caption.reset();
+        m_asMade->setEnabled(false);
         emit changed();
     });
     auto* row = new QHBoxLayout;
@@ -192,7 +195,6 @@ void FigureFields::show(const pipeline::Figure& figure) {
     const QString caption = toQString(figure.caption);
     m_ends[0]->setPlaceholderText(shortNumber(figure.range.first));
     m_ends[1]->setPlaceholderText(shortNumber(figure.range.last));
-    m_asMade->setEnabled(m_order.caption.has_value());
     if (m_order.caption || m_caption->toPlainText() == caption) return;
     const QSignalBlocker blocker(m_caption);
     m_caption->setPlainText(caption);
