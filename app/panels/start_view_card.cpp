@@ -31,7 +31,17 @@ void StartViewCard::setPicture(std::size_t part, const QImage& picture) {
 // Pictures are twice as wide as high at most, so that what follows stays in sight.
 int StartViewCard::heightForWidth(int width) const {
     const Theme& theme = Theme::current();
-    return width / (2 * std::max(1, int(m_pictures.size()))) + theme.px(60);
+    return width / (2 * std::max(1, int(m_pictures.size()))) + int(labelHeight(width)) + theme.px(60);
+}
+
+// Of the labels below the pictures: two lines where one of them is too long for its picture.
+double StartViewCard::labelHeight(double width) const {
+    const Theme& theme = Theme::current();
+    const QFontMetrics metrics(theme.text(12, 600));
+    const double room = width / double(m_pictures.size()) - theme.px(8);
+    const bool wraps = std::ranges::any_of(
+        m_view.parts, [&](const StartView::Part& part) { return metrics.horizontalAdvance(part.label) > room; });
+    return (wraps ? 2 : 1) * metrics.height() + theme.px(8);
 }
 
 QSize StartViewCard::sizeHint() const { return {Theme::current().px(480), heightForWidth(Theme::current().px(480))}; }
@@ -48,26 +58,22 @@ void StartViewCard::paintPicture(QPainter& painter, const QRectF& place, std::si
         source.moveCenter(QRectF(picture.rect()).center());
         painter.drawImage(place, picture, source);
     }
-    const QString& label = m_view.parts[part].label;
-    painter.setFont(theme.text(12, 600));
-    const QSizeF size(painter.fontMetrics().horizontalAdvance(label) + theme.px(12),
-                      painter.fontMetrics().height() + theme.px(4));
-    const QRectF box(place.left() + theme.px(6), place.bottom() - size.height() - theme.px(6),
-                     std::min(size.width(), place.width() - theme.px(12)), size.height());
-    painter.fillRect(box, theme.colors().surface);
-    painter.setPen(theme.colors().text);
-    painter.drawText(box, Qt::AlignCenter, painter.fontMetrics().elidedText(label, Qt::ElideRight, int(box.width())));
 }
 
 void StartViewCard::paintInside(QPainter& painter, const QRectF& box, const QPainterPath& shape) const {
     const Theme& theme = Theme::current();
     const ThemeColors& c = theme.colors();
-    const double foot = theme.px(50);
+    const double foot = theme.px(50), labels = labelHeight(box.width());
     const auto count = double(m_pictures.size());
     painter.setClipPath(shape);
     for (std::size_t i = 0; i < m_pictures.size(); ++i) {
         const double left = box.left() + double(i) * box.width() / count;
-        paintPicture(painter, {left, box.top(), box.width() / count - 1, box.height() - foot}, i);
+        const QRectF place(left, box.top(), box.width() / count - 1, box.height() - foot - labels);
+        paintPicture(painter, place, i);
+        painter.setFont(theme.text(12, 600));
+        painter.setPen(c.text);
+        painter.drawText(QRectF(place.left(), place.bottom(), place.width(), labels).adjusted(2, 0, -2, 0),
+                         Qt::AlignCenter | Qt::TextWordWrap, m_view.parts[i].label);
     }
     painter.setClipping(false);
     QRectF words(box.left() + theme.px(12), box.bottom() - foot, box.width() - theme.px(24), foot);

@@ -24,6 +24,7 @@ protected:
     void keyPressEvent(QKeyEvent* event) override;
 
 private:
+    double labelHeight(double width) const;
     void paintPicture(class QPainter& painter, const QRectF& place, std::size_t part) const;
 
     StartView m_view;
