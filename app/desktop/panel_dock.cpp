@@ -9,6 +9,7 @@
 #include "app/core/icons.h"
 #include "app/desktop/panel_table.h"
 #include "app/panels/follow_theme.h"
+#include "app/panels/tab_order.h"
 
 namespace app {
 
@@ -54,6 +55,9 @@ void PanelDock::toggle() {
     } else {
         show();
         raise();
+        // The keys go where the eye goes: to the panel, at its first control.
+        if (const auto controls = tabOrder(*widget()); !controls.isEmpty())
+            controls.front()->setFocus(Qt::ShortcutFocusReason);
     }
     toggleViewAction()->setChecked(!isHidden());  // the click has turned it over
 }

@@ -1,11 +1,13 @@
 #include <QAbstractItemView>
 #include <QAccessible>
 #include <QApplication>
+#include <QCheckBox>
 #include <QClipboard>
 #include <QDockWidget>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenuBar>
+#include <QPushButton>
 #include <QScreen>
 #include <QScrollArea>
 #include <QSet>
@@ -289,6 +291,39 @@ TEST_F(WindowKeyboard, TextFieldsCopyTheirOwnText) {
     field->selectAll();
     press("Ctrl+C");
     EXPECT_EQ(QApplication::clipboard()->text(), "x < 3");
+}
+
+// Qt does so in dialogs alone; a choice is made with Space, so that Enter can take it.
+TEST_F(WindowKeyboard, EnterPressesTheButtonThatHasTheFocus) {
+    openPyramid();
+    QWidget tools;
+    auto* push = new QPushButton("push", &tools);
+    auto* tool = new QToolButton(&tools);
+    auto* check = new QCheckBox("check", &tools);
+    tool->move(0, 40), check->move(0, 80);
+    tools.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&tools));
+    tools.activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&tools));
+    for (QAbstractButton* button : std::initializer_list<QAbstractButton*>{push, tool, check}) {
+        int clicks = 0;
+        const auto counted = QObject::connect(button, &QAbstractButton::clicked, [&] { ++clicks; });
+        button->setFocus();
+        QTest::keyClick(button, Qt::Key_Return);
+        QTest::keyClick(button, Qt::Key_Enter, Qt::KeypadModifier);
+        EXPECT_EQ(clicks, button == check ? 0 : 2) << button->text().toStdString();
+        QObject::disconnect(counted);
+    }
+}
+
+TEST_F(WindowKeyboard, APanelThatAKeyOpensGetsTheKeys) {
+    openPyramid();
+    auto* dock = find<PanelDock>("tables");
+    if (dock->isInFront()) dock->toggleViewAction()->trigger();
+    canvas()->setFocus();
+    dock->toggleViewAction()->trigger();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return dock->isInFront(); }, 5000));
+    EXPECT_TRUE(dock->isAncestorOf(QApplication::focusWidget()));
 }
 
 }  // namespace
