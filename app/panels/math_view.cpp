@@ -75,9 +75,7 @@ QString MathView::asJson() const {
     return toQString(pipeline::toJson(m_lines).dump(2, ' ', false, pipeline::Json::error_handler_t::replace));
 }
 
-int MathView::heightForWidth(int width) const {
-    return int(std::ceil(layoutEquation(m_lines, m_baseSize * Theme::current().scale(), width - 2).height));
-}
+int MathView::heightForWidth(int width) const { return int(std::ceil(pageAt(width).height)); }
 
 QSize MathView::sizeHint() const {
     const int width = Theme::current().px(420);
@@ -89,31 +87,44 @@ QSize MathView::minimumSizeHint() const {
     return {width, heightForWidth(std::max(width, this->width()))};
 }
 
+const MathPage& MathView::pageAt(int width) const {
+    constexpr std::size_t kMostPages = 8;
+    const auto found = m_pages.find(width);
+    if (found != m_pages.end()) return found->second;
+    if (m_pages.size() == kMostPages) m_pages.clear();
+    return m_pages[width] = layoutEquation(m_lines, m_baseSize * Theme::current().scale(), width - 2);
+}
+
 void MathView::layOut() {
+    m_pages.clear();
     point(-1);  // what was pointed at may be another part then, or gone
-    m_page = layoutEquation(m_lines, m_baseSize * Theme::current().scale(), width() - 2);
     updateGeometry();
     update();
 }
 
-void MathView::resizeEvent(QResizeEvent*) { layOut(); }
+void MathView::resizeEvent(QResizeEvent*) {
+    point(-1);
+    updateGeometry();
+    update();
+}
 
 void MathView::paintEvent(QPaintEvent*) {
     const ThemeColors& colors = Theme::current().colors();
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
-    const auto& parts = m_page.box.parts;
+    const MathPage& page = pageAt(width());
+    const auto& parts = page.box.parts;
     painter.setPen(Qt::NoPen);
     painter.setBrush(colors.tint);
     for (std::size_t i = 0; i < parts.size(); ++i)
-        if (parts[i].leaf >= 0 && m_changed.contains({m_page.lineOfPart[i], parts[i].leaf}))
+        if (parts[i].leaf >= 0 && m_changed.contains({page.lineOfPart[i], parts[i].leaf}))
             painter.drawRoundedRect(parts[i].rect.adjusted(-3, 0, 3, 0), 3, 3);
     if (m_pointed >= 0) {
         painter.setBrush(Qt::NoBrush);
         painter.setPen(QPen(hasFocus() ? colors.focus : colors.outline, hasFocus() ? 2 : 1));
         painter.drawRoundedRect(parts[std::size_t(m_pointed)].rect.adjusted(-2, -1, 2, 1), 3, 3);
     }
-    paintMath(painter, m_page.box, {1, 0});
+    paintMath(painter, page.box, {1, 0});
     if (hasFocus() && m_pointed < 0) {
         painter.setBrush(Qt::NoBrush);
         painter.setPen(QPen(colors.focus, 2));
@@ -124,7 +135,7 @@ void MathView::paintEvent(QPaintEvent*) {
 int MathView::partAt(QPointF position) const {
     int found = -1;
     double area = 1e300;
-    const auto& parts = m_page.box.parts;
+    const auto& parts = pageAt(width()).box.parts;
     for (std::size_t i = 0; i < parts.size(); ++i) {
         const double size = parts[i].rect.width() * parts[i].rect.height();
         if (parts[i].refers.isEmpty() || size >= area || !parts[i].rect.adjusted(-1, -1, 1, 1).contains(position))
@@ -138,8 +149,8 @@ int MathView::partAt(QPointF position) const {
 void MathView::point(int part) {
     if (part == m_pointed) return;
     m_pointed = part;
-    const QString refers = part < 0 ? QString() : m_page.box.parts[std::size_t(part)].refers;
-    setToolTip(part < 0 ? QString() : m_page.box.parts[std::size_t(part)].text + ": " + refers);
+    const QString refers = part < 0 ? QString() : pageAt(width()).box.parts[std::size_t(part)].refers;
+    setToolTip(part < 0 ? QString() : pageAt(width()).box.parts[std::size_t(part)].text + ": " + refers);
     setCursor(part < 0 ? Qt::ArrowCursor : Qt::PointingHandCursor);
     emit pointedAt(refers);
     update();
@@ -156,19 +167,20 @@ void MathView::focusOutEvent(QFocusEvent* event) {
 
 void MathView::mouseReleaseEvent(QMouseEvent* event) {
     const int part = partAt(event->position() - QPointF(1, 0));
-    if (event->button() == Qt::LeftButton && part >= 0) emit activated(m_page.box.parts[std::size_t(part)].refers);
+    if (event->button() == Qt::LeftButton && part >= 0)
+        emit activated(pageAt(width()).box.parts[std::size_t(part)].refers);
 }
 
 void MathView::walk(int step) {
-    const int count = int(m_page.box.parts.size());
+    const int count = int(pageAt(width()).box.parts.size());
     for (int i = m_pointed < 0 && step < 0 ? count - 1 : m_pointed + step; i >= 0 && i < count; i += step)
-        if (!m_page.box.parts[std::size_t(i)].refers.isEmpty()) return point(i);
+        if (!pageAt(width()).box.parts[std::size_t(i)].refers.isEmpty()) return point(i);
 }
 
 // To the part above or below that is nearest sideways.
 void MathView::walkLine(int step) {
     if (m_pointed < 0) return walk(step);
-    const auto& parts = m_page.box.parts;
+    const auto& parts = pageAt(width()).box.parts;
     const QRectF from = parts[std::size_t(m_pointed)].rect;
     int best = -1;
     double least = 1e300;
@@ -193,7 +205,7 @@ void MathView::keyPressEvent(QKeyEvent* event) {
         case Qt::Key_Escape: return point(-1);
         case Qt::Key_Return:
         case Qt::Key_Enter:
-            if (m_pointed >= 0) emit activated(m_page.box.parts[std::size_t(m_pointed)].refers);
+            if (m_pointed >= 0) emit activated(pageAt(width()).box.parts[std::size_t(m_pointed)].refers);
             return;
         default: break;
     }

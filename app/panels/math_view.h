@@ -1,6 +1,7 @@
 #pragma once
 #include <QTimer>
 #include <QWidget>
+#include <map>
 #include <set>
 #include <utility>
 #include <vector>
@@ -48,6 +49,7 @@ protected:
     void contextMenuEvent(QContextMenuEvent* event) override;
 
 private:
+    const MathPage& pageAt(int width) const;
     void layOut();
     void point(int part);
     int partAt(QPointF position) const;  // the smallest that refers to something; -1
@@ -56,9 +58,10 @@ private:
 
     std::vector<pipeline::EquationLine> m_lines;
     std::set<std::pair<int, int>> m_changed;  // line, leaf
-    MathPage m_page;
+    // By width: a layout asks for the same heights many times before it settles.
+    mutable std::map<int, MathPage> m_pages;
     double m_baseSize = 18;
-    int m_pointed = -1;  // index into m_page.box.parts
+    int m_pointed = -1;  // index into the parts of the page at this width
     QTimer m_fade;
 };
 
