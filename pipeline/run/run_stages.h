@@ -111,11 +111,17 @@ std::shared_ptr<const ZBufferOutput<Real>> runZBuffer(const ZBufferInputs& input
     const TransformOutput<Real>& in = *sources.transform;
     auto out = std::make_shared<ZBufferOutput<Real>>(
         prepareZBuffer<Real>({{0, 0}, in.view.size}, in.depthFormat, inputs.planted));
-    const TriangleBins<Real> bins =
-        binTriangles<Real>(*in.topology, in.view, in.world, sources.verdicts, sources.marks, sources.drawn);
-    out->clipped = bins.clipped, out->unclipped = bins.unclipped;
-    for (const auto& bin : bins.bins) out->tileIsDrawn.push_back(!bin.empty());
+    const auto binned = [&](TriangleRange range) {
+        auto bins = binTriangles<Real>(*in.topology, in.view, in.world, sources.verdicts, sources.marks, sources.drawn,
+                                       {}, range);
+        out->clipped += bins.clipped, out->unclipped += bins.unclipped;
+        out->tileIsDrawn.resize(bins.bins.size());
+        for (std::size_t tile = 0; tile < bins.bins.size(); ++tile)
+            out->tileIsDrawn[tile] = out->tileIsDrawn[tile] || !bins.bins[tile].empty();
+        return bins;
+    };
     if (inputs.visibility == Visibility::Painter) {
+        const TriangleBins<Real> bins = binned({});
         const PaintingOrder order =
             paintingOrder<Real>(*in.topology, in.view, in.world, bins, inputs.split, threads.stop());
         const auto tiles = binPieces(bins, order);
@@ -130,9 +136,13 @@ std::shared_ptr<const ZBufferOutput<Real>> runZBuffer(const ZBufferInputs& input
         sumCounts(*out);
         return out;
     }
-    threads.forRange(bins.bins.size(), kTileGrain, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t tile = begin; tile < end; ++tile)
-            zBuffer(in.view, in.depthFormat, bins, bins.bins[tile], bins.tile(tile), *out);
+    forTrianglesInParts(*in.topology, [&](TriangleRange range) {
+        if (threads.stopped()) return;
+        const TriangleBins<Real> bins = binned(range);
+        threads.forRange(bins.bins.size(), kTileGrain, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t tile = begin; tile < end; ++tile)
+                zBuffer(in.view, in.depthFormat, bins, bins.bins[tile], bins.tile(tile), *out);
+        });
     });
     sumCounts(*out);
     return out;

@@ -131,9 +131,13 @@ void drawShadowFace(const TransformOutput<Real>& in, ShadowCull cull, std::span<
         });
         light.depth[number] = std::move(depth);
     }
-    const TriangleBins<Real> bins = binForLight(in, face, cull, drawn);
-    threads.forRange(bins.bins.size(), kTileGrain, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t tile = begin; tile < end; ++tile) shadowBuffer(face, bins, tile, *light.depth[number]);
+    // The nearest depth remains in any order.
+    forTrianglesInParts(*in.topology, [&](TriangleRange range) {
+        if (threads.stopped()) return;
+        const TriangleBins<Real> bins = binForLight(in, face, cull, drawn, range);
+        threads.forRange(bins.bins.size(), kTileGrain, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t tile = begin; tile < end; ++tile) shadowBuffer(face, bins, tile, *light.depth[number]);
+        });
     });
 }
 

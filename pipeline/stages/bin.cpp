@@ -7,7 +7,7 @@ namespace pipeline {
 template <class Real>
 TriangleBins<Real> binTriangles(const Topology& topology, const View& view, std::span<const Vec3<Real>> world,
                                 std::span<const Verdict> verdicts, std::span<const std::uint8_t> marks,
-                                std::span<const std::uint8_t> drawn, const FacingFilter& facing) {
+                                std::span<const std::uint8_t> drawn, const FacingFilter& facing, TriangleRange range) {
     TriangleBins<Real> out;
     out.size = view.size;
     out.tiles = (view.size + kTileSize - 1) / kTileSize;
@@ -23,7 +23,7 @@ TriangleBins<Real> binTriangles(const Topology& topology, const View& view, std:
                 out.bins[std::size_t(y) * std::size_t(out.tiles.x) + std::size_t(x)].push_back(index);
     };
     std::vector<RasterTriangle<Real>> parts;  // of one that is clipped
-    for (std::size_t t = 0; t < topology.triangles.size(); ++t) {
+    for (std::size_t t = range.first; t < std::min(range.last, topology.triangles.size()); ++t) {
         const std::uint32_t polygon = topology.polygonOf(t);
         if (!verdicts.empty() && !goesOn(verdicts[polygon])) continue;
         if (!drawn.empty() && !drawn[polygon]) continue;
@@ -42,7 +42,7 @@ TriangleBins<Real> binTriangles(const Topology& topology, const View& view, std:
 #define SHADESCOPE_INSTANTIATE(Real)                                                                    \
     template TriangleBins<Real> binTriangles(const Topology&, const View&, std::span<const Vec3<Real>>, \
                                              std::span<const Verdict>, std::span<const std::uint8_t>,   \
-                                             std::span<const std::uint8_t>, const FacingFilter&);
+                                             std::span<const std::uint8_t>, const FacingFilter&, TriangleRange);
 SHADESCOPE_FOR_EVERY_REAL(SHADESCOPE_INSTANTIATE)
 #undef SHADESCOPE_INSTANTIATE
 

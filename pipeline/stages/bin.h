@@ -1,5 +1,7 @@
 #pragma once
+#include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -35,12 +37,28 @@ struct FacingFilter {
     }
 };
 
+// Of a topology's triangles, those from `first` on, before `last`.
+struct TriangleRange {
+    std::size_t first = 0, last = std::numeric_limits<std::size_t>::max();
+};
+
+// Calls each(TriangleRange) for all triangles in their order, at least once, so that those of a fine mesh are not all set
+// up at the same time: a set-up triangle takes some 200 to 300 bytes.
+template <class Each>
+void forTrianglesInParts(const Topology& topology, Each each) {
+    constexpr std::size_t kMostAtOnce = 1 << 16;
+    const std::size_t count = topology.triangles.size();
+    for (std::size_t first = 0; first == 0 || first < count; first += kMostAtOnce)
+        each(TriangleRange{first, std::min(count, first + kMostAtOnce)});
+}
+
 // world: per vertex. verdicts: per polygon, or empty when all go on.
 // marks: per polygon, CullOutput's: those inside need no clipping; empty when all are sent through it.
 // drawn: per polygon, whether this pass draws it; empty when it draws all.
 template <class Real>
 TriangleBins<Real> binTriangles(const Topology& topology, const View& view, std::span<const Vec3<Real>> world,
                                 std::span<const Verdict> verdicts, std::span<const std::uint8_t> marks = {},
-                                std::span<const std::uint8_t> drawn = {}, const FacingFilter& facing = {});
+                                std::span<const std::uint8_t> drawn = {}, const FacingFilter& facing = {},
+                                TriangleRange range = {});
 
 }  // namespace pipeline

@@ -132,8 +132,8 @@ FacingFilter facingFilter(ShadowCull cull, const TransformOutput<Real>& in) {
 
 template <class Real>
 TriangleBins<Real> binForLight(const TransformOutput<Real>& in, const View& face, ShadowCull cull,
-                               std::span<const std::uint8_t> drawn) {
-    return binTriangles<Real>(*in.topology, face, in.world, {}, {}, drawn, facingFilter(cull, in));
+                               std::span<const std::uint8_t> drawn, TriangleRange range) {
+    return binTriangles<Real>(*in.topology, face, in.world, {}, {}, drawn, facingFilter(cull, in), range);
 }
 
 template <class Real>
@@ -156,7 +156,7 @@ void shadowBuffer(const View& face, const TriangleBins<Real>& bins, std::size_t 
                                                           const ShadowPreparation<Real>&);                         \
     template FacingFilter facingFilter(ShadowCull, const TransformOutput<Real>&);                                  \
     template TriangleBins<Real> binForLight(const TransformOutput<Real>&, const View&, ShadowCull,                 \
-                                            std::span<const std::uint8_t>);                                        \
+                                            std::span<const std::uint8_t>, TriangleRange);                         \
     template void shadowBuffer(const View&, const TriangleBins<Real>&, std::size_t, Buffer2D<Real>&);
 SHADESCOPE_FOR_EVERY_REAL(SHADESCOPE_INSTANTIATE)
 #undef SHADESCOPE_INSTANTIATE

@@ -63,7 +63,7 @@ FacingFilter facingFilter(ShadowCull cull, const TransformOutput<Real>& in);
 // The scene's triangles as one face of a light sees them; drawn: as in binTriangles.
 template <class Real>
 TriangleBins<Real> binForLight(const TransformOutput<Real>& in, const View& face, ShadowCull cull = ShadowCull::None,
-                               std::span<const std::uint8_t> drawn = {});
+                               std::span<const std::uint8_t> drawn = {}, TriangleRange range = {});
 
 // Draws the triangles of tile `tile` of `bins` into the depth of that face.
 template <class Real>
