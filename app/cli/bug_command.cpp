@@ -219,10 +219,7 @@ int writeQuizOf(std::uint64_t seed, std::size_t count, const std::vector<int>& b
         return lessons::makeBugQuiz(seed, count, boxes, interrupt.token(),
                                     [&](std::size_t number) { progress.show(number, count, "pictures"); });
     }();
-    if (interrupt.asked()) {
-        tell("Cancelled. Nothing was written.\n");
-        return kInterrupted;
-    }
+    if (interrupt.asked()) return tellCancelled();
     if (!quiz) {
         printErrors(quiz.errors());
         return kWrongUsage;

@@ -32,10 +32,7 @@ int runDrill(const DrillRequest& request) {
         return lessons::makeDrill(request.seed, request.rounds, request.kinds, interrupt.token(),
                                   [&](std::size_t round) { progress.show(round, request.rounds, "rounds"); });
     }();
-    if (interrupt.asked()) {
-        tell("Cancelled. Nothing was written.\n");
-        return kInterrupted;
-    }
+    if (interrupt.asked()) return tellCancelled();
     if (!rounds) {
         printErrors(rounds.errors());
         return kWrongUsage;

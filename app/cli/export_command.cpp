@@ -115,8 +115,7 @@ bool takeCue(ExportOptions& options, const pipeline::Stop& stop, int& status) {
     if (!named) return refuse(named.errors(), kWrongUsage);
     const auto list = lessons::readCueFile(named->file, stop);
     if (stop.stop_requested()) {
-        tell("Cancelled. Nothing was written.\n");
-        status = kInterrupted;
+        status = tellCancelled();
         return false;
     }
     if (!list) return refuse(list.errors(), kBadInput);
@@ -281,17 +280,13 @@ int runExport(ExportOptions options, const CliHost& host) {
     if (options.views)
         request.writeMore = [&](const std::filesystem::path& folder) { return host.writeViews(*frame, pixel, folder); };
     const auto goOn = [&](double, std::string_view) { return !interrupt.asked(); };
-    const auto cancelled = [] {
-        tell("Cancelled. Nothing was written.\n");
-        return kInterrupted;
-    };
-    if (!frame) return cancelled();
+    if (!frame) return tellCancelled();
     auto derived = derivedOf(*derivedOnes, *frame, options.frame.threads, interrupt.token());
     if (!derived) {
         printErrors(derived.errors());
         return kBadInput;
     }
-    if (interrupt.asked()) return cancelled();
+    if (interrupt.asked()) return tellCancelled();
     request.derived = std::move(derived).value();
     if (isWithoutFiles(*frame, request)) {
         tellLeftOut(*frame, request);
@@ -303,7 +298,7 @@ int runExport(ExportOptions options, const CliHost& host) {
         printErrors(summary.errors());
         return kCouldNotWrite;
     }
-    if (summary->cancelled) return cancelled();
+    if (summary->cancelled) return tellCancelled();
     tellLeftOut(*frame, request);
     if (!summary->inDoubt.empty()) tell("{}: {}; the export there was replaced\n", options.folder, summary->inDoubt);
     const std::size_t removed = summary->removed.size();

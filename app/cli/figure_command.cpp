@@ -180,10 +180,7 @@ int runFigure(const FigureOptions& options) {
     if (!scene) return status;
     pipeline::FramePtr frame;
     Found found = bufferOf(options, scene, interrupt, frame);
-    if (interrupt.asked()) {
-        tell("Cancelled. Nothing was written.\n");
-        return kInterrupted;
-    }
+    if (interrupt.asked()) return tellCancelled();
     if (!found.buffer) return found.status;
     pipeline::Figure figure = figureOf(*frame, std::move(*found.buffer));
     if (const std::string wrong = place(options, figure); !wrong.empty()) return wrongFigure(wrong);

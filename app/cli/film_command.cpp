@@ -72,11 +72,7 @@ int runFilm(const FilmOptions& options) {
     frameRequest.stop = interrupt.token();
     if (!fits(*scene, frameRequest, options.scene, status)) return status;
     const pipeline::FramePtr frame = runFrame(scene, frameRequest, nullptr);
-    const auto cancelled = [] {
-        tell("Cancelled. Nothing was written.\n");
-        return kInterrupted;
-    };
-    if (!frame) return cancelled();
+    if (!frame) return tellCancelled();
     if (!frame->buffer(buffer)) {
         tell("shadescope film: no {}. {}\n", buffer.text(), frame->whyAbsent(buffer));
         return kWrongUsage;
@@ -108,7 +104,7 @@ int runFilm(const FilmOptions& options) {
         printErrors(summary.errors());
         return kCouldNotWrite;
     }
-    if (summary->cancelled) return cancelled();
+    if (summary->cancelled) return tellCancelled();
     if (!summary->inDoubt.empty()) tell("{}: {}; the film there was replaced\n", options.target, summary->inDoubt);
     const std::size_t removed = summary->removed.size();
     tell("{}, {}, in {}{}{}\n", pipeline::plural(std::int64_t(summary->pictures), "picture"),

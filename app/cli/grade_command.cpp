@@ -41,10 +41,7 @@ int runGrade(const GradeRequest& request) {
         return lessons::grade(files, keys ? &*keys : nullptr, interrupt.token(),
                               [&](std::size_t handIn) { progress.show(handIn, files.size(), "hand-ins"); });
     }();
-    if (interrupt.asked() || !graded) {
-        tell("Cancelled. Nothing was written.\n");
-        return kInterrupted;
-    }
+    if (interrupt.asked() || !graded) return tellCancelled();
     printErrors(graded->refused);
     const auto written = writeGraded(*graded, request.folder);
     if (!written) {

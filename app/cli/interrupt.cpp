@@ -2,6 +2,9 @@
 
 #include <ctime>
 
+#include "app/cli/cli.h"
+#include "app/cli/message.h"
+
 namespace app {
 
 Interrupt::Interrupt() {
@@ -26,6 +29,11 @@ Interrupt::~Interrupt() {
     m_waiting.request_stop();
     m_waiting.join();
     pthread_sigmask(SIG_SETMASK, &m_before, nullptr);
+}
+
+int tellCancelled() {
+    tell("Cancelled. Nothing was written.\n");
+    return kInterrupted;
 }
 
 }  // namespace app

@@ -24,4 +24,7 @@ private:
     std::jthread m_waiting;  // last: ends before what it uses
 };
 
+// What a command that has stopped before it wrote says, and its exit status.
+int tellCancelled();
+
 }  // namespace app

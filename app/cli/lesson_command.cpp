@@ -159,10 +159,7 @@ int exportLesson(const std::string& name, const std::string& folder) {
         return makeHandout(*lesson, interrupt.token(),
                            [&](std::size_t page) { progress.show(page, lesson->pages.size(), "pages"); });
     }();
-    if (interrupt.asked()) {
-        tell("Cancelled. Nothing was written.\n");
-        return kInterrupted;
-    }
+    if (interrupt.asked()) return tellCancelled();
     if (!handout) {
         printErrors(handout.errors());
         return kBadInput;

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "app/cli/cli.h"
+#include "app/cli/interrupt.h"
 #include "app/cli/message.h"
 #include "app/cli/output_argument.h"
 #include "app/cli/scene_argument.h"
@@ -26,10 +27,7 @@ LivePartsFound livePartsOrTell(const std::string& file, std::string_view command
 }
 
 int writePage(const pipeline::Result<std::string>& html, const std::string& file, const Interrupt& interrupt) {
-    if (interrupt.asked()) {
-        tell("Cancelled. Nothing was written.\n");
-        return kInterrupted;
-    }
+    if (interrupt.asked()) return tellCancelled();
     if (!html) {
         printErrors(html.errors());
         return kBadInput;

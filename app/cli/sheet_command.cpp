@@ -39,10 +39,7 @@ int runSheet(const SheetRequest& request) {
         return makeSheets(*made, request.options, interrupt.token(),
                           [&](std::size_t sheet) { progress.show(sheet, request.options.count, "sheets"); });
     }();
-    if (interrupt.asked()) {
-        tell("Cancelled. Nothing was written.\n");
-        return kInterrupted;
-    }
+    if (interrupt.asked()) return tellCancelled();
     if (!sheets) {
         printErrors(sheets.errors());
         return kBadInput;

@@ -30,10 +30,7 @@ int exportSite(const std::string& folder, const CliHost& host) {
         *parts, host.drawCueView, interrupt.token(),
         [&](std::size_t done, std::size_t all, const std::string& what) { progress.show(done, all, what); });
     progress.end();
-    if (interrupt.asked()) {
-        tell("Cancelled. Nothing was written.\n");
-        return kInterrupted;
-    }
+    if (interrupt.asked()) return tellCancelled();
     if (!site) {
         printErrors(site.errors());
         return kBadInput;
