@@ -1,51 +1,57 @@
 #include "app/panels/buffer_compare.h"
 
+#include <algorithm>
+
 #include "app/core/derived_buffers.h"
-#include "app/core/picture_file.h"
+#include "app/core/pointed.h"
 #include "app/core/renderer_check.h"
 #include "app/core/text.h"
 #include "app/panels/buffer_canvas.h"
+#include "lessons/state/state_text.h"
 
 namespace app {
 
-using pipeline::AnyBuffer;
-using pipeline::BufferId;
 using pipeline::BufferName;
 using pipeline::Domain;
 using pipeline::FramePtr;
 using Kind = OtherSource::Kind;
 
 BufferCompare::BufferCompare(Document& document, BufferCanvas* canvas, QWidget* window)
-    : QObject(window), m_document(document), m_canvas(canvas), m_bar(new CompareBar(window)) {
+    : QObject(window),
+      m_document(document),
+      m_canvas(canvas),
+      m_bar(new CompareBar(window)),
+      m_other(document, this),
+      m_sides(this),
+      m_difference(this) {
     m_bar->hide();
-    m_blink.setInterval(700);  // well below three flashes a second
-    connect(&m_blink, &QTimer::timeout, this, [this] {
-        m_blinksToB = !m_blinksToB;
-        m_canvas->setWipe(wipe());
+    connect(&m_sides, &SideSwitch::turned, this, [this] { m_canvas->setWipe(wipe()); });
+    connect(m_canvas, &BufferCanvas::wiped, &m_sides, &SideSwitch::setShare);
+    observe();
+    connect(m_bar, &CompareBar::offerTaken, this, [this] {
+        DifferenceJob& job = m_difference.job();
+        job.wasCancelled() ? job.retry() : job.cancel();
     });
-    connect(m_canvas, &BufferCanvas::wiped, this, [this](double share) {
-        m_share = share;
-        m_canvas->setWipe(wipe());
-    });
-    observeWork();
-    connect(&m_other, &OtherFrame::ready, this, &BufferCompare::changed);
-    connect(&m_derived, &DerivedJob::changed, this, &BufferCompare::changed, Qt::QueuedConnection);
-    connect(&m_document.derived(), &DerivedBuffers::changed, this, [this](const BufferName& name) {
-        if (m_source && m_source->kind == Kind::Buffer && m_source->buffer == name) emit changed();
-    });
-    connect(&m_difference, &DifferenceJob::ready, this, &BufferCompare::changed);
-    connect(&m_difference, &DifferenceJob::progressed, this, &BufferCompare::tell);
-    connect(&m_showing, &ShowJob::ready, this, &BufferCompare::changed);
-    connect(&m_showing, &ShowJob::busyChanged, this, &BufferCompare::busyChanged);
-    connect(m_bar, &CompareBar::offerTaken, this,
-            [this] { m_difference.wasCancelled() ? m_difference.retry() : m_difference.cancel(); });
     connect(m_bar, &CompareBar::modeChosen, this, [this](CompareMode mode) {
-        if (mode != m_mode) setMode(mode);
+        if (mode != this->mode()) setMode(mode);
     });
     connect(m_bar, &CompareBar::metricChosen, this, &BufferCompare::setMetric);
     connect(m_bar, &CompareBar::worstChosen, this, &BufferCompare::goToWorst);
     connect(m_bar, &CompareBar::stagesChosen, this, &BufferCompare::stagesChosen);
     connect(m_bar, &CompareBar::closed, this, [this] { compareWith(std::nullopt); });
+}
+
+void BufferCompare::observe() {
+    connect(this, &BufferCompare::changed, &m_other, &OtherSide::tellWork);
+    connect(&m_other, &OtherSide::changed, this, &BufferCompare::changed);
+    connect(&m_other, &OtherSide::workChanged, this, &BufferCompare::busyChanged);
+    connect(&m_difference.job(), &DifferenceJob::ready, this, &BufferCompare::changed);
+    connect(&m_difference.job(), &DifferenceJob::progressed, this, &BufferCompare::tell);
+    connect(&m_difference.showing(), &ShowJob::ready, this, &BufferCompare::changed);
+    connect(&m_difference.showing(), &ShowJob::busyChanged, this, &BufferCompare::busyChanged);
+    connect(&m_document.derived(), &DerivedBuffers::changed, this, [this](const BufferName& name) {
+        if (m_source && m_source->kind == Kind::Buffer && m_source->buffer == name) emit changed();
+    });
     connect(&m_document, &Document::sceneOpened, this, [this] {
         if (!isMine()) compareWith(std::nullopt);
     });
@@ -56,151 +62,73 @@ BufferCompare::BufferCompare(Document& document, BufferCanvas* canvas, QWidget* 
 
 void BufferCompare::compareWith(std::optional<OtherSource> source) {
     m_source = std::move(source);
-    m_range.reset();
-    m_file.reset();
+    m_difference.range().reset();
     m_other.forget();
-    m_derived.forget();
     m_goesToWorst = false;
     m_bar->show(m_source.has_value());
     if (!m_source)
         setMode(CompareMode::A);
-    else if (m_mode == CompareMode::A)
+    else if (mode() == CompareMode::A)
         setMode(CompareMode::Wipe);
     else
         emit changed();
 }
 
 void BufferCompare::setMode(CompareMode mode) {
-    m_mode = mode == m_mode ? CompareMode::A : mode;
-    m_blinksToB = false;
-    m_mode == CompareMode::Blink ? m_blink.start() : m_blink.stop();
-    m_bar->setMode(m_mode);
+    m_sides.setMode(mode);
+    m_bar->setMode(this->mode());
     emit changed();
 }
 
 void BufferCompare::setMetric(pipeline::DifferenceMetric metric) {
-    m_metric = metric;
-    m_range.reset();
+    m_difference.setMetric(metric);
     emit changed();
 }
 
 void BufferCompare::holdOther(bool held) {
-    if (!m_source || held == m_holdsOther) return;
-    m_holdsOther = held;
-    m_mode == CompareMode::Difference ? emit changed() : m_canvas->setWipe(wipe());
+    if (!m_source || !m_sides.holdOther(held)) return;
+    mode() == CompareMode::Difference ? emit changed() : m_canvas->setWipe(wipe());
 }
 
 void BufferCompare::holdPrevious(bool held) {
-    if (held == m_holdsPrevious) return;
-    m_holdsPrevious = held;
-    emit changed();
+    if (m_sides.holdPrevious(held)) emit changed();
 }
 
 std::optional<OtherSource> BufferCompare::current() const {
-    return m_holdsPrevious ? OtherSource{.kind = Kind::PreviousStage} : m_source;
-}
-
-std::optional<AnyBuffer> BufferCompare::findOther(const FramePtr& frame, const AnyBuffer& a) {
-    const OtherSource source = *current();
-    const auto name = otherBuffer(source, a.name, frame->scene());
-    const bool isOwn = source.kind == Kind::Buffer || source.kind == Kind::PreviousStage;
-    const bool isDerived = name && pipeline::isDerived(name->id);
-    m_document.frames().want(this, isOwn && name && !isDerived ? pipeline::setOf({name->id}) : pipeline::BufferSet());
-    m_document.derived().want(this, isOwn && isDerived ? std::vector{*name} : std::vector<BufferName>());
-    if (source.kind == Kind::Mine) {
-        auto mine = m_document.renderer().buffer(a);
-        if (!mine) m_why = m_document.renderer().whyNo(a.name);
-        return mine;
-    }
-    if (source.kind == Kind::File) {
-        if (m_file && m_file->name == a.name) return m_file;
-        auto read = readPicture(source.file, a);
-        if (!read) {
-            m_why = toQString(format(read.errors()));
-            return {};
-        }
-        m_file = std::move(read).value();
-        return m_file;
-    }
-    const ScenePtr scene = m_otherScene.of(source, frame->sharedScene(), m_document.history().sceneBefore());
-    if (!name || !scene) {
-        m_why = source.kind == Kind::Before ? tr("Nothing has been changed yet.") : tr("This scene has no such B.");
-        return {};
-    }
-    if (!isOwn) {
-        pipeline::BufferSet wanted = frame->wanted() | pipeline::setOf({BufferId::PolygonId, BufferId::Overdraw});
-        if (!isDerived) wanted.set(index(name->id));
-        m_other.request(scene, wanted);
-    }
-    m_frameB = isOwn ? frame : m_other.frame();
-    if (isDerived) return findDerived(*name, isOwn);
-    const auto found = m_frameB ? m_frameB->buffer(*name) : std::nullopt;
-    if (!found) m_why = m_frameB && !m_other.busy() ? toQString(m_frameB->whyAbsent(*name)) : whyNotYet();
-    return found;
-}
-
-std::optional<AnyBuffer> BufferCompare::findDerived(const BufferName& name, bool isOwn) {
-    DerivedBuffers& derived = m_document.derived();
-    if (isOwn) {
-        const lessons::DerivedBuffer* made = derived.made(name);
-        if (!made) m_why = derived.whyNot(name);
-        return made ? std::optional(made->buffer) : std::nullopt;
-    }
-    if (m_frameB) m_derived.ask(m_frameB, name, derived.recipe());
-    if (m_derived.made()) return m_derived.made()->buffer;
-    m_why = m_derived.why().isEmpty() ? whyNotYet() : m_derived.why();
-    return {};
+    return m_sides.holdsPrevious() ? OtherSource{.kind = Kind::PreviousStage} : m_source;
 }
 
 void BufferCompare::addOther(ShowRequest& request) {
-    m_why.clear();
-    m_frameB.reset();
     const auto source = current();
-    if (!source) {
-        m_document.frames().want(this, {});
-        m_document.derived().want(this, {});
-        return;
-    }
-    const AnyBuffer a = request.mix.value_or(request.buffer);
-    if (m_a && m_a->name != a.name) m_found.reset();  // it is of what was on show before
-    if (auto b = findOther(request.frame, a))
-        request.other = {*source, m_frameB ? m_frameB : request.frame, *std::move(b)};
+    if (source) m_difference.forgetOtherThan(request.mix.value_or(request.buffer).name);
+    m_other.addTo(request, source);
 }
 
 ShownBuffer BufferCompare::show(const ShowAnswer& answer) {
     const ShownBuffer& a = answer.shown;
-    m_found.reset();
-    m_b.reset();
-    m_a = a.buffer;
-    m_channel = a.look.channel;
+    m_difference.begin(a.buffer, a.look.channel);
     const auto source = current();
     if (!source) {
-        forgetDifference();
+        m_difference.forgetPicture();
         m_canvas->setOther({}, {});
         return a;
     }
     const bool hasCome = answer.other && answer.request.other->source == *source;
-    if (m_why.isEmpty() && !hasCome) m_why = tr("B is being computed.");
-    const ShownOther* other = m_why.isEmpty() ? &*answer.other : nullptr;
-    const bool isBare = m_bar->isBare();
-    m_nameA = (isBare ? QString() : "A  ") + toQString(a.buffer.name.text());
-    m_nameB = isBare ? QString() : "B  ";
-    if (other && source->kind != Kind::Buffer) m_nameB += toQString(other->buffer.name.text()) + ", ";
-    m_nameB += nameOf(*source);
-    if (other) nameDifference(answer.request.frame->scene(), answer.request.other->frame->scene());
+    if (m_other.why().isEmpty() && !hasCome) m_other.giveUp(tr("B is being computed."));
+    const ShownOther* other = m_other.why().isEmpty() ? &*answer.other : nullptr;
+    nameSides(*source, answer, other);
     if (other) {
-        m_b = other->buffer;
-        if (other->whyNotComparable.empty())
-            m_found = m_difference.answer({a.buffer, *m_b, index(m_channel), m_metric, other->drawnA, other->drawnB});
-        else
-            m_why = source->kind == Kind::PreviousStage
-                        ? tr("The two stages leave different things: look from one to the other.")
-                        : toQString(other->whyNotComparable);
+        m_difference.find(*other);
+        if (!other->whyNotComparable.empty())
+            m_other.giveUp(source->kind == Kind::PreviousStage
+                               ? tr("The two stages leave different things: look from one to the other.")
+                               : toQString(other->whyNotComparable));
     }
-    m_bar->setMetric(m_metric);
-    if (isBare && !m_why.isEmpty()) m_nameB += ": " + m_why;
+    m_bar->setMetric(m_difference.metric());
+    if (m_bar->isBare() && !m_other.why().isEmpty()) m_nameB += ": " + m_other.why();
     tell();
-    if (m_found && m_goesToWorst) QMetaObject::invokeMethod(this, &BufferCompare::goToWorst, Qt::QueuedConnection);
+    if (m_difference.found() && m_goesToWorst)
+        QMetaObject::invokeMethod(this, &BufferCompare::goToWorst, Qt::QueuedConnection);
     if (const auto difference = shownDifference(answer.request.frame)) {
         ShownBuffer shown = difference->shown;
         shown.notice.clear();
@@ -218,29 +146,118 @@ ShownBuffer BufferCompare::show(const ShowAnswer& answer) {
 }
 
 std::shared_ptr<const ShowAnswer> BufferCompare::shownDifference(const FramePtr& frame) {
-    if (!showsDifference() || m_holdsOther || m_holdsPrevious) {
-        forgetDifference();
-        return {};
-    }
-    if (!m_difference.busy()) m_foundFrame = frame;
-    ShowRequest request{.frame = m_foundFrame, .buffer = m_found->values};
-    request.range = m_range;
-    request.drawn = std::make_shared<const std::vector<bool>>(m_found->drawn);
-    return m_showing.answer(request);
-}
-
-void BufferCompare::forgetDifference() {
-    m_showing.forget();
-    m_foundFrame.reset();
+    if (showsDifference() && !m_sides.isHeld()) return m_difference.picture(frame);
+    m_difference.forgetPicture();
+    return {};
 }
 
 Wipe BufferCompare::wipe() const {
-    Wipe wipe{1, false, m_nameA, m_nameB};
-    if (m_holdsOther || m_holdsPrevious || m_mode == CompareMode::B || (m_mode == CompareMode::Blink && m_blinksToB))
-        wipe.share = 0;
-    else if (m_mode == CompareMode::Wipe)
-        wipe.share = m_share, wipe.hasHandle = true;
+    Wipe wipe = m_sides.wipe();
+    wipe.nameA = m_nameA, wipe.nameB = m_nameB;
     return wipe;
+}
+
+void BufferCompare::nameSides(const OtherSource& source, const ShowAnswer& answer, const ShownOther* other) {
+    const bool isBare = m_bar->isBare();
+    m_nameA = (isBare ? QString() : "A  ") + toQString(answer.shown.buffer.name.text());
+    m_nameB = isBare ? QString() : "B  ";
+    if (other && source.kind != Kind::Buffer) m_nameB += toQString(other->buffer.name.text()) + ", ";
+    m_nameB += nameOf(source);
+    if (other) nameDifference(source, answer.request.frame->scene(), answer.request.other->frame->scene());
+}
+
+// Where the two scenes differ in one setting, each side says which value it has.
+void BufferCompare::nameDifference(const OtherSource& source, const pipeline::Scene& a, const pipeline::Scene& b) {
+    const auto differing = differingSettings(a, b);
+    const bool isSetting = source.kind == Kind::Setting;
+    if (m_bar->isBare() && (isSetting || differing.size() == 1)) {
+        const pipeline::SettingRef setting = isSetting ? source.setting : differing[0];
+        m_nameA = captionOf(setting, setting.get(a)), m_nameB = captionOf(setting, setting.get(b));
+        return;
+    }
+    if (differing.size() != 1) return;
+    const auto valueIn = [&](const pipeline::Scene& scene) {
+        return nameOf({.kind = Kind::Setting, .setting = differing[0], .value = differing[0].get(scene)});
+    };
+    m_nameA += ", " + valueIn(a);
+    if (source.kind == Kind::Before) m_nameB += ", " + valueIn(b);
+}
+
+QString BufferCompare::differenceName() const {
+    const QString sides = m_bar->isBare() ? tr("A  %1,  B  %2") : QStringLiteral("%1,  %2");
+    return m_difference.formula() + ",  " + sides.arg(m_nameA, m_nameB);
+}
+
+void BufferCompare::tell() {
+    const auto& found = m_difference.found();
+    const DifferenceJob& job = m_difference.job();
+    const bool isOnItsWay = !found && m_other.why().isEmpty();
+    const bool isCancelled = isOnItsWay && job.wasCancelled();
+    const QString waits = isCancelled ? tr("The difference was cancelled.")
+                                      : tr("The difference is being computed, %1 %.").arg(int(100 * job.share()));
+    m_bar->setOffer(isCancelled                ? CompareBar::Offer::Compute
+                    : isOnItsWay && job.busy() ? CompareBar::Offer::Cancel
+                                               : CompareBar::Offer::Nothing);
+    const QString whyNot = isOnItsWay ? waits : m_other.why();
+    QString whyNoWorst;
+    if (!found)
+        whyNoWorst = whyNot;
+    else if (!found->worst)
+        whyNoWorst = tr("The two are the same.");
+    else if (found->values.info->domain == Domain::Texel)
+        whyNoWorst = tr("A texel of a shadow buffer cannot be picked.");
+    m_bar->setFinding(found ? findingText(*found) + m_other.remark() : whyNot, whyNoWorst);
+}
+
+std::optional<lessons::BufferShown::Compared> BufferCompare::state() const {
+    if (!m_source || m_source->kind == Kind::Mine) return {};
+    OtherSource source = *m_source;
+    const auto change = m_document.history().lastChange();
+    if (source.kind == Kind::Before && change)
+        source = {.kind = Kind::Setting, .setting = change->setting, .value = change->before};
+    const auto& metric = pipeline::metricTable()[std::size_t(m_difference.metric())];
+    lessons::BufferShown::Compared state{keyOf(source), std::string(lessons::kCompareModes[std::size_t(mode())]),
+                                         m_sides.share(), std::string(metric.name)};
+    if (const auto& range = m_difference.range()) state.range = {range->first, range->last};
+    return state;
+}
+
+pipeline::Errors BufferCompare::lookAt(const std::optional<lessons::BufferShown::Compared>& state) {
+    if (!state || !m_document.hasScene()) {
+        compareWith(std::nullopt);
+        return {};
+    }
+    const auto source = sourceNamed(state->with, m_document.scene());
+    if (!source) {
+        compareWith(std::nullopt);
+        return source.errors();
+    }
+    for (const pipeline::MetricInfo& metric : pipeline::metricTable())
+        if (metric.name == state->metric) m_difference.setMetric(metric.id);
+    m_sides.setShare(state->wipe);
+    compareWith(*source);
+    if (state->range && (*state->range)[0] != (*state->range)[1])
+        m_difference.range() = pipeline::PaletteRange{(*state->range)[0], (*state->range)[1]};
+    const auto mode = std::ranges::find(lessons::kCompareModes, state->mode);
+    m_sides.setMode(CompareMode::A);
+    setMode(mode == lessons::kCompareModes.end() ? CompareMode::Wipe
+                                                 : CompareMode(mode - lessons::kCompareModes.begin()));
+    return {};
+}
+
+void BufferCompare::goToWorst() {
+    const auto& found = m_difference.found();
+    m_goesToWorst = !found;
+    if (!found || !found->worst) return;
+    const std::size_t worst = *found->worst;
+    const auto columns = found->values.columns();
+    Pointing& pointing = m_document.pointing();
+    switch (found->values.info->domain) {
+        case Domain::Pixel: return pointing.pick(glm::ivec2(worst % columns, worst / columns));
+        case Domain::Polygon: return pointing.select(lessons::Selection{lessons::Selection::Kind::Polygon, worst});
+        case Domain::Vertex: return pointing.select(lessons::Selection{lessons::Selection::Kind::Vertex, worst});
+        case Domain::Texel: break;
+    }
 }
 
 }  // namespace app

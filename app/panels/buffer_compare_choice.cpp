@@ -9,6 +9,7 @@
 #include "app/panels/buffer_overlays.h"
 #include "app/panels/buffer_view.h"
 #include "app/panels/compare_bar.h"
+#include "app/panels/compare_menu.h"
 #include "app/panels/stage_differences.h"
 
 namespace app {
@@ -17,8 +18,9 @@ CompareChoice::CompareChoice(BufferView& view)
     : BufferFeature(view),
       m_compare(new BufferCompare(view.document(), view.canvas(), &view)),
       m_stages(new StageDifferences(view.document(), *m_compare, &view)) {
-    connect(&view.header(), &BufferHeader::compareMenuOpens, this,
-            [this](QMenu* menu) { m_compare->fillMenu(*menu, this->view().buffer()); });
+    connect(&view.header(), &BufferHeader::compareMenuOpens, this, [this](QMenu* menu) {
+        fillCompareMenu(*menu, *m_compare, this->view().document(), this->view().buffer());
+    });
     connect(m_compare, &BufferCompare::changed, &view, &BufferView::refresh);
     connect(m_compare, &BufferCompare::chosen, &view, &BufferView::takeKeys);
     connect(m_compare, &BufferCompare::busyChanged, this, &CompareChoice::busyChanged);
@@ -69,8 +71,8 @@ void CompareChoice::addTo(ShowRequest& request) {
 void CompareChoice::write(lessons::BufferShown& state) const { state.compared = m_compare->state(); }
 pipeline::Errors CompareChoice::read(const lessons::BufferShown& state) { return m_compare->lookAt(state.compared); }
 
-bool CompareChoice::busy() const { return m_compare->busy(); }
-void CompareChoice::cancel() { m_compare->cancel(); }
-void CompareChoice::retry() { m_compare->retry(); }
+bool CompareChoice::busy() const { return m_compare->difference().showing().busy(); }
+void CompareChoice::cancel() { m_compare->difference().showing().cancel(); }
+void CompareChoice::retry() { m_compare->difference().showing().retry(); }
 
 }  // namespace app

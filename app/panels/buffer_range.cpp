@@ -24,7 +24,7 @@ RangeChoice::RangeChoice(BufferView& view, BufferCompare& compare, const Channel
 RangeChoice::Kept& RangeChoice::kept() { return m_kept[view().buffer().text()]; }
 
 std::optional<pipeline::PaletteRange>& RangeChoice::keptRange() {
-    return m_compare.showsDifference() ? m_compare.range() : kept().range;
+    return m_compare.showsDifference() ? m_compare.difference().range() : kept().range;
 }
 
 void RangeChoice::set(pipeline::PaletteRange range) {
@@ -55,7 +55,8 @@ void RangeChoice::addTo(ShowRequest& request) { request.range = kept().range; }
 void RangeChoice::show() {
     const ShownBuffer& shown = *view().shown();
     m_foot->show(shown, !keptRange(), kept().logCounts);
-    if (view().isCurrent() && !m_compare.busy() && std::exchange(m_fitsOnce, false)) set(shown.look.range);
+    if (view().isCurrent() && !m_compare.difference().showing().busy() && std::exchange(m_fitsOnce, false))
+        set(shown.look.range);
 }
 
 void RangeChoice::write(lessons::BufferShown& state) const {

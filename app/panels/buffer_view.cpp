@@ -105,7 +105,7 @@ void BufferView::observeWork() {
         const bool busy = m_showing.busy() || m_canvas->isPainting() ||
                           std::ranges::any_of(m_features.all, [](const BufferFeature* f) { return f->busy(); });
         work.setBusy(this, busy);
-        m_working->setWorking(m_document.frames().busy() || busy || compare().waitsForB());
+        m_working->setWorking(m_document.frames().busy() || busy || compare().other().busy());
         m_working->setStopped(work.isStopped(this) || work.isStopped(&compare()) ||
                               work.isStopped(&m_document.frames()));
     };

@@ -96,7 +96,7 @@ void StageDifferences::hideEvent(QHideEvent*) {
 
 void StageDifferences::start() {
     if (!isVisible()) return;
-    const pipeline::FramePtr &a = m_document.frames().shown(), &b = m_compare.otherFrame();
+    const pipeline::FramePtr &a = m_document.frames().shown(), &b = m_compare.other().frame();
     const QString other = m_compare.source() ? nameOf(*m_compare.source()) : QString();
     m_title->setText(tr("A against B, %1").arg(other));
     const bool isFile = m_compare.source() && m_compare.source()->kind == OtherSource::Kind::File;
@@ -119,11 +119,11 @@ void StageDifferences::start() {
 
 // A file holds one buffer: that of the view.
 void StageDifferences::startFile(const pipeline::FramePtr& frame) {
-    const auto& file = m_compare.otherFile();
+    const auto& file = m_compare.other().file();
     const bool isThere = file && frame->buffer(file->name);
     if (!isThere) {
         clear();
-        m_title->setText(file ? toQString(frame->whyAbsent(file->name)) : m_compare.why());
+        m_title->setText(file ? toQString(frame->whyAbsent(file->name)) : m_compare.other().why());
         return;
     }
     if (frame == m_a && file->owner == m_file) return;

@@ -1,4 +1,5 @@
 #include "app/panels/buffer_compare.h"
+#include "app/panels/compare_menu.h"
 
 #include <gtest/gtest.h>
 
@@ -62,7 +63,8 @@ struct BufferCompareTest : testing::Test {
         EXPECT_TRUE(found());
     }
     bool found() {
-        return QTest::qWaitFor([&] { return compare.found().has_value() && !document.frames().busy(); }, 10000);
+        return QTest::qWaitFor([&] { return compare.difference().found().has_value() && !document.frames().busy(); },
+                               10000);
     }
     app::BufferCanvas& canvas() { return *view.canvas(); }
 };
@@ -73,12 +75,12 @@ constexpr double kPhong = double(pipeline::Shading::Phong);
 
 TEST_F(BufferCompareTest, TheFrameOfBIsGivenUpAndGoneOnWith) {
     compare.compareWith(setting("shading", kPhong));
-    ASSERT_TRUE(compare.waitsForB());
+    ASSERT_TRUE(compare.other().busy());
     document.work().cancel();
     EXPECT_TRUE(document.work().stopped().contains("the B of a comparison"));
-    EXPECT_FALSE(compare.waitsForB());
+    EXPECT_FALSE(compare.other().busy());
     QTest::qWait(300);
-    EXPECT_FALSE(compare.otherFrame());
+    EXPECT_FALSE(compare.other().frame());
     const auto said = compare.bar()->findChildren<QLabel*>();
     EXPECT_TRUE(std::ranges::any_of(said, [](const QLabel* label) { return label->text() == "B was stopped."; }));
     document.work().resume();
@@ -108,7 +110,7 @@ TEST_F(BufferCompareTest, AnotherPipelineDiffersByWhatTwoFramesDiffer) {
             ASSERT_EQ(view.shown()->buffer.value(x, y), largest) << x << ", " << y;
         }
     EXPECT_GT(differing, 100u);
-    EXPECT_EQ(compare.found()->differing, differing);
+    EXPECT_EQ(compare.difference().found()->differing, differing);
     EXPECT_TRUE(isDifference(*view.shown()->buffer.info));
 }
 
@@ -129,7 +131,7 @@ TEST_F(BufferCompareTest, LuminanceIsComparedWithLuminance) {
     double largest = 0;
     for (std::size_t i = 0; i < a.count(); ++i) largest = std::max(largest, std::abs(a.flat(i) - b.flat(i)));
     ASSERT_GT(largest, 0);
-    EXPECT_EQ(std::abs(compare.found()->largest), largest);
+    EXPECT_EQ(std::abs(compare.difference().found()->largest), largest);
     QSignalSpy again(&compare, &app::BufferCompare::changed);
     QTest::qWait(200);
     EXPECT_EQ(again.count(), 0);
@@ -139,9 +141,9 @@ TEST_F(BufferCompareTest, TheWorstPixelIsPicked) {
     compareWith(setting("shading", kPhong));
     compare.goToWorst();
     ASSERT_TRUE(document.pointing().pixel());
-    const auto& values = compare.found()->values;
+    const auto& values = compare.difference().found()->values;
     const auto at = *document.pointing().pixel();
-    EXPECT_EQ(std::abs(values.value(std::size_t(at.x), std::size_t(at.y))), compare.found()->largest);
+    EXPECT_EQ(std::abs(values.value(std::size_t(at.x), std::size_t(at.y))), compare.difference().found()->largest);
 }
 
 TEST_F(BufferCompareTest, ShiftShowsBWhileItIsHeld) {
@@ -170,7 +172,7 @@ TEST_F(BufferCompareTest, TheWipeFollowsItsHandle) {
 // Whoever chooses B in a menu goes on with T, W and D, wherever the keys were before.
 TEST_F(BufferCompareTest, TheViewTakesTheKeysWhenBIsChosen) {
     QMenu menu;
-    compare.fillMenu(menu, view.buffer());
+    app::fillCompareMenu(menu, compare, document, view.buffer());
     const auto inMenus = menu.findChildren<QAction*>() + menu.actions();
     const auto action = std::ranges::find_if(inMenus, [](const QAction* one) {
         return !one->menu() && !one->isSeparator() && one->isEnabled() && one->isCheckable();
@@ -190,15 +192,16 @@ TEST_F(BufferCompareTest, BBeforeTheLastChangeIsTheFrameOfTheSceneBefore) {
     ASSERT_TRUE(QTest::qWaitFor([&] { return !document.frames().busy(); }, 10000));
     compareWith({.kind = Kind::Before});
     const auto before = *test::frameOf(ball(pipeline::Shading::Gouraud))->buffer({BufferId::Color});
-    const auto shown = *compare.otherFrame()->buffer({BufferId::Color});
+    const auto shown = *compare.other().frame()->buffer({BufferId::Color});
     for (std::size_t i = 0; i < before.count(); ++i) ASSERT_EQ(shown.flat(i), before.flat(i));
-    EXPECT_GT(compare.found()->differing, 0u);
+    EXPECT_GT(compare.difference().found()->differing, 0u);
 }
 
 TEST_F(BufferCompareTest, BFollowsWhenTheSceneChanges) {
     compareWith(setting("shading", kPhong));
     document.change(*findSetting(document.scene(), "shading"), kPhong);  // now A is the same
-    EXPECT_TRUE(QTest::qWaitFor([&] { return compare.found() && compare.found()->differing == 0; }, 10000));
+    EXPECT_TRUE(QTest::qWaitFor(
+        [&] { return compare.difference().found() && compare.difference().found()->differing == 0; }, 10000));
 }
 
 TEST_F(BufferCompareTest, AnExportedArrayIsTheSameAsItsBuffer) {
@@ -207,7 +210,7 @@ TEST_F(BufferCompareTest, AnExportedArrayIsTheSameAsItsBuffer) {
     const auto color = *document.frames().shown()->buffer({BufferId::Color});
     ASSERT_TRUE(pipeline::writeNpy({color, statistics(color), {}}, file));
     compareWith({.kind = Kind::File, .file = folder.filePath("color.npy")});
-    EXPECT_EQ(compare.found()->differing, 0u);
+    EXPECT_EQ(compare.difference().found()->differing, 0u);
 }
 
 TEST_F(BufferCompareTest, AnExportedExrIsTheSameAsItsBuffer) {
@@ -234,7 +237,7 @@ TEST_F(BufferCompareTest, AnExportedExrIsTheSameAsItsBuffer) {
     EXPECT_NE(format(broken.errors().front()).find("broken.exr"), std::string::npos);
     ASSERT_TRUE(pipeline::writeExr({color, statistics(color), {}}, folder.filePath("color.exr").toStdString()));
     compareWith({.kind = Kind::File, .file = folder.filePath("color.exr")});
-    EXPECT_EQ(compare.found()->differing, 0u);
+    EXPECT_EQ(compare.difference().found()->differing, 0u);
 }
 
 TEST_F(BufferCompareTest, AFileThatIsNoArrayIsRefusedWithItsName) {
@@ -298,15 +301,15 @@ TEST_F(BufferCompareTest, AnotherTessellationComesToAnEnd) {
     scene.objects[0].transform.scale = pipeline::Vec3d(150);
     document.setScene(scene);
     compareWith(setting("object.0.tessellation", 8));
-    EXPECT_TRUE(QTest::qWaitFor([&] { return !compare.waitsForB(); }, 10000));
-    EXPECT_GT(compare.found()->differing, 0u);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !compare.other().busy(); }, 10000));
+    EXPECT_GT(compare.difference().found()->differing, 0u);
     // Nor is it made anew for a change that leaves it as it is.
-    const pipeline::FramePtr before = compare.otherFrame();
+    const pipeline::FramePtr before = compare.other().frame();
     scene.lights[0].intensity = 60;
     document.replace(scene, "darker");
-    EXPECT_TRUE(
-        QTest::qWaitFor([&] { return found() && !compare.waitsForB() && compare.otherFrame() != before; }, 10000));
-    EXPECT_EQ(compare.otherFrame()->scene().objects[0].mesh, before->scene().objects[0].mesh);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return found() && !compare.other().busy() && compare.other().frame() != before; },
+                                10000));
+    EXPECT_EQ(compare.other().frame()->scene().objects[0].mesh, before->scene().objects[0].mesh);
 }
 
 TEST_F(BufferCompareTest, AFileIsListedByStageWithTheOneBufferThatItHas) {

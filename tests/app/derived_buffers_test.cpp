@@ -150,7 +150,7 @@ TEST_F(DerivedBuffersTest, TheMixStandsAgainstTheFrameBuffer) {
     ASSERT_TRUE(shows(kMix));
     view.compare().compareWith(
         app::OtherSource{.kind = app::OtherSource::Kind::Buffer, .buffer = BufferName{BufferId::Color}});
-    ASSERT_TRUE(QTest::qWaitFor([&] { return view.compare().found().has_value(); }, 10000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return view.compare().difference().found().has_value(); }, 10000));
     const auto color = of({BufferId::Color});
     std::size_t differ = 0;
     const auto& mixed = view.shown()->buffer;
@@ -161,7 +161,7 @@ TEST_F(DerivedBuffersTest, TheMixStandsAgainstTheFrameBuffer) {
         differ += !same;
     }
     EXPECT_GT(differ, 0u);
-    EXPECT_EQ(view.compare().found()->differing, differ);
+    EXPECT_EQ(view.compare().difference().found()->differing, differ);
 }
 
 // Two views, the frame buffer and the mix: the first one shows what the frame buffer holds.
@@ -190,8 +190,9 @@ TEST_F(DerivedBuffersTest, IsComparedWithTheSceneBefore) {
     ASSERT_TRUE(shows(kVerdicts));
     document.change(*pipeline::findSetting(document.scene(), "shadow.bias_value"), 50);
     view.compare().compareWith(app::OtherSource{.kind = app::OtherSource::Kind::Before});
-    ASSERT_TRUE(
-        QTest::qWaitFor([&] { return view.compare().found() && view.compare().found()->differing > 100; }, 30000))
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] { return view.compare().difference().found() && view.compare().difference().found()->differing > 100; },
+        30000))
         << "a bias larger than the scene turns acne and shadows into light";
 }
 

@@ -156,7 +156,7 @@ TEST(ShowJob, AAndBOfAComparisonAreOfOneFrame) {
     document.setScene(test::manyPolygons());
     view.compare().compareWith(OtherSource{.kind = OtherSource::Kind::Buffer, .buffer = kOther});
     view.compare().setMode(app::CompareMode::B);
-    const auto comparing = [&] { return !document.frames().busy() && view.compare().found().has_value(); };
+    const auto comparing = [&] { return !document.frames().busy() && view.compare().difference().found().has_value(); };
     ASSERT_TRUE(QTest::qWaitFor(comparing, 20000));
     int seen = 0;
     for (int i = 1; i <= 20; ++i) {
@@ -175,10 +175,10 @@ TEST(ShowJob, AAndBOfAComparisonAreOfOneFrame) {
     EXPECT_GT(seen, 0);
     // What was found about this B is not told of the next.
     view.compare().compareWith(OtherSource{.kind = OtherSource::Kind::Buffer, .buffer = {BufferId::Depth}});
-    EXPECT_FALSE(view.compare().found());
+    EXPECT_FALSE(view.compare().difference().found());
     ASSERT_TRUE(QTest::qWaitFor(comparing, 20000));
     const auto depth = *document.frames().shown()->buffer({BufferId::Depth});
-    EXPECT_EQ(view.compare().found()->values.count(), depth.count());
+    EXPECT_EQ(view.compare().difference().found()->values.count(), depth.count());
 }
 
 TEST_F(DepthView, TheDifferenceOfALargeFrameIsShownWithItsFittingRange) {
@@ -186,14 +186,17 @@ TEST_F(DepthView, TheDifferenceOfALargeFrameIsShownWithItsFittingRange) {
     view.compare().compareWith(OtherSource{.kind = OtherSource::Kind::Buffer, .buffer = {BufferId::Depth}});
     view.compare().setMode(app::CompareMode::Difference);
     const auto showsDifference = [&] { return view.shown() && isDifference(*view.shown()->buffer.info); };
-    ASSERT_TRUE(QTest::qWaitFor([&] { return showsDifference() && !view.compare().busy(); }, 20000));
-    EXPECT_EQ(view.shown()->numbers.max, view.compare().found()->largest) << "z_view - depth is nowhere negative";
+    ASSERT_TRUE(
+        QTest::qWaitFor([&] { return showsDifference() && !view.compare().difference().showing().busy(); }, 20000));
+    EXPECT_EQ(view.shown()->numbers.max, view.compare().difference().found()->largest)
+        << "z_view - depth is nowhere negative";
     const auto whole = view.shown()->look.range;
     view.features().range->set({1, 2});
     ASSERT_TRUE(QTest::qWaitFor([&] { return view.shown()->look.range == pipeline::PaletteRange{1, 2}; }, 10000));
     view.features().range->fit(false);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return view.compare().range() && view.shown()->look.range == whole; }, 10000));
-    EXPECT_EQ(*view.compare().range(), whole);
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] { return view.compare().difference().range() && view.shown()->look.range == whole; }, 10000));
+    EXPECT_EQ(*view.compare().difference().range(), whole);
     view.compare().setMode(app::CompareMode::A);
     EXPECT_FALSE(showsDifference());
 }
@@ -215,10 +218,10 @@ TEST_F(DepthView, TheWorstPixelOfALargeFrameIsPickedOnceItIsFound) {
     scene.settings.width = 1280, scene.settings.height = 960;
     document.setScene(scene);
     view.compare().compareWith(OtherSource{.kind = OtherSource::Kind::Buffer, .buffer = {BufferId::Overdraw}});
-    ASSERT_FALSE(view.compare().found());
+    ASSERT_FALSE(view.compare().difference().found());
     view.compare().goToWorst();
     ASSERT_TRUE(QTest::qWaitFor([&] { return document.pointing().pixel().has_value(); }, 20000));
-    const auto& found = *view.compare().found();
+    const auto& found = *view.compare().difference().found();
     const auto columns = found.values.columns();
     EXPECT_EQ(*document.pointing().pixel(), glm::ivec2(*found.worst % columns, *found.worst / columns));
 }

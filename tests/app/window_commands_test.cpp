@@ -113,7 +113,7 @@ TEST_F(WindowCommands, AllValuesOfASettingStandSideBySide) {
     EXPECT_TRUE(window.views().isLinked());
     QStringList names;
     for (BufferView* view : window.views().shownBuffers()) {
-        EXPECT_TRUE(QTest::qWaitFor([&] { return view->compare().found().has_value(); }, 20000));
+        EXPECT_TRUE(QTest::qWaitFor([&] { return view->compare().difference().found().has_value(); }, 20000));
         names << view->canvas()->wipe().nameB;
         EXPECT_EQ(view->canvas()->zoom(), window.views().first().canvas()->zoom());
         EXPECT_EQ(view->canvas()->height(), window.views().first().canvas()->height()) << "at the same height";

@@ -66,7 +66,7 @@ TEST_F(WindowOpen, TheFirstCardOpensFourAlignedPictures) {
     EXPECT_EQ(window.views().withoutRoom(), 0u);
     QStringList names;
     for (BufferView* view : views) {
-        EXPECT_TRUE(QTest::qWaitFor([&] { return view->compare().found().has_value(); }, 20000));
+        EXPECT_TRUE(QTest::qWaitFor([&] { return view->compare().difference().found().has_value(); }, 20000));
         EXPECT_EQ(view->canvas()->height(), views[0]->canvas()->height());
         EXPECT_EQ(view->canvas()->zoom(), views[0]->canvas()->zoom());
         names += view->canvas()->wipe().nameB;
@@ -74,8 +74,8 @@ TEST_F(WindowOpen, TheFirstCardOpensFourAlignedPictures) {
     EXPECT_TRUE(names[0].contains("No hidden surface removal") && names[1].contains("Back-face culling") &&
                 names[2].contains("flat") && names[3].contains("Phong"))
         << names.join("; ").toStdString();
-    EXPECT_EQ(views[3]->compare().found()->differing, 0u) << "the last one is the scene itself";
-    EXPECT_GT(views[0]->compare().found()->differing, 0u);
+    EXPECT_EQ(views[3]->compare().difference().found()->differing, 0u) << "the last one is the scene itself";
+    EXPECT_GT(views[0]->compare().difference().found()->differing, 0u);
 }
 
 TEST_F(WindowOpen, TheSecondLecturesFirstCardOpensTheTermsAndTheirSum) {

@@ -54,8 +54,8 @@ TEST_F(WindowRenderer, ADroppedFolderIsComparedAndShownInAllViews) {
     // The first shows mine, the second the reference.
     EXPECT_EQ(views[0]->compare().mode(), CompareMode::B);
     EXPECT_EQ(views[1]->compare().mode(), CompareMode::A);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return views[0]->compare().found().has_value(); }, 30000));
-    EXPECT_GT(views[0]->compare().found()->differing, 0u);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return views[0]->compare().difference().found().has_value(); }, 30000));
+    EXPECT_GT(views[0]->compare().difference().found()->differing, 0u);
 
     document().renderer().close();
     EXPECT_EQ(window.views().arrangement(), before);

@@ -156,7 +156,8 @@ TEST_F(WindowSlide, AComparisonIsPicturedAsItIsSeen) {
     const QImage a = picture(request);
     view.compare().compareWith(
         OtherSource{.kind = OtherSource::Kind::Buffer, .buffer = {pipeline::BufferId::PolygonId}});
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !view.compare().busy() && !document().frames().busy(); }, 10000));
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] { return !view.compare().difference().showing().busy() && !document().frames().busy(); }, 10000));
     view.compare().setMode(CompareMode::A);
     QTest::qWait(50);
     EXPECT_EQ(picture(request), a) << "A alone is seen";

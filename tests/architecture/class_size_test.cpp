@@ -32,7 +32,6 @@ const std::map<std::string, ClassSize>& largerThanMost() {
         {"app/desktop/slide_dialog.h SlideDialog", {12, 19}},
         {"app/desktop/view_area.h ViewArea", {59, 18}},
         {"app/panels/buffer_canvas.h BufferCanvas", {69, 17}},
-        {"app/panels/buffer_compare.h BufferCompare", {45, 28}},
         {"app/panels/buffer_header.h BufferHeader", {20, 16}},
         {"app/panels/buffer_view.h BufferView", {33, 15}},
         {"app/panels/check_panel.h CheckPanel", {24, 23}},
