@@ -19,6 +19,7 @@
 #include "app/panels/buffer_compare.h"
 #include "app/panels/buffer_overlays.h"
 #include "app/panels/buffer_view.h"
+#include "app/panels/compare_menu.h"
 #include "app/panels/lesson_panel.h"
 #include "app/panels/lesson_shelf.h"
 #include "app/view3d/view3d_panel.h"
@@ -177,7 +178,7 @@ void PaletteCommands::addViewCommands(std::vector<PaletteEntry>& all) {
                        tr("overlays")});
     delete m_compareMenu;
     m_compareMenu = new QMenu(&m_window);
-    view.compare().fillMenu(*m_compareMenu, view.buffer());
+    fillCompareMenu(*m_compareMenu, view.compare(), m_document, view.buffer());
     addMenu(all, *m_compareMenu, tr("Compare with"));
     const QString noB = view.compare().source() ? QString() : tr("Choose what to compare with first.");
     for (const auto& [name, mode] : {std::pair(tr("Wipe between A and B"), CompareMode::Wipe),

@@ -256,7 +256,7 @@ int main(int argc, char** argv) {
         if (!window.openFile(QString::fromStdString(scene.file.string()))) continue;
         settle(window);
         const double opened = double(opening.nsecsElapsed()) / 1e6;
-        for (const auto [width, height] : {std::pair(640, 480), {1280, 720}}) {
+        for (const auto& [width, height] : {std::pair(640, 480), std::pair(1280, 720)}) {
             pipeline::Scene sized = window.document().scene();
             sized.settings.width = width, sized.settings.height = height;
             window.document().replace(sized, "size");
