@@ -5,13 +5,17 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "app/panels/elided_label.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/stage_strip.h"
 
 namespace app {
 
 TopBar::TopBar(Document& document, QWidget* parent)
-    : QWidget(parent), m_menus(new QMenuBar(this)), m_title(new QLabel(this)), m_strip(new StageStrip(document, this)) {
+    : QWidget(parent),
+      m_menus(new QMenuBar(this)),
+      m_title(new ElidedLabel(this)),
+      m_strip(new StageStrip(document, this)) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);

@@ -13,7 +13,6 @@ namespace app {
 
 using pipeline::BufferName;
 using pipeline::Domain;
-using pipeline::FramePtr;
 using Kind = OtherSource::Kind;
 
 BufferCompare::BufferCompare(Document& document, BufferCanvas* canvas, QWidget* window)
@@ -27,7 +26,6 @@ BufferCompare::BufferCompare(Document& document, BufferCanvas* canvas, QWidget* 
     m_bar->hide();
     connect(&m_sides, &SideSwitch::turned, this, [this] { m_canvas->setWipe(wipe()); });
     connect(m_canvas, &BufferCanvas::wiped, &m_sides, &SideSwitch::setShare);
-    observe();
     connect(m_bar, &CompareBar::offerTaken, this, [this] {
         DifferenceJob& job = m_difference.job();
         job.wasCancelled() ? job.retry() : job.cancel();
@@ -39,9 +37,7 @@ BufferCompare::BufferCompare(Document& document, BufferCanvas* canvas, QWidget* 
     connect(m_bar, &CompareBar::worstChosen, this, &BufferCompare::goToWorst);
     connect(m_bar, &CompareBar::stagesChosen, this, &BufferCompare::stagesChosen);
     connect(m_bar, &CompareBar::closed, this, [this] { compareWith(std::nullopt); });
-}
 
-void BufferCompare::observe() {
     connect(this, &BufferCompare::changed, &m_other, &OtherSide::tellWork);
     connect(&m_other, &OtherSide::changed, this, &BufferCompare::changed);
     connect(&m_other, &OtherSide::workChanged, this, &BufferCompare::busyChanged);
@@ -129,12 +125,18 @@ ShownBuffer BufferCompare::show(const ShowAnswer& answer) {
     tell();
     if (m_difference.found() && m_goesToWorst)
         QMetaObject::invokeMethod(this, &BufferCompare::goToWorst, Qt::QueuedConnection);
-    if (const auto difference = shownDifference(answer.request.frame)) {
+    std::shared_ptr<const ShowAnswer> difference;  // null where none is to be seen, or none has come yet
+    if (showsDifference() && !m_sides.isHeld())
+        difference = m_difference.picture(answer.request.frame);
+    else
+        m_difference.forgetPicture();
+    if (difference) {
         ShownBuffer shown = difference->shown;
         shown.notice.clear();
         shown.empty.clear();
+        const QString sides = m_bar->isBare() ? tr("A  %1,  B  %2") : QStringLiteral("%1,  %2");
         Wipe names;
-        names.nameA = differenceName();
+        names.nameA = m_difference.formula() + ",  " + sides.arg(m_nameA, m_nameB);
         m_canvas->setOther({}, names);
         return shown;
     }
@@ -143,12 +145,6 @@ ShownBuffer BufferCompare::show(const ShowAnswer& answer) {
     else
         m_canvas->setOther({}, wipe());
     return a;
-}
-
-std::shared_ptr<const ShowAnswer> BufferCompare::shownDifference(const FramePtr& frame) {
-    if (showsDifference() && !m_sides.isHeld()) return m_difference.picture(frame);
-    m_difference.forgetPicture();
-    return {};
 }
 
 Wipe BufferCompare::wipe() const {
@@ -181,11 +177,6 @@ void BufferCompare::nameDifference(const OtherSource& source, const pipeline::Sc
     };
     m_nameA += ", " + valueIn(a);
     if (source.kind == Kind::Before) m_nameB += ", " + valueIn(b);
-}
-
-QString BufferCompare::differenceName() const {
-    const QString sides = m_bar->isBare() ? tr("A  %1,  B  %2") : QStringLiteral("%1,  %2");
-    return m_difference.formula() + ",  " + sides.arg(m_nameA, m_nameB);
 }
 
 void BufferCompare::tell() {

@@ -52,13 +52,9 @@ signals:
     void stagesChosen();
 
 private:
-    void observe();
     std::optional<OtherSource> current() const;  // what is held wins
     void nameSides(const OtherSource& source, const ShowAnswer& answer, const ShownOther* other);
     void nameDifference(const OtherSource& source, const pipeline::Scene& a, const pipeline::Scene& b);
-    QString differenceName() const;
-    // Null where none is to be seen, or none has come yet.
-    std::shared_ptr<const ShowAnswer> shownDifference(const pipeline::FramePtr& frame);
     Wipe wipe() const;
     void tell();
 

@@ -24,13 +24,10 @@ constexpr const char* kColors[]{"red", "green", "blue"};
 
 bool isPlain(const Formula& f) { return f.kind == Formula::Kind::Text && f.refers.empty(); }
 
-// Adds the factors of a product of numbers, a point between each two.
+// Adds the factors of a product of numbers, a point between each two; finish() adds the last ones.
 class NumberRow {
 public:
     explicit NumberRow(std::vector<Formula>& parts) : m_parts(parts) {}
-    ~NumberRow() { flush(); }
-    NumberRow(const NumberRow&) = delete;
-    NumberRow& operator=(const NumberRow&) = delete;
     void add(Formula factor) {
         if (!m_isFirst) m_plain += "·";
         m_isFirst = false;
@@ -38,7 +35,7 @@ public:
             m_plain += factor.text;
             return;
         }
-        flush();
+        finish();
         m_parts.push_back(std::move(factor));
     }
     // A factor that a clamp set to 0.
@@ -47,11 +44,12 @@ public:
         m_parts.push_back(text("0"));
     }
 
-private:
-    void flush() {
+    void finish() {
         if (!m_plain.empty()) m_parts.push_back(text(std::move(m_plain)));
         m_plain.clear();
     }
+
+private:
     std::vector<Formula>& m_parts;
     std::string m_plain;
     bool m_isFirst = true;
@@ -290,6 +288,7 @@ void EquationTerms::appendNumbers(Factors product, const Evaluation& e, const Li
             numbers.add(isSum(factor) ? between("(", std::move(own), ")") : std::move(own));
         }
     }
+    numbers.finish();
 }
 
 void EquationTerms::symbols(std::vector<Formula>& parts) const {

@@ -8,6 +8,7 @@
 
 #include <map>
 #include <mutex>
+#include <new>
 #include <optional>
 #include <utility>
 
@@ -29,9 +30,12 @@ public:
         free().erase(found);
         return arena;
     }
-    static void giveBack(int count, Arena arena) {
+    static void giveBack(int count, Arena arena) noexcept {
         const std::scoped_lock lock(s_mutex);
-        free().emplace(count, std::move(arena));
+        try {
+            free().emplace(count, std::move(arena));
+        } catch (const std::bad_alloc&) {  // the next frame makes another one
+        }
     }
 
 private:

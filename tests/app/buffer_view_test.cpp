@@ -63,23 +63,6 @@ constexpr QPoint kBackground{5, 5};
 
 }  // namespace
 
-// While a slider moves they may be of a frame before; the hand rests with the button down, and nothing else happens.
-TEST_F(BufferViewTest, CountsAreThoseOfThePictureOnceTheHandRests) {
-    const auto theta = *findSetting(document.scene(), "camera.theta");
-    for (int i = 1; i <= 12; ++i) {
-        document.change(theta, 45 + 3 * i, Document::Change::Live);
-        ASSERT_TRUE(QTest::qWaitFor([&] { return view.frame()->sharedScene() == document.sharedScene(); }, 10000));
-    }
-    // A pixel's bin is the 64th of the scale in which its value lies; the greatest value lies in the last.
-    const auto z = buffer();
-    std::vector<int> expected(64, 0);
-    const auto& scale = view.shown()->scale;
-    for (std::size_t i = 0; i < z.count(); ++i)
-        if (const double value = z.flat(i); std::isfinite(value))
-            ++expected[std::size_t(std::min(63.0, 64 * (value - scale.low) / (scale.high - scale.low)))];
-    EXPECT_TRUE(QTest::qWaitFor([&] { return view.shown()->counts->histogram == expected; }, 10000));
-}
-
 TEST_F(BufferViewTest, EveryPixelHasTheColourThatAnExportGivesIt) {
     const auto z = buffer();
     const auto range = fittingRange(z, statistics(z), pipeline::DepthFormat::Linear);

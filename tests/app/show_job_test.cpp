@@ -5,6 +5,7 @@
 
 #include <QTest>
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "app/core/large_frame.h"
@@ -145,6 +146,25 @@ TEST_F(DepthView, AViewShowsOneFrameInAllThatItSays) {
     }
     ASSERT_TRUE(QTest::qWaitFor([&] { return !document.frames().busy() && shows(document.frames().shown()); }, 20000));
     EXPECT_TRUE(QTest::qWaitFor([&] { return counted(*view.shown()) == view.shown()->scale.histogram; }, 10000));
+}
+
+// While a slider moves they may be of a frame before; the hand rests with the button down, and nothing else happens.
+TEST_F(DepthView, CountsAreThoseOfThePictureOnceTheHandRests) {
+    document.setScene(test::pyramid());
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !document.frames().busy() && view.shown().has_value(); }, 20000));
+    const auto theta = *findSetting(document.scene(), "camera.theta");
+    for (int i = 1; i <= 12; ++i) {
+        document.change(theta, 45 + 3 * i, Document::Change::Live);
+        ASSERT_TRUE(QTest::qWaitFor([&] { return view.frame()->sharedScene() == document.sharedScene(); }, 10000));
+    }
+    // A pixel's bin is the 64th of the scale in which its value lies; the greatest value lies in the last.
+    const auto z = *document.frames().shown()->buffer(kDepth);
+    std::vector<int> expected(64, 0);
+    const auto& scale = view.shown()->scale;
+    for (std::size_t i = 0; i < z.count(); ++i)
+        if (const double value = z.flat(i); std::isfinite(value))
+            ++expected[std::size_t(std::min(63.0, 64 * (value - scale.low) / (scale.high - scale.low)))];
+    EXPECT_TRUE(QTest::qWaitFor([&] { return view.shown()->counts->histogram == expected; }, 10000));
 }
 
 // Another buffer of the same frame: whatever frame A is of while a slider moves, B is of the same.

@@ -3,6 +3,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QMenuBar>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QScreen>
@@ -245,6 +246,23 @@ TEST_F(WindowLook, LargerTextIsLargerAndComesBack) {
     EXPECT_NEAR(Theme::current().scale(), before + 0.05, 1e-9);
     press("Ctrl+Shift+-");
     EXPECT_TRUE(QTest::qWaitFor([&] { return std::abs(Theme::current().scale() - before) < 1e-9; }));
+}
+
+// The scene's name gives way.
+TEST_F(WindowLook, WithLargeTextEveryMenuIsInReachOnASmallScreen) {
+    window.resize(1366, 768);
+    openPyramid();
+    find<QLabel>("title")->setText(QString(60, 'x'));
+    const double before = Theme::current().scale();
+    Theme::current().setScale(2);
+    QCoreApplication::processEvents();
+    const auto* menus = window.findChild<QMenuBar*>();
+    for (QAction* menu : menus->actions()) {
+        const QRect place = menus->actionGeometry(menu);
+        EXPECT_FALSE(place.isEmpty()) << menu->text().toStdString();
+        EXPECT_LE(place.right(), menus->width()) << menu->text().toStdString();
+    }
+    Theme::current().setScale(before);
 }
 
 // A theme and the letters' size change how panels look, not which are there.
