@@ -43,7 +43,7 @@ struct TriangleRange {
 };
 
 // Calls each(TriangleRange) for all triangles in their order, at least once, so that those of a fine mesh are not all set
-// up at the same time: a set-up triangle takes some 200 to 300 bytes.
+// up at the same time: one takes 168 bytes in float, 232 in double.
 template <class Each>
 void forTrianglesInParts(const Topology& topology, Each each) {
     constexpr std::size_t kMostAtOnce = 1 << 16;

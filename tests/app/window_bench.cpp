@@ -3,7 +3,7 @@
 // is one change until every view has painted it, a click one until the equation and the vectors are those of the pixel.
 // While a hand drags on, the next frame is computed as the one before is painted: frames a second are the median of the
 // times between two frames that the buffer view has painted, beside it the 95th percentile, and the frames a second of
-// the 3D view. Other work on the machine makes the times longer; the processor's time of the window's thread and of all
+// the 3D view. Other work on the machine makes the times longer; the CPU time of the window's thread and of all
 // threads for a frame of the drag, which it hardly changes, stands beside.
 #include <QApplication>
 #include <QElapsedTimer>
