@@ -19,6 +19,12 @@ constexpr glm::ivec2 pixelOf(std::size_t at) {
     return {block % kBlocksAcross * kBlock + place % kBlock, block / kBlocksAcross * kBlock + place / kBlock};
 }
 
+// The inverse of pixelOf.
+constexpr std::size_t placeOf(glm::ivec2 inTile) {
+    const glm::ivec2 block = inTile / kBlock, pixel = inTile % kBlock;
+    return std::size_t((block.y * kBlocksAcross + block.x) * kBlockPixels + pixel.y * kBlock + pixel.x);
+}
+
 template <class T>
 struct alignas(kBlockPixels * sizeof(T)) Block {
     T of[kBlockPixels];

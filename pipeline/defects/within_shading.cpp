@@ -1,6 +1,7 @@
 // Defects within stage 6, at its points, sums and frame buffer.
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "pipeline/core/elementary.h"
 #include "pipeline/core/numerics.h"
@@ -78,7 +79,10 @@ void spoilFrameBuffer(const Planted& planted, Vec3d intensity, double iMax, Colo
 template <class Real>
 void spoilLayers(const Planted& planted, std::vector<Layer<Real>>& layers) {
     if (planted.defect != Defect::Unsorted) return;
-    std::ranges::stable_sort(layers, {}, &Layer<Real>::triangle);  // by the order of the file
+    const auto inTheFile = [](const Layer<Real>& layer) {
+        return std::tuple(layer.pixel.y, layer.pixel.x, layer.triangle);
+    };
+    std::ranges::stable_sort(layers, {}, inTheFile);
 }
 
 #define SHADESCOPE_INSTANTIATE(Real)                                                                        \

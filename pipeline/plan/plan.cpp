@@ -6,6 +6,7 @@
 
 #include "pipeline/plan/plan_parts.h"
 #include "pipeline/simd/incidence.h"
+#include "pipeline/simd/model_kernels.h"
 
 namespace pipeline {
 
@@ -153,6 +154,8 @@ PlanPart incidenceOf(const ShadingInputs& inputs, glm::ivec2 picture, BufferSet 
     });
     if (inputs.shading != Shading::Phong || !inputs.parts[Part::ShadedInVectors]) {
         part.why = "Not kept for other materials: Phong shading in vectors of pixels alone keeps them.";
+    } else if (kernelOf(inputs.illumination.model) != Kernel::Power) {
+        part.why = "Not kept for other materials: models whose highlight is a power alone keep them.";
     } else if (inputs.samples > 1) {
         part.why = "Not kept for other materials: each of a pixel's samples has its own.";
     } else if (asked) {

@@ -1,5 +1,6 @@
 #pragma once
 #include <span>
+#include <type_traits>
 
 #include "pipeline/run/parallel.h"
 #include "pipeline/simd/cull.h"
@@ -85,6 +86,12 @@ inline ShadingCounts shadePixels(const ShadingInputs& inputs, const ShadingSourc
                                  ShadingOutput<float>& out) {
     return inputs.parts[Part::ShadedInVectors] ? shadePixelsInVectors(inputs, in, tile, out)
                                                : pipeline::shadePixels(inputs, in, tile, out);
+}
+template <class Real>
+ShadeLayers<Real> layerShader(const ShadingInputs& inputs) {
+    if constexpr (std::is_same_v<Real, float>)
+        if (inputs.parts[Part::ShadedInVectors]) return &shadeLayersInVectors;
+    return &pipeline::shadeLayers<Real>;
 }
 // A tile in which nothing was drawn. The scalar stage has cleared it before.
 template <class Real>

@@ -267,7 +267,8 @@ void shadePicture(const ShadingInputs& inputs, const ShadingSources<Real>& in, S
     if (!inputs.layers.drawn || threads.stopped()) return;
     const LayerBins<Real> layers = binLayers(inputs, in);
     threads.forRange(layers.order.size(), kTileGrain, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t tile = begin; tile < end; ++tile) counts.add(drawLayers(inputs, in, layers, tile, out));
+        for (std::size_t tile = begin; tile < end; ++tile)
+            counts.add(drawLayers(inputs, in, layers, tile, out, piece::layerShader<Real>(inputs)));
     });
 }
 

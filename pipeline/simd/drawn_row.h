@@ -6,6 +6,8 @@
 #define SHADESCOPE_DRAWN_ROW_H
 #endif
 
+#include <algorithm>
+
 #include "pipeline/buffers/block_buffer.h"
 #include "pipeline/simd/rows.h"
 #include "pipeline/stages/z_buffer.h"
@@ -13,13 +15,25 @@
 HWY_BEFORE_NAMESPACE();
 namespace pipeline::HWY_NAMESPACE {
 
-// A row of blocks as the scalar stage has drawn it; that stage keeps the weights.
+// At most one triangle in each pixel of a tile, in the order of its blocks; kNoTriangle in the others.
+struct DrawnTile {
+    std::uint32_t triangle[kTilePixels];
+    float weights[2][kTilePixels];  // perspective-correct, of vertices 1 and 2
+};
+
+// A row of blocks that no kernel has drawn: its weights are kept.
 struct DrawnRow {
     alignas(64) std::uint32_t triangle[kRowPixels];
-    Row weights[2];  // of vertices 1 and 2
+    Row weights[2];                   // of vertices 1 and 2
+    const DrawnTile* from = nullptr;  // null: from what the scalar stage has drawn
 
     // begin: the row's first pixel in the tile.
     void read(const ZBufferOutput<float>& z, Tile tile, std::size_t begin) {
+        if (from) {
+            std::copy_n(from->triangle + begin, kRowPixels, triangle);
+            for (int k = 0; k < 2; ++k) std::copy_n(from->weights[k] + begin, kRowPixels, weights[k].of);
+            return;
+        }
         for (std::size_t i = 0; i < kRowPixels; ++i) {
             const glm::ivec2 pixel = tile.min + pixelOf(begin + i);
             const bool inside = pixel.x < tile.max.x && pixel.y < tile.max.y;

@@ -1,19 +1,35 @@
 #pragma once
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <string>
 
 #include "pipeline/scene/model_facts.h"
 
 namespace pipeline {
 
-// The models that shadePixelsInVectors evaluates at pixels: only Phong's and Blinn's terms have SIMD code. For every
-// model it can gather the terms of polygons or vertices.
-inline constexpr std::array kKernelModels{Model::Phong, Model::BlinnPhong};
+// How shadePixelsInVectors evaluates the terms of a model at pixels.
+enum class Kernel : unsigned char {
+    Power,        // N·L, and a power of R·V or N·H: highlights.h
+    Microfacets,  // microfacets.h
+};
+struct ModelKernel {
+    Model model;
+    Kernel kernel;
+};
+// A model without a row has no SIMD code at pixels. For every model the terms of polygons or vertices can be gathered.
+inline constexpr std::array kModelKernels{ModelKernel{Model::Phong, Kernel::Power},
+                                          ModelKernel{Model::BlinnPhong, Kernel::Power},
+                                          ModelKernel{Model::CookTorrance, Kernel::Microfacets}};
+
+constexpr std::optional<Kernel> kernelOf(Model model) {
+    const auto* const row = std::ranges::find(kModelKernels, model, &ModelKernel::model);
+    return row == kModelKernels.end() ? std::nullopt : std::optional(row->kernel);
+}
 
 // The reason if pixels are not evaluated with SIMD; empty if they are.
 inline std::string whyNoKernel(Model model) {
-    if (std::ranges::find(kKernelModels, model) != kKernelModels.end()) return {};
+    if (kernelOf(model)) return {};
     return "In " + std::string(modelFacts(model).name) + " it shades by polygon or by vertex alone.";
 }
 

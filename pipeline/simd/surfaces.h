@@ -76,8 +76,9 @@ template <class A>
 class Surfaces {
 public:
     // biases: of the lights whose bias is constant over triangles. facing: whether others need the planes' normals.
+    // drawn: shows these triangles instead of the visible ones; null: the visible ones.
     Surfaces(const ShadingInputs& inputs, const ShadingSources<float>& in, Tile tile,
-             std::span<const PolygonBias> biases, bool facing)
+             std::span<const PolygonBias> biases, bool facing, const DrawnTile* drawn)
         : m_inputs(inputs),
           m_in(in),
           m_tile(tile),
@@ -87,7 +88,7 @@ public:
           m_positioned(inputs.parts[Part::Position]),
           m_tellsObjects(m_perPixel && inputs.materials.size() > 1),
           m_mirrors(in.transform.anyMirrored()) {
-        if (const SeenBlocks* seen = in.zBuffer.seen.get()) {
+        if (const SeenBlocks* seen = in.zBuffer.seen.get(); seen && !drawn) {
             m_index = tileAt(in.transform.view.size, tile);
             m_isDrawn = in.zBuffer.tileIsDrawn[m_index] != 0;
             m_drawnNames = numbersOf(seen->name.tile(m_index));
@@ -97,6 +98,7 @@ public:
             m_isFine = in.zBuffer.seenPixels < 4 * static_cast<long long>(seen->triangles);
             m_findsPlanes = !A::kExact && !m_positioned;  // else the weights, which give the normals too
         }
+        m_drawn.from = drawn;
         m_names.fill(kNoTriangle), m_bias.resize(kSlots * biases.size());
     }
     bool tellsObjects() const { return m_tellsObjects; }
@@ -375,9 +377,9 @@ private:
     std::span<const PolygonBias> m_biases;
     bool m_facing, m_perPixel, m_positioned, m_tellsObjects, m_mirrors, m_isDrawn = true;
     std::size_t m_index = 0;                      // of the tile
-    const std::uint32_t* m_drawnNames = nullptr;  // in the tile; null if the scalar stage drew it
-    std::optional<SeenIn> m_seenIn;               // null if the scalar stage drew it
-    DrawnRow m_drawn;                             // the row, if the scalar stage drew it
+    const std::uint32_t* m_drawnNames = nullptr;  // in the tile; null if no kernel drew it
+    std::optional<SeenIn> m_seenIn;               // null if no kernel drew it
+    DrawnRow m_drawn;                             // the row, if no kernel drew it
     // The surfaces that were used last: pixels beside each other mostly show the same few.
     static constexpr std::size_t kSlots = 128;
     std::array<std::uint32_t, kSlots> m_names;

@@ -1,7 +1,6 @@
 #include "pipeline/stages/translucent.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "pipeline/stages/painter.h"
 
@@ -64,6 +63,33 @@ LayerBins<Real> binLayers(const ShadingInputs& inputs, const ShadingSources<Real
     return out;
 }
 
+namespace {
+
+// The layers of each pixel side by side, in the order in which they were found; sorts: the farthest first.
+template <class Real>
+std::vector<Layer<Real>> pixelByPixel(const std::vector<Layer<Real>>& found, Tile tile, bool sorts) {
+    const glm::ivec2 size = tile.max - tile.min;
+    const auto placeIn = [&](const Layer<Real>& layer) {
+        const glm::ivec2 at = layer.pixel - tile.min;
+        return std::size_t(at.y) * std::size_t(size.x) + std::size_t(at.x);
+    };
+    // The end of each pixel's layers, then, as they are put there, their beginning.
+    std::vector<std::uint32_t> ends(std::size_t(size.x) * std::size_t(size.y), 0);
+    for (const Layer<Real>& layer : found) ++ends[placeIn(layer)];
+    for (std::size_t i = 1; i < ends.size(); ++i) ends[i] += ends[i - 1];
+    std::vector<Layer<Real>> ordered(found.size());
+    for (std::size_t i = found.size(); i > 0; --i) ordered[--ends[placeIn(found[i - 1])]] = found[i - 1];
+    if (!sorts) return ordered;
+    const auto isFarther = [](const Layer<Real>& a, const Layer<Real>& b) { return a.depth > b.depth; };
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+        const auto end = i + 1 < ends.size() ? ends[i + 1] : ordered.size();
+        if (end - ends[i] > 1) std::ranges::stable_sort(std::span(ordered).subspan(ends[i], end - ends[i]), isFarther);
+    }
+    return ordered;
+}
+
+}  // namespace
+
 template <class Real>
 std::optional<std::vector<Layer<Real>>> layersIn(const ShadingInputs& inputs, const ShadingSources<Real>& in,
                                                  const LayerBins<Real>& layers, std::span<const std::uint32_t> order,
@@ -88,91 +114,9 @@ std::optional<std::vector<Layer<Real>>> layersIn(const ShadingInputs& inputs, co
         });
         if (found.size() > limit) return {};
     }
-    if (layers.sorts)
-        std::ranges::stable_sort(found, [](const Layer<Real>& a, const Layer<Real>& b) { return a.depth > b.depth; });
+    found = pixelByPixel(found, tile, layers.sorts);
     if (inputs.planted) spoilLayers(inputs.planted, found);
     return found;
-}
-
-namespace {
-
-// What the layers of a tile's pixels come to.
-template <class Real>
-struct Composed {
-    glm::ivec2 origin;
-    Buffer2D<Vec3<Real>> added;
-    Buffer2D<Real> left;
-    Buffer2D<std::int32_t> count;
-};
-
-template <class Real>
-Composed<Real> compose(const ShadingInputs& inputs, const ShadingSources<Real>& in, Tile tile,
-                       const std::vector<Layer<Real>>& layers, const ShadingOutput<Real>& out, ShadingCounts& counts) {
-    const Topology& topology = *in.transform.topology;
-    const glm::ivec2 size = tile.max - tile.min;
-    Composed<Real> c{tile.min, {size, Vec3<Real>(0)}, {size, Real(1)}, {size, 0}};
-    ShadingScratch<Real> scratch(inputs);
-    for (const Layer<Real>& layer : layers) {
-        const std::uint32_t polygon = topology.polygonOf(layer.triangle);
-        const Real a =
-            Real(opacity(materialOf(inputs, topology.objectOfPolygon(polygon), showsBack(inputs, in, polygon))));
-        const Vec3<Real> intensity =
-            surfaceIntensity(inputs, in, out, layer.triangle, layer.barycentric, layer.pixel, scratch, counts);
-        const std::size_t at = c.count.offset(layer.pixel - tile.min);
-        c.added.pixels[at] = a * intensity + (1 - a) * c.added.pixels[at];
-        c.left.pixels[at] = (1 - a) * c.left.pixels[at];
-        ++c.count.pixels[at];
-    }
-    return c;
-}
-
-template <class Real>
-void layOver(const ShadingInputs& inputs, const Composed<Real>& c, ShadingOutput<Real>& out) {
-    auto& intensities = out.vectors[index(BufferId::Intensity)][0];
-    auto& added = out.vectors[index(BufferId::Translucent)];
-    auto& left = out.scalars[index(BufferId::Transmittance)];
-    for (int y = 0; y < c.count.size.y; ++y)
-        for (int x = 0; x < c.count.size.x; ++x) {
-            const std::size_t from = c.count.offset({x, y});
-            if (c.count.pixels[from] == 0) continue;
-            const std::size_t at = intensities.offset(c.origin + glm::ivec2(x, y));
-            Vec3<Real>& intensity = intensities.pixels[at];
-            intensity = c.left.pixels[from] * intensity + c.added.pixels[from];
-            out.color.pixels[at] = frameBufferValue(Vec3d(intensity), out.iMax, inputs.planted);
-            if (!added.empty()) added[0].pixels[at] = c.added.pixels[from];
-            if (!left.empty()) left[0].pixels[at] = c.left.pixels[from];
-            if (!out.layers.empty()) out.layers.pixels[at] = c.count.pixels[from];
-        }
-}
-
-template <class Real>
-void drawTile(const ShadingInputs& inputs, const ShadingSources<Real>& in, const LayerBins<Real>& layers,
-              std::span<const std::uint32_t> order, Tile tile, ShadingOutput<Real>& out, std::size_t limit,
-              ShadingCounts& counts) {
-    const glm::ivec2 size = tile.max - tile.min;
-    const bool single = size.x * size.y == 1;
-    const auto found =
-        layersIn(inputs, in, layers, order, tile, single ? std::numeric_limits<std::size_t>::max() : limit);
-    if (found) {
-        counts.layers += static_cast<long long>(found->size());
-        if (!found->empty()) layOver(inputs, compose(inputs, in, tile, *found, out, counts), out);
-        return;
-    }
-    Tile first = tile, second = tile;
-    const int axis = size.y > 1 ? 1 : 0;
-    first.max[axis] = second.min[axis] = tile.min[axis] + size[axis] / 2;
-    drawTile(inputs, in, layers, order, first, out, limit, counts);
-    drawTile(inputs, in, layers, order, second, out, limit, counts);
-}
-
-}  // namespace
-
-template <class Real>
-ShadingCounts drawLayers(const ShadingInputs& inputs, const ShadingSources<Real>& in, const LayerBins<Real>& layers,
-                         std::size_t tile, ShadingOutput<Real>& out, std::size_t limit) {
-    ShadingCounts counts;
-    drawTile<Real>(inputs, in, layers, layers.order[tile], layers.bins.tile(tile), out, limit, counts);
-    return counts;
 }
 
 #define SHADESCOPE_INSTANTIATE(Real)                                                                                  \
@@ -180,9 +124,7 @@ ShadingCounts drawLayers(const ShadingInputs& inputs, const ShadingSources<Real>
     template LayerBins<Real> binLayers(const ShadingInputs&, const ShadingSources<Real>&);                            \
     template std::optional<std::vector<Layer<Real>>> layersIn(const ShadingInputs&, const ShadingSources<Real>&,      \
                                                               const LayerBins<Real>&, std::span<const std::uint32_t>, \
-                                                              Tile, std::size_t);                                     \
-    template ShadingCounts drawLayers(const ShadingInputs&, const ShadingSources<Real>&, const LayerBins<Real>&,      \
-                                      std::size_t, ShadingOutput<Real>&, std::size_t);
+                                                              Tile, std::size_t);
 SHADESCOPE_FOR_EVERY_REAL(SHADESCOPE_INSTANTIATE)
 #undef SHADESCOPE_INSTANTIATE
 

@@ -43,7 +43,7 @@ struct LayerBins {
 template <class Real>
 LayerBins<Real> binLayers(const ShadingInputs& inputs, const ShadingSources<Real>& in);
 
-// The layers of a tile's pixels; those of one pixel in the order in which they are laid over it. `order` holds
+// The layers of a tile's pixels; those of one pixel side by side, in the order in which they are laid over it. `order` holds
 // indices into layers.bins.triangles. Nothing when there are more than `limit`.
 template <class Real>
 std::optional<std::vector<Layer<Real>>> layersIn(const ShadingInputs& inputs, const ShadingSources<Real>& in,
@@ -54,9 +54,23 @@ std::optional<std::vector<Layer<Real>>> layersIn(const ShadingInputs& inputs, co
 // by this, or by the layers of one pixel where those are more.
 inline constexpr std::size_t kLayersAtOnce = 1 << 18;
 
+template <class Real>
+Vec3<Real> layerIntensity(const ShadingInputs& inputs, const ShadingSources<Real>& in, const ShadingOutput<Real>& out,
+                          const Layer<Real>& layer, ShadingScratch<Real>& scratch, ShadingCounts& counts) {
+    return surfaceIntensity(inputs, in, out, layer.triangle, layer.barycentric, layer.pixel, scratch, counts);
+}
+// The intensity of each layer of a tile, as layersIn gives them.
+template <class Real>
+void shadeLayers(const ShadingInputs& inputs, const ShadingSources<Real>& in, Tile tile,
+                 std::span<const Layer<Real>> layers, ShadingOutput<Real>& out, std::span<Vec3<Real>> intensities,
+                 ShadingCounts& counts);
+template <class Real>
+using ShadeLayers = decltype(&shadeLayers<Real>);
+
 // Lays the layers of tile `tile` over what shadePixels has left in `out`. Returns what it did, for `counts`.
 template <class Real>
 ShadingCounts drawLayers(const ShadingInputs& inputs, const ShadingSources<Real>& in, const LayerBins<Real>& layers,
-                         std::size_t tile, ShadingOutput<Real>& out, std::size_t limit = kLayersAtOnce);
+                         std::size_t tile, ShadingOutput<Real>& out, ShadeLayers<Real> shade = &shadeLayers<Real>,
+                         std::size_t limit = kLayersAtOnce);
 
 }  // namespace pipeline

@@ -170,6 +170,27 @@ TEST(Algorithm, ATitleNamesTheModelThatItsLinesCompute) {
     }
 }
 
+// The step that lays translucent surfaces over the picture goes over every pixel; its lines show one with most of them.
+TEST(Algorithm, LayersAreShownAtAPixelThatHasMostOfThem) {
+    Scene scene = test::spheres();
+    scene.settings.cull = CullMode::None;
+    for (Object& object : scene.objects) object.material.alpha = 0.5;
+    const Steps steps(test::frameOf(scene, setOf({BufferId::Layers})));
+    const auto state = *steps.algorithmAt(momentAt(steps, "shading"));
+    const AlgorithmValue* at = nullptr;
+    for (const Visit& visit : state.walk.visits)
+        for (const AlgorithmValue& value : visit.values)
+            if (value.name == "x, y") at = &value;
+    ASSERT_NE(at, nullptr);
+    const auto layers = *test::frameOf(scene, setOf({BufferId::Layers}))->buffer({BufferId::Layers});
+    double most = 0;
+    for (int y = 0; y < scene.settings.height; ++y)
+        for (int x = 0; x < scene.settings.width; ++x)
+            most = std::max(most, layers.value(std::size_t(x), std::size_t(y)));
+    EXPECT_GT(most, 2);
+    EXPECT_EQ(layers.value(std::size_t(at->numbers[0]), std::size_t(at->numbers[1])), most);
+}
+
 TEST(Algorithm, IsWrittenAsTextWithTheLineMarkedAndAsLatex) {
     const Steps steps(test::frameOf(unculledPyramid()));
     const auto state = *steps.algorithmAt(momentAt(steps, "z-buffer/polygon=1/row=270/x=250/line=5"));

@@ -293,7 +293,7 @@ TEST(Translucent, TheLimitOfMemoryDoesNotChangeABit) {
             shadePolygons(inputs, in, 0, out.polygons.count(), out);
             shadeVertices(inputs, in, 0, out.vertices.count(), out);
             for (std::size_t tile = 0; tile < bins.order.size(); ++tile)
-                out.counts += drawLayers(inputs, in, bins, tile, out, limit);
+                out.counts += drawLayers(inputs, in, bins, tile, out, &shadeLayers<double>, limit);
             return out;
         };
         const auto all = drawn(kLayersAtOnce), one = drawn(1), few = drawn(100);
