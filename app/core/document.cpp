@@ -1,5 +1,6 @@
 #include "app/core/document.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <QFileInfo>
@@ -10,6 +11,7 @@
 #include "app/core/renderer_check.h"
 #include "app/core/shown_name.h"
 #include "app/core/stage_status.h"
+#include "app/core/text.h"
 #include "app/core/write_file.h"
 #include "pipeline/core/text.h"
 #include "pipeline/formats/toml_writer.h"
@@ -168,16 +170,26 @@ void Document::showStage(StageId stage) {
     m_stage = stage;
     m_stepper.setStage(stage);
     emit stageChanged();
-    emit said(
-        QString::fromStdString(std::string(stageInfo(stage).label) + ": " + std::string(stageInfo(stage).summary)));
+    const pipeline::FramePtr& frame = m_frames.whole();
+    const pipeline::PlanStep* plan = frame ? &frame->plan()[index(stage)] : nullptr;
+    // A question may ask for the reason.
+    const bool tellsWhy = plan && plan->action == pipeline::Action::LeaveOut && m_hidden.count() == 0;
+    const QString label = toQString(stageInfo(stage).label);
+    emit said(tellsWhy ? tr("%1, left out: %2").arg(label, toQString(plan->why))
+                       : tr("%1: %2").arg(label, toQString(stageInfo(stage).summary)));
+}
+
+// Every view shows the moment. After the last stage that is the whole frame.
+static void goToEndOf(StageId stage, Stepper& stepper) {
+    stage == StageId::Shading ? stepper.toLast() : stepper.goTo(pipeline::Place{stage});
 }
 
 void Document::nextStage() {
-    if (index(m_stage) + 1 < pipeline::kStageCount) setStage(pipeline::kStages[index(m_stage) + 1]);
+    goToEndOf(pipeline::kStages[std::min(index(m_stage) + 1, pipeline::kStageCount - 1)], m_stepper);
 }
 
 void Document::previousStage() {
-    if (index(m_stage) > 0) setStage(pipeline::kStages[index(m_stage) - 1]);
+    if (index(m_stage) > 0) goToEndOf(pipeline::kStages[index(m_stage) - 1], m_stepper);
 }
 
 }  // namespace app

@@ -26,7 +26,9 @@ BufferName mainBuffer(StageId stage, const pipeline::Scene& scene) {
 }
 
 BufferName mainBufferInside(StageId stage, const pipeline::Scene& scene) {
-    if (stage == StageId::Normals) return {BufferId::PolygonsNormal};
+    // A scene without lights has no shadow buffer: what the stage before it has computed.
+    if (stage == StageId::Normals || (stage == StageId::ShadowBuffer && scene.lights.empty()))
+        return {BufferId::PolygonsNormal};
     return mainBuffer(stage, scene);
 }
 

@@ -71,7 +71,17 @@ std::optional<Moment> Stepper::moment() const {
     return m_steps->momentOf(m_place.value_or(Place{m_stage}));
 }
 
+bool Stepper::isLeftOut() const { return isInside() && m_steps && !m_steps->runs(m_place->stage); }
+
+bool Stepper::isStillDrawing() const {
+    using pipeline::StageId;
+    if (!isInside()) return false;
+    const auto at = moment();
+    return at ? *at < Moment{StageId::ZBuffer, m_steps->total(StageId::ZBuffer)} : m_place->stage <= StageId::ZBuffer;
+}
+
 QString Stepper::words() const {
+    if (isLeftOut()) return tr("%1, left out").arg(toQString(stageInfo(m_place->stage).label));
     const auto at = moment();
     return at ? toQString(m_steps->words(*at, m_level)) : QString();
 }
@@ -79,8 +89,7 @@ QString Stepper::words() const {
 void Stepper::goTo(const Place& place) {
     m_place = place;
     request();
-    const auto at = moment();
-    emit stageReached(at ? at->stage : place.stage);
+    emit stageReached(place.stage);
     emit changed();
 }
 

@@ -35,7 +35,11 @@ public:
     bool isSettled() const { return !m_job.busy(); }  // nothing is being computed
     void cancel() { m_job.forget(); }
     void resume() { request(); }
-    QString words() const;  // "polygon 2, row 270, x 258"
+    // Whether the place is in a stage that this frame leaves out: the moment is the end of the stage before it.
+    bool isLeftOut() const;
+    // Whether the place is before the end of the z-buffer stage, so that more may be drawn.
+    bool isStillDrawing() const;
+    QString words() const;  // "polygon 2, row 270, x 258"; "Shadow buffer, left out"
 
     void goTo(const pipeline::Place& place);
     void goTo(pipeline::Moment moment);

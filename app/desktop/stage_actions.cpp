@@ -36,11 +36,11 @@ void StageActions::addStages(Actions& actions) {
                  .menu = "Run",
                  .text = "Next stage",
                  .keys = "Ctrl+Right",
-                 .tip = "Go to the stage after this one.",
+                 .tip = "Go to the end of the stage after this one.",
                  .run = [this] { m_document.nextStage(); },
                  .whyNot =
                      [this] {
-                         const bool isLast = m_document.stage() == StageId::Shading;
+                         const bool isLast = m_document.stage() == StageId::Shading && !m_document.stepper().isInside();
                          return isLast ? tr("Already at the last stage; Ctrl+← goes back.") : QString();
                      },
                  .inTalk = true});
@@ -48,7 +48,7 @@ void StageActions::addStages(Actions& actions) {
                  .menu = "Run",
                  .text = "Previous stage",
                  .keys = "Ctrl+Left",
-                 .tip = "Go to the stage before this one.",
+                 .tip = "Go to the end of the stage before this one.",
                  .run = [this] { m_document.previousStage(); },
                  .whyNot =
                      [this] {

@@ -17,8 +17,7 @@ void BufferCaptions::setTitle(const QString& name) { m_title->setText(name); }
 
 void BufferCaptions::show() {
     const ShownBuffer& shown = *view().shown();
-    const bool isEarly = view().document().stepper().isInside() &&
-                         view().frame()->until() <= pipeline::StageId::ZBuffer;  // polygons are still to come
+    const bool isEarly = view().document().stepper().isStillDrawing();
     m_notice->setText(shown.empty.isEmpty() ? shown.notice : isEarly ? tr("Nothing is drawn yet.") : shown.empty);
     m_notice->setVisible(!m_notice->text().isEmpty());
     m_notice->setAttribute(Qt::WA_TransparentForMouseEvents, !m_notice->text().contains("href"));

@@ -13,6 +13,7 @@
 
 namespace app {
 
+using pipeline::Action;
 using pipeline::BufferId;
 using pipeline::BufferName;
 using Offer = Absence::Offer;
@@ -77,8 +78,10 @@ std::optional<Absence> BufferSource::whyNot(const pipeline::Frame& frame) const 
     if (isDerived()) return whyNotDerived();
     const BufferName& name = view().buffer();
     const QString why = toQString(frame.whyAbsent(name));
-    if (name.light >= int(frame.scene().lights.size()) || frame.until() < bufferInfo(name.id).stage)
-        return Absence{why};
+    const pipeline::StageId stage = bufferInfo(name.id).stage;
+    const auto& whole = view().document().frames().whole();
+    const bool comesLater = frame.until() < stage && whole && whole->plan()[index(stage)].action != Action::LeaveOut;
+    if (name.light >= int(frame.scene().lights.size()) || comesLater) return Absence{why};
     const bool comes = isForced() || whyUseless(frame.scene(), name.id).empty();
     if (comes) return {};
     return Absence{tr("This buffer was left out:\n%1").arg(why), Offer::ComputeAnyway};

@@ -113,7 +113,7 @@ void StepBar::paintPart(QPainter& painter, const StepTrack& track, StageId stage
     const QRectF part(line.left() + track.partLeft(stage), line.top(), track.partWidth(), line.height());
     const bool runs = steps.runs(stage);
     const Moment here = *m_stepper.moment();
-    const bool current = (m_stepper.isInside() ? here.stage : m_stage) == stage;
+    const bool current = m_stage == stage;
 
     StageNames names(int(part.width()));
     names.font.setWeight(current ? QFont::DemiBold : QFont::Normal);

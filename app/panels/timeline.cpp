@@ -139,8 +139,10 @@ void Timeline::show() {
         const pipeline::Moment at = *stepper.moment();
         words = stepper.words();
         const Stepper::Level level = stepper.level();
-        counts = tr("%1 of %2").arg(count(steps.made(at, level)), count(steps.count(at.stage, level)));
-        if (level == Stepper::Level::Object || level == Stepper::Level::Polygon) words += QStringLiteral(", ") + counts;
+        if (!stepper.isLeftOut())
+            counts = tr("%1 of %2").arg(count(steps.made(at, level)), count(steps.count(at.stage, level)));
+        if (!counts.isEmpty() && (level == Stepper::Level::Object || level == Stepper::Level::Polygon))
+            words += QStringLiteral(", ") + counts;
     }
     m_words->setText(QFontMetrics(m_words->font()).elidedText(words, Qt::ElideRight, m_words->width()));
     m_words->setToolTip(counts.isEmpty() ? words : tr("%1: %2 steps of this kind in the stage").arg(words, counts));

@@ -48,7 +48,8 @@ bool WindowTest::waitForFrame() {
     const bool there =
         QTest::qWaitFor([this] { return document().frames().shown() && !document().frames().busy(); }, 30000);
     QTest::qWait(50);  // for what is painted a moment later
-    return there && QTest::qWaitFor([this] { return !document().frames().busy(); }, 30000);
+    const auto isDone = [this] { return !document().frames().busy() && document().stepper().isSettled(); };
+    return there && QTest::qWaitFor(isDone, 30000);
 }
 
 void WindowTest::answer(const QString& button, const std::function<void()>& act) {

@@ -1,13 +1,17 @@
 #include <QLineEdit>
 #include <QSignalSpy>
 #include <QTest>
+#include <algorithm>
 
 #include "app/core/stage_buffer.h"
 #include "app/desktop/view_area.h"
 #include "app/panels/buffer_view.h"
+#include "app/panels/equation_section.h"
 #include "app/panels/fitting_font.h"
 #include "app/panels/stage_card.h"
 #include "app/panels/stage_strip.h"
+#include "app/view3d/scene_view.h"
+#include "app/view3d/view3d_panel.h"
 #include "tests/app/window_fixture.h"
 
 namespace app {
@@ -17,7 +21,7 @@ using WindowStages = WindowTest;
 
 TEST_F(WindowStages, EveryStageShowsItsMainBufferAndBackIsTheSamePicture) {
     openPyramid();
-    document().setStage(pipeline::StageId::Transform);
+    for (std::size_t i = 1; i < pipeline::kStageCount; ++i) press("Ctrl+Left");
     std::vector<QImage> forth;
     for (const pipeline::StageId stage : pipeline::kStages) {
         ASSERT_TRUE(waitForFrame());
@@ -34,6 +38,54 @@ TEST_F(WindowStages, EveryStageShowsItsMainBufferAndBackIsTheSamePicture) {
         press("Ctrl+Left");
     }
     for (std::size_t i = 1; i < forth.size(); ++i) EXPECT_NE(forth[i], forth[i - 1]);
+}
+
+// The 3D view has the frame's colours only once they have been computed, and the inspector its equation.
+TEST_F(WindowStages, KeysTakeEveryViewToTheEndOfAStage) {
+    openPyramid();
+    document().pointing().pick(glm::ivec2(268, 281));
+    ASSERT_TRUE(waitForFrame());
+    const auto colour = [this] {
+        const auto& faces = window.views().view3d().view().space().content()->mesh->faces;
+        return std::ranges::find(faces, 2, &Face::polygon)->colors[0];
+    };
+    const auto* equation = window.findChild<EquationSection*>();
+    const glm::vec3 lit = colour(), plain(document().scene().objects[0].material.diffuse);
+    ASSERT_NE(lit, plain);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return equation->isVisible(); }, 10000));
+    press("Ctrl+Left");
+    EXPECT_EQ(document().stage(), pipeline::StageId::ZBuffer);
+    EXPECT_TRUE(
+        QTest::qWaitFor([&] { return document().frames().shown()->until() == pipeline::StageId::ZBuffer; }, 10000));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return colour() == plain && !equation->isVisible(); }, 10000));
+    press("Ctrl+Right");
+    EXPECT_EQ(document().frames().shown(), document().frames().whole());
+    EXPECT_TRUE(QTest::qWaitFor([&] { return colour() == lit && equation->isVisible(); }, 10000));
+}
+
+// The pyramid is convex and alone, so it has no shadow buffer.
+TEST_F(WindowStages, KeysStopAtAStageThatIsLeftOutWhichSaysWhy) {
+    openPyramid();
+    document().setStage(pipeline::StageId::Normals);
+    ASSERT_TRUE(waitForFrame());
+    const QString why = "The only object is convex: it cannot shadow itself.";
+    QSignalSpy said(&document(), &Document::said);
+    press("Ctrl+Right");
+    ASSERT_TRUE(waitForFrame());
+    EXPECT_EQ(document().stage(), pipeline::StageId::ShadowBuffer);
+    EXPECT_TRUE(window.views().first().message().contains(why));
+    ASSERT_FALSE(said.isEmpty());
+    EXPECT_EQ(said.takeLast().front().toString(), "Shadow buffer, left out: " + why);
+    EXPECT_EQ(document().stepper().words(), "Shadow buffer, left out");
+    // What there is at that moment: the normals, and nothing drawn.
+    EXPECT_EQ(document().frames().shown()->until(), pipeline::StageId::Normals);
+    EXPECT_TRUE(document().frames().shown()->buffer({pipeline::BufferId::PolygonsNormal}));
+    press("Ctrl+Right");
+    EXPECT_EQ(document().stage(), pipeline::StageId::ZBuffer);
+    press("Ctrl+Left");
+    press("Ctrl+Left");
+    EXPECT_EQ(document().stage(), pipeline::StageId::Normals);
+    EXPECT_EQ(text(*document().stepper().place()), "normals");
 }
 
 TEST_F(WindowStages, AKeyWithoutAStageToGoToSaysWhereOthersAre) {
