@@ -8,6 +8,13 @@
 
 namespace app {
 
+std::vector<pipeline::SettingRef> differingSettings(const pipeline::Scene& a, const pipeline::Scene& b) {
+    std::vector<pipeline::SettingRef> differing;
+    for (const pipeline::SettingRef& setting : settingsOf(a))
+        if (setting.index < setting.setting->count(b) && setting.get(a) != setting.get(b)) differing.push_back(setting);
+    return differing;
+}
+
 const pipeline::Scene* ChangedSettings::original(const pipeline::Scene& scene) {
     const KeptScene& kept = m_document.kept();
     // A scene that was saved keeps the name of the file that it came from.
@@ -21,11 +28,8 @@ QStringList ChangedSettings::words(const pipeline::Scene& scene) {
     if (!before || before->objects.size() != scene.objects.size() || before->lights.size() != scene.lights.size())
         return {};
     QStringList words;
-    for (const pipeline::SettingRef& setting : pipeline::settingsOf(scene)) {
-        const double value = setting.get(scene);
-        if (value != setting.get(*before))
-            words << "--set" << shellWord(toQString(setting.key() + "=" + formatSetting(setting, value)));
-    }
+    for (const pipeline::SettingRef& setting : differingSettings(scene, *before))
+        words << "--set" << shellWord(toQString(setting.key() + "=" + formatSetting(setting, setting.get(scene))));
     return words;
 }
 

@@ -5,6 +5,10 @@
 
 namespace app {
 
+// The settings with different values in two scenes, in the order of the table. Settings that only one scene has are
+// left out.
+std::vector<pipeline::SettingRef> differingSettings(const pipeline::Scene& a, const pipeline::Scene& b);
+
 // The changes that turn the scene of the document's file into the current scene. If the document did not read the file
 // last, it is read once, on first use.
 class ChangedSettings {

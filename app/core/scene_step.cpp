@@ -1,6 +1,6 @@
 #include "app/core/scene_step.h"
 
-#include "app/core/pointed.h"
+#include "app/core/equation_symbols.h"
 #include "app/core/text.h"
 
 namespace app {

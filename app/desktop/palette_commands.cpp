@@ -3,7 +3,7 @@
 #include <QMenu>
 #include <QPointer>
 
-#include "app/core/pointed.h"
+#include "app/core/equation_symbols.h"
 #include "app/core/text.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/command_palette.h"

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "app/core/changed_settings.h"
 #include "app/core/derived_buffers.h"
-#include "app/core/pointed.h"
 #include "app/core/renderer_check.h"
 #include "app/core/text.h"
 #include "app/panels/buffer_canvas.h"

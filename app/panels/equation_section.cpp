@@ -5,8 +5,9 @@
 #include <QToolButton>
 #include <algorithm>
 
+#include "app/core/changed_settings.h"
+#include "app/core/equation_symbols.h"
 #include "app/core/number_format.h"
-#include "app/core/pointed.h"
 #include "app/core/text.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/math_view.h"

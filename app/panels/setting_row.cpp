@@ -7,7 +7,7 @@
 #include <QStyle>
 #include <algorithm>
 
-#include "app/core/pointed.h"
+#include "app/core/equation_symbols.h"
 #include "app/core/spoken.h"
 #include "app/core/text.h"
 #include "app/panels/follow_theme.h"

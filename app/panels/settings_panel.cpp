@@ -9,7 +9,7 @@
 #include <QScrollBar>
 #include <QVBoxLayout>
 
-#include "app/core/pointed.h"
+#include "app/core/equation_symbols.h"
 #include "app/core/text.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/setting_row.h"

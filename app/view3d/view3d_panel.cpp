@@ -3,9 +3,9 @@
 #include <QVBoxLayout>
 #include <utility>
 
+#include "app/core/equation_symbols.h"
 #include "app/core/large_frame.h"
 #include "app/core/pixel_inspection.h"
-#include "app/core/pointed.h"
 #include "app/core/put_away.h"
 #include "app/core/text.h"
 #include "app/view3d/normal_arrows.h"

@@ -11,9 +11,9 @@
 #include <algorithm>
 
 #include "app/core/derived_buffers.h"
+#include "app/core/equation_symbols.h"
 #include "app/core/mix_model.h"
 #include "app/core/number_format.h"
-#include "app/core/pointed.h"
 #include "app/panels/equation_section.h"
 #include "app/panels/fragments_section.h"
 #include "app/panels/layers_section.h"

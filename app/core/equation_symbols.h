@@ -7,14 +7,10 @@
 
 namespace app {
 
-// The views' counterparts of a part of the equation.
+// What the symbols of the equation stand for.
 
 // The vectors of a vector buffer or of a dot product: "n_dot_l.0" gives N and L. Empty for anything else.
 std::vector<pipeline::VectorCode> vectorsOf(const QString& refers);
-
-// The settings with different values in two scenes, in the order of the table. Settings that only one scene has are
-// left out.
-std::vector<pipeline::SettingRef> differingSettings(const pipeline::Scene& a, const pipeline::Scene& b);
 
 // A setting's label with the letters of the equation: I_p of light 1 is I_1.
 QString labelOf(const pipeline::SettingRef& setting);

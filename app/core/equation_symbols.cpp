@@ -1,4 +1,4 @@
-#include "app/core/pointed.h"
+#include "app/core/equation_symbols.h"
 
 #include <QRegularExpression>
 #include <QStringList>
@@ -29,13 +29,6 @@ std::vector<VectorCode> vectorsOf(const QString& refers) {
         case BufferId::NDotH: return {VectorCode::N, VectorCode::H};
         default: return {};
     }
-}
-
-std::vector<pipeline::SettingRef> differingSettings(const pipeline::Scene& a, const pipeline::Scene& b) {
-    std::vector<pipeline::SettingRef> differing;
-    for (const pipeline::SettingRef& setting : settingsOf(a))
-        if (setting.index < setting.setting->count(b) && setting.get(a) != setting.get(b)) differing.push_back(setting);
-    return differing;
 }
 
 QString labelOf(const pipeline::SettingRef& setting) {
