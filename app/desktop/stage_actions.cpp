@@ -25,7 +25,7 @@ StageActions::StageActions(QWidget& window, Actions& actions, Document& document
     addChannels(actions);
     connect(m_pixelField, &PixelField::entered, this, [this](glm::ivec2 pixel) {
         m_document.pointing().pick(pixel);
-        m_views.focusBuffer();  // whose arrows move it on
+        m_views.activeBuffer().takeKeys();  // whose arrows move it on
     });
 }
 

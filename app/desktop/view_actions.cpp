@@ -25,39 +25,40 @@ void addArrangement(Actions& actions, ViewArea& views) {
                  .text = "Split to the right",
                  .keys = "Ctrl+Alt+R",
                  .tip = "Give half of the active view to a new one at its right.",
-                 .run = [&views] { views.splitView(views.active(), Kind::Row); },
-                 .whyNot = [&views] { return views.whyNotSplit(views.active(), Kind::Row); }});
+                 .run = [&views] { views.edits().split(views.active().leaf(), Kind::Row); },
+                 .whyNot = [&views] { return views.edits().whyNotSplit(views.active().leaf(), Kind::Row); }});
     actions.add({.id = A::SplitBelow,
                  .menu = "View/Views",
                  .text = "Split below",
                  .keys = "Ctrl+Alt+B",
                  .tip = "Give half of the active view to a new one below it.",
-                 .run = [&views] { views.splitView(views.active(), Kind::Column); },
-                 .whyNot = [&views] { return views.whyNotSplit(views.active(), Kind::Column); }});
+                 .run = [&views] { views.edits().split(views.active().leaf(), Kind::Column); },
+                 .whyNot = [&views] { return views.edits().whyNotSplit(views.active().leaf(), Kind::Column); }});
     actions.add({.id = A::TurnView,
                  .menu = "View/Views",
                  .text = "Buffer or 3D view",
                  .keys = "Ctrl+Alt+D",
                  .tip = "Put a 3D view in place of the active buffer view, or a buffer view in place of the 3D view.",
-                 .run = [&views] { views.turnView(views.active()); }});
+                 .run = [&views] { views.edits().turn(views.active().leaf()); }});
     actions.add({.id = A::CloseView,
                  .menu = "View/Views",
                  .text = "Close the view",
                  .keys = "Ctrl+Alt+W",
                  .tip = "Give the active view's room to its neighbours.",
-                 .run = [&views] { views.closeView(views.active()); },
-                 .whyNot = [&views] { return views.whyNotClose(views.active()); }});
-    actions.add({.id = A::EvenViews,
-                 .menu = "View/Views",
-                 .text = "Equal parts",
-                 .keys = "Ctrl+Alt+E",
-                 .tip = "Make the views in a row or column the same size.",
-                 .run = [&views] { views.makeEven(); },
-                 .whyNot = [&views] { return isEven(views.tree()) ? ViewArea::tr("They are equal.") : QString(); }});
+                 .run = [&views] { views.edits().close(views.active().leaf()); },
+                 .whyNot = [&views] { return views.edits().whyNotClose(views.active().leaf()); }});
+    actions.add(
+        {.id = A::EvenViews,
+         .menu = "View/Views",
+         .text = "Equal parts",
+         .keys = "Ctrl+Alt+E",
+         .tip = "Make the views in a row or column the same size.",
+         .run = [&views] { views.edits().makeEven(); },
+         .whyNot = [&views] { return isEven(views.grid().tree()) ? ViewArea::tr("They are equal.") : QString(); }});
 }
 
 QString whyNoOther(const ViewArea& views) {
-    return views.tree().kind == Kind::Leaf ? ViewArea::tr("It is the only view.") : QString();
+    return views.grid().tree().kind == Kind::Leaf ? ViewArea::tr("It is the only view.") : QString();
 }
 
 void addMoving(Actions& actions, ViewArea& views) {
@@ -67,9 +68,9 @@ void addMoving(Actions& actions, ViewArea& views) {
          .text = "Linked zoom",
          .keys = "Ctrl+L",
          .tip = "Buffer views of the same size zoom and move together.",
-         .run = [&views] { views.setLinked(!views.isLinked()); },
+         .run = [&views] { views.links().set(!views.links().isOn()); },
          .whyNot = [&views] { return views.hasSecond() ? QString() : ViewArea::tr("It needs two buffer views."); },
-         .isOn = [&views] { return views.isLinked(); }});
+         .isOn = [&views] { return views.links().isOn(); }});
     actions.add({.id = A::OriginalSize,
                  .menu = "View/Views",
                  .text = "One to one",
@@ -82,7 +83,7 @@ void addMoving(Actions& actions, ViewArea& views) {
                  .text = "Next view",
                  .keys = "Ctrl+Tab",
                  .tip = "Go to the next view.",
-                 .run = [&views] { views.goToNext(1); },
+                 .run = [&views] { views.active().goToNext(1); },
                  .whyNot = [&views] { return whyNoOther(views); },
                  .startsGroup = true});
     actions.add({.id = A::PreviousView,
@@ -90,7 +91,7 @@ void addMoving(Actions& actions, ViewArea& views) {
                  .text = "Previous view",
                  .keys = "Ctrl+Shift+Tab",
                  .tip = "Go to the view before.",
-                 .run = [&views] { views.goToNext(-1); },
+                 .run = [&views] { views.active().goToNext(-1); },
                  .whyNot = [&views] { return whyNoOther(views); }});
     actions.add({.id = A::Thumbnails,
                  .menu = "View",

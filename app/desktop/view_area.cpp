@@ -1,15 +1,10 @@
-// What a ViewArea shows; how its views stand is in view_area_layout.cpp.
 #include "app/desktop/view_area.h"
 
 #include <QLabel>
-#include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
-#include <utility>
 
-#include "app/core/stage_buffer.h"
-#include "app/desktop/even_splitter.h"
-#include "app/panels/buffer_canvas.h"
+#include "app/desktop/view_menu.h"
 #include "app/panels/buffer_view.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/thumbnail_strip.h"
@@ -17,23 +12,30 @@
 
 namespace app {
 
+using lessons::ViewLeaf;
 using pipeline::BufferName;
+
+namespace {
+
+std::size_t countOf(const lessons::ViewTree& tree, ViewLeaf::Kind kind) {
+    return std::size_t(std::ranges::count(leavesOf(tree), kind, &ViewLeaf::kind));
+}
+
+}  // namespace
 
 ViewArea::ViewArea(Document& document, QWidget* parent, ViewDress dress)
     : QWidget(parent),
-      m_document(document),
-      m_middle(new QWidget(this)),
+      m_grid(new ViewGrid(document, dress, this)),
       m_missing(new QLabel(this)),
       m_thumbnails(new ThumbnailStrip(document)),
-      m_tree(*lessons::arrangementNamed("one")),
-      m_dress(dress) {
+      m_active(*m_grid),
+      m_links(*m_grid, m_active),
+      m_stage(document, *m_grid),
+      m_edits(*m_grid, m_active, m_stage) {
     setObjectName("viewArea");
-    auto* middle = new QVBoxLayout(m_middle);
-    middle->setContentsMargins(0, 0, 0, 0);
-    m_middle->installEventFilter(this);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
-    column->addWidget(m_middle, 1);
+    column->addWidget(m_grid, 1);
     column->addWidget(m_missing);
     column->addWidget(m_thumbnails);
     m_missing->setObjectName("missingViews");
@@ -41,60 +43,73 @@ ViewArea::ViewArea(Document& document, QWidget* parent, ViewDress dress)
     m_missing->setWordWrap(true);
     m_missing->hide();
     m_thumbnails->setVisible(dress == ViewDress::Full);
+
+    connect(&m_grid->views(), &ViewSet::made, this, [this, dress](ViewLeaf leaf) { takeView(leaf, dress); });
+    connect(m_grid, &ViewGrid::missing, this, &ViewArea::tellMissing);
+    connect(m_grid, &ViewGrid::rebuilt, this, &ViewArea::markThumbnail);  // the active view may have gone
+    connect(&m_active, &ActiveView::focused, this, &ViewArea::markThumbnail);
+    connect(m_grid, &ViewGrid::changed, this, &ViewArea::changed);
+    connect(&m_active, &ActiveView::changed, this, &ViewArea::changed);
+    connect(&m_links, &ViewLinks::changed, this, &ViewArea::changed);
     followTheme(this, [this, column] {
-        column->setSpacing(gap());
+        column->setSpacing(m_grid->gap());
         m_missing->setFont(Theme::current().text(12));
-        for (auto* splitter : findChildren<EvenSplitter*>()) splitter->setHandleWidth(gap());
-        // Room for one view: the others come and go.
-        m_middle->setMinimumSize(leastView().width, leastView().height);
-        layOut();
+        m_grid->applyTheme();
     });
 
     connect(m_thumbnails, &ThumbnailStrip::chosen, this, &ViewArea::showBuffer);
-    connect(&document, &Document::stageChanged, this, &ViewArea::showStage);
-    // Going inside, or out again, shows buffers that are there.
-    connect(&document.stepper(), &Stepper::changed, this, [this] {
-        if (std::exchange(m_inside, m_document.stepper().isInside()) != m_document.stepper().isInside()) showInside();
-    });
+    connect(&document, &Document::stageChanged, this, [this] { m_stage.showStage(); });
+    connect(&document.stepper(), &Stepper::changed, this, [this] { m_stage.followStepper(); });
     connect(&document, &Document::sceneOpened, this, [this] {
-        m_kept.sliders.clear();
-        showStage();
+        m_sliders.clear();
+        m_stage.showStage();
     });
-    m_focus.begin([this](QWidget* now) { takeFocus(now); });
 }
 
-std::vector<BufferView*> ViewArea::inOrder() const {
-    std::vector<BufferView*> views;
-    for (const lessons::ViewLeaf leaf : leavesOf(m_tree))
-        if (leaf.kind == lessons::ViewLeaf::Kind::Buffer)
-            if (const auto found = m_buffers.find(leaf.number); found != m_buffers.end())
-                views.push_back(found->second);
-    for (const auto& [number, view] : m_buffers)
-        if (std::ranges::count(views, view) == 0) views.push_back(view);
-    return views;
+// A view that has just been made.
+void ViewArea::takeView(ViewLeaf leaf, ViewDress dress) {
+    if (dress == ViewDress::Full) addViewMenu(m_grid->views().menuOf(leaf), *this, leaf);
+    if (leaf.kind == ViewLeaf::Kind::Space) return;
+    BufferView& view = m_grid->views().buffer(leaf.number);
+    connect(&view, &BufferView::bufferChanged, this, [this, &view] {
+        if (&view == &activeBuffer()) markThumbnail();
+    });
+    m_links.add(view);
+    m_stage.begin(view);
 }
 
-void ViewArea::showStage() {
-    if (!m_document.hasScene()) return;
-    m_inside = m_document.stepper().isInside();
-    const auto useful = usefulBuffers(m_document.stage(), m_document.scene(), m_inside);
-    const bool isFree = arrangementName(m_tree).empty();
-    std::size_t next = 0;
-    for (BufferView* view : inOrder()) {
-        if (next == 0 || !isFree || view->parentWidget()->isHidden()) view->setBuffer(useful[next % useful.size()]);
-        ++next;
-    }
+void ViewArea::markThumbnail() { m_thumbnails->setCurrent(activeBuffer().buffer()); }
+
+// The sentence takes some of the views' height: where it stands, more of them may have no room, but never fewer.
+void ViewArea::tellMissing(std::size_t count) {
+    const lessons::ViewSize least = m_grid->views().leastSize();
+    m_missing->setText(count == 1 ? tr("1 view has no room here.") : tr("%1 views have no room here.").arg(count));
+    m_missing->setToolTip(tr("A view needs %1 by %2 pixels. Make the window larger, or hide a panel.")
+                              .arg(least.width)
+                              .arg(least.height));
+    m_missing->setVisible(count > 0);
 }
 
-void ViewArea::showInside() {
-    if (!m_document.hasScene() || !m_inside) return;
-    const auto useful = usefulBuffers(m_document.stage(), m_document.scene(), true);
-    std::size_t next = 0;
-    for (BufferView* view : inOrder()) {
-        if (bufferInfo(view->buffer().id).stage > m_document.stage()) view->setBuffer(useful[next % useful.size()]);
-        ++next;
-    }
+bool ViewArea::setArrangement(const std::string& nameOrText) {
+    auto wanted = lessons::arrangementOf(nameOrText);
+    if (!wanted) return false;
+    lessons::ViewTree tree = std::move(wanted).value();
+    m_grid->views().renumber(tree, m_grid->tree());
+    if (arrangementName(tree) != arrangementName(m_grid->tree())) m_links.choose(std::nullopt);
+    m_grid->setTree(std::move(tree));
+    return true;
 }
+
+bool ViewArea::hasSecond() const { return countOf(m_grid->tree(), ViewLeaf::Kind::Buffer) > 1; }
+
+void ViewArea::setSecond(bool shown) {
+    if (shown != hasSecond()) setArrangement(shown ? "two" : "one");
+}
+
+void ViewArea::setAlone(bool alone) { m_grid->setAlone(alone ? std::optional(m_active.leaf()) : std::nullopt); }
+
+bool ViewArea::hasThumbnails() const { return !m_thumbnails->isHidden(); }
+void ViewArea::setThumbnails(bool shown) { m_thumbnails->setVisible(shown); }
 
 void ViewArea::showBuffer(const BufferName& buffer) {
     if (activeBuffer().parentWidget()->isHidden()) setArrangement("one");
@@ -102,28 +117,18 @@ void ViewArea::showBuffer(const BufferName& buffer) {
 }
 
 void ViewArea::showBuffers(const std::vector<BufferName>& buffers) {
-    const auto views = inOrder();
+    const auto views = m_grid->views().buffersFrom(m_grid->tree());
     for (std::size_t i = 0; i < std::min(views.size(), buffers.size()); ++i) views[i]->setBuffer(buffers[i]);
-}
-
-std::vector<BufferView*> ViewArea::shownBuffers() const {
-    std::vector<BufferView*> shown;
-    for (const lessons::ViewLeaf leaf : leavesOf(m_tree))
-        if (leaf.kind == lessons::ViewLeaf::Kind::Buffer) shown.push_back(m_buffers.at(leaf.number));
-    if (shown.empty()) shown.push_back(&first());
-    return shown;
 }
 
 void ViewArea::fill(lessons::WindowState& state) const {
     state.arrangement = arrangement();
-    state.linked = m_kept.linked;
-    state.sliders = m_kept.sliders;
+    state.linked = m_links.chosen();
+    state.sliders = m_sliders;
     state.views.clear();
     state.spaces.clear();
-    for (const lessons::ViewLeaf leaf : leavesOf(m_tree))
-        if (leaf.kind == lessons::ViewLeaf::Kind::Space) state.spaces.push_back(m_spaces.at(leaf.number)->state());
+    for (const View3dPanel* space : shownSpaces()) state.spaces.push_back(space->state());
     for (const BufferView* view : shownBuffers()) state.views.push_back(view->state());
-    if (state.spaces.empty()) state.spaces.push_back(view3d().state());
 }
 
 pipeline::Errors ViewArea::lookAt(const lessons::WindowState& state) {
@@ -132,100 +137,39 @@ pipeline::Errors ViewArea::lookAt(const lessons::WindowState& state) {
     const auto wanted = lessons::arrangementOf(state.arrangement);
     if (!wanted) add(wanted.errors());
     setArrangement(wanted ? state.arrangement : "one");
-    m_kept.linked = state.linked;
-    m_kept.sliders = state.sliders;
-    const auto buffers = inOrder();
+    m_links.choose(state.linked);
+    m_sliders = state.sliders;
+    const auto buffers = m_grid->views().buffersFrom(m_grid->tree());
     for (std::size_t i = 0; i < std::min(buffers.size(), state.views.size()); ++i)
         add(buffers[i]->lookAt(state.views[i]));
-    std::size_t next = 0;
-    for (const lessons::ViewLeaf leaf : leavesOf(m_tree))
-        if (leaf.kind == lessons::ViewLeaf::Kind::Space && next < state.spaces.size())
-            add(m_spaces.at(leaf.number)->lookAt(state.spaces[next++]));
-    if (next == 0 && !state.spaces.empty()) add(view3d().lookAt(state.spaces.front()));
-    m_leadsSoon = false;  // each stands where the state says
+    const auto spaces = shownSpaces();
+    for (std::size_t i = 0; i < std::min(spaces.size(), state.spaces.size()); ++i)
+        add(spaces[i]->lookAt(state.spaces[i]));
+    m_links.stay();
     emit changed();
     return errors;
 }
 
-bool ViewArea::hasSecond() const {
-    return std::ranges::count(leavesOf(m_tree), lessons::ViewLeaf::Kind::Buffer, &lessons::ViewLeaf::kind) > 1;
-}
-
-void ViewArea::setSecond(bool shown) {
-    if (shown != hasSecond()) setArrangement(shown ? "two" : "one");
-}
-
-BufferView& ViewArea::first() const { return *inOrder().front(); }
+BufferView& ViewArea::first() const { return *m_grid->views().buffersFrom(m_grid->tree()).front(); }
 
 BufferView& ViewArea::second() {
-    if (m_buffers.size() < 2) bufferView(freeNumber(m_tree, lessons::ViewLeaf::Kind::Buffer));
-    return *inOrder()[1];
+    ViewSet& views = m_grid->views();
+    if (views.buffers().size() < 2) views.buffer(freeNumber(m_grid->tree(), ViewLeaf::Kind::Buffer));
+    return *views.buffersFrom(m_grid->tree())[1];
 }
 
-BufferView& ViewArea::activeBuffer() const {
-    const lessons::ViewLeaf leaf = active();
-    return leaf.kind == lessons::ViewLeaf::Kind::Buffer ? *m_buffers.at(leaf.number) : first();
+View3dPanel& ViewArea::view3d() const { return *shownSpaces().front(); }
+
+std::vector<BufferView*> ViewArea::shownBuffers() const {
+    auto views = m_grid->views().buffersFrom(m_grid->tree());
+    views.resize(std::max<std::size_t>(countOf(m_grid->tree(), ViewLeaf::Kind::Buffer), 1));
+    return views;
 }
 
-View3dPanel& ViewArea::view3d() const {
-    for (const lessons::ViewLeaf leaf : leavesOf(m_tree))
-        if (leaf.kind == lessons::ViewLeaf::Kind::Space) return *m_spaces.at(leaf.number);
-    return *m_spaces.begin()->second;
+std::vector<View3dPanel*> ViewArea::shownSpaces() const {
+    auto views = m_grid->views().spacesFrom(m_grid->tree());
+    views.resize(std::max<std::size_t>(countOf(m_grid->tree(), ViewLeaf::Kind::Space), 1));
+    return views;
 }
-
-lessons::LinkedPicture ViewArea::pictureIn(BufferView& view) const {
-    const QSize size = view.canvas()->content().size;
-    if (view.parentWidget()->isHidden()) return {};
-    return {size.width(), size.height(), bufferInfo(view.buffer().id).domain == pipeline::Domain::Texel};
-}
-
-void ViewArea::lead(BufferView& view) {
-    if (!isLinked()) return;
-    for (const auto& [number, other] : m_buffers)
-        if (other != &view && moveTogether(pictureIn(*other), pictureIn(view)))
-            other->canvas()->follow(view.canvas()->look());
-}
-
-void ViewArea::join(BufferView& view) {
-    if (!isLinked()) return;
-    for (const auto& [number, other] : m_buffers)
-        if (other != &view && moveTogether(pictureIn(*other), pictureIn(view)))
-            return view.canvas()->follow(other->canvas()->look());
-}
-
-// Once the views have their new sizes.
-void ViewArea::leadSoon() {
-    m_leadsSoon = true;
-    QTimer::singleShot(0, this, [this] {
-        if (std::exchange(m_leadsSoon, false)) lead(activeBuffer());
-    });
-}
-
-// Whole zooms: one pixel of a view's width more, and it shows the same part a step larger.
-void ViewArea::agreeSoon() {
-    if (!isLinked() || std::exchange(m_agreesSoon, true)) return;
-    QTimer::singleShot(0, this, [this] {
-        m_agreesSoon = false;
-        const BufferCanvas& leading = *activeBuffer().canvas();
-        const auto asked = leading.part();
-        if (!isLinked() || !asked) return;
-        for (const auto& [number, other] : m_buffers) {
-            const auto its = other->canvas()->part();
-            const bool isSame = its && its->factor == asked->factor && its->center == asked->center;
-            if (isSame && other->canvas()->zoom() != leading.zoom() &&
-                moveTogether(pictureIn(*other), pictureIn(activeBuffer())))
-                other->canvas()->follow(leading.look());
-        }
-    });
-}
-
-void ViewArea::setLinked(bool linked) {
-    m_kept.linked = linked;
-    if (linked) lead(activeBuffer());
-    emit changed();
-}
-
-bool ViewArea::hasThumbnails() const { return !m_thumbnails->isHidden(); }
-void ViewArea::setThumbnails(bool shown) { m_thumbnails->setVisible(shown); }
 
 }  // namespace app

@@ -251,7 +251,7 @@ void WindowCues::endTalk() {
     QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
     m_window.restoreState(m_beforeTalk, kLayoutVersion);
     m_layout.fitText();
-    m_views.goTo(m_views.active());  // the keys go on where they were during the talk
+    m_views.active().goTo(m_views.active().leaf());  // the keys go on where they were during the talk
 }
 
 }  // namespace app

@@ -74,7 +74,7 @@ void WindowLayout::showViews() {
     fit(Fit::Always);
     if (isWide()) restoreLayout(m_window);
     emit changed();
-    m_views.focusBuffer();
+    m_views.activeBuffer().takeKeys();
 }
 
 WindowLayout::Width WindowLayout::widthClass() const {
@@ -183,7 +183,7 @@ void WindowLayout::putBack() {
 void WindowLayout::giveViewsRoom() {
     for (const Qt::DockWidgetArea area : {Qt::LeftDockWidgetArea, Qt::RightDockWidgetArea})
         for (PanelDock* dock : m_docks.all()) {
-            if (m_views.withoutRoom() == 0) return;
+            if (m_views.grid().withoutRoom() == 0) return;
             if (dock->isFloating() || dock->isHidden() || m_window.dockWidgetArea(dock) != area) continue;
             dock->hide();
             QCoreApplication::sendPostedEvents(&m_window, QEvent::LayoutRequest);

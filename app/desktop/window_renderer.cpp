@@ -160,7 +160,7 @@ void WindowRenderer::showPanel() {
 void WindowRenderer::setViews() {
     if (m_viewsBefore.isEmpty()) m_viewsBefore = QString::fromStdString(m_views.arrangement());
     m_views.setArrangement(kRendererViews);
-    m_views.setLinked(true);
+    m_views.links().set(true);
     const std::vector<BufferView*> views = m_views.shownBuffers();
     for (std::size_t i = 0; i < views.size(); ++i) {
         views[i]->setBuffer(views.front()->buffer());

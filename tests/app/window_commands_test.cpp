@@ -110,7 +110,7 @@ TEST_F(WindowCommands, AllValuesOfASettingStandSideBySide) {
     QTest::keyClick(field, Qt::Key_Return);
     EXPECT_TRUE(waitForFrame());
     EXPECT_EQ(window.views().arrangement(), "buffer | buffer | buffer");
-    EXPECT_TRUE(window.views().isLinked());
+    EXPECT_TRUE(window.views().links().isOn());
     QStringList names;
     for (BufferView* view : window.views().shownBuffers()) {
         EXPECT_TRUE(QTest::qWaitFor([&] { return view->compare().difference().found().has_value(); }, 20000));

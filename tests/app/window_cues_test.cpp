@@ -288,6 +288,7 @@ TEST_F(WindowCues, PresentingShowsTheViewsAsTheyStandForthAndBack) {
     CleanView& view = *window.presentation().cleanView();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(&view));
     QApplication::setActiveWindow(&view);
+    const auto frameOf = [&](lessons::ViewLeaf leaf) { return view.views().grid().views().frameOf(leaf); };
     // What the audience's views show, and the pictures of those that are buffers.
     const auto seen = [&](int cue) {
         settle();
@@ -303,10 +304,10 @@ TEST_F(WindowCues, PresentingShowsTheViewsAsTheyStandForthAndBack) {
             EXPECT_EQ(shown, kept[i]);
         }
         std::vector<QImage> pictures;
-        for (const lessons::ViewLeaf leaf : leavesOf(view.views().tree())) {
-            EXPECT_TRUE(view.views().frameOf(leaf)->isVisible());
+        for (const lessons::ViewLeaf leaf : leavesOf(view.views().grid().tree())) {
+            EXPECT_TRUE(frameOf(leaf)->isVisible());
             if (leaf.kind == lessons::ViewLeaf::Kind::Buffer)
-                pictures.push_back(view.views().frameOf(leaf)->findChild<BufferCanvas*>()->grab().toImage());
+                pictures.push_back(frameOf(leaf)->findChild<BufferCanvas*>()->grab().toImage());
         }
         return pictures;
     };
@@ -319,7 +320,7 @@ TEST_F(WindowCues, PresentingShowsTheViewsAsTheyStandForthAndBack) {
     }
     EXPECT_EQ(first[0].size(), 3u);
     // Views that are there to be compared move together, here too.
-    EXPECT_TRUE(view.views().isLinked());
+    EXPECT_TRUE(view.views().links().isOn());
     EXPECT_EQ(view.views().second().canvas()->zoom(), view.views().first().canvas()->zoom());
     for (int cue = 1; cue >= 0; --cue) {
         QTest::keyClick(&view, Qt::Key_PageUp);
@@ -327,7 +328,7 @@ TEST_F(WindowCues, PresentingShowsTheViewsAsTheyStandForthAndBack) {
     }
     QTest::keyClick(&view, Qt::Key_1);
     using Kind = lessons::ViewLeaf::Kind;
-    const auto shown = [&](int buffer) { return view.views().frameOf({Kind::Buffer, buffer})->isVisible(); };
+    const auto shown = [&](int buffer) { return frameOf({Kind::Buffer, buffer})->isVisible(); };
     EXPECT_TRUE(shown(0) && !shown(1));
     QTest::keyClick(&view, Qt::Key_2);
     EXPECT_TRUE(shown(0) && shown(1));

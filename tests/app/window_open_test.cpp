@@ -63,7 +63,7 @@ TEST_F(WindowOpen, TheFirstCardOpensFourAlignedPictures) {
     ASSERT_TRUE(waitForFrame());
     const auto views = window.views().shownBuffers();
     ASSERT_EQ(views.size(), 4u);
-    EXPECT_EQ(window.views().withoutRoom(), 0u);
+    EXPECT_EQ(window.views().grid().withoutRoom(), 0u);
     QStringList names;
     for (BufferView* view : views) {
         EXPECT_TRUE(QTest::qWaitFor([&] { return view->compare().difference().found().has_value(); }, 20000));

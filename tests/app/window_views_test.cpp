@@ -35,8 +35,9 @@ protected:
         press("Ctrl+Shift+1");
     }
     ViewArea& views() { return window.views(); }
+    QWidget* frameOf(lessons::ViewLeaf leaf) { return views().grid().views().frameOf(leaf); }
     QRect placeOf(lessons::ViewLeaf leaf) {
-        QWidget* frame = views().frameOf(leaf);
+        QWidget* frame = frameOf(leaf);
         return QRect(frame->mapTo(&views(), QPoint(0, 0)), frame->size());
     }
     static constexpr lessons::ViewLeaf buffer(int number) { return {lessons::ViewLeaf::Kind::Buffer, number}; }
@@ -63,19 +64,19 @@ TEST_F(WindowViews, AViewIsSplitTurnedAndClosedByKeys) {
     canvas()->setFocus();
     press("Ctrl+Alt+B");
     EXPECT_EQ(views().arrangement(), "two");
-    EXPECT_EQ(views().active(), buffer(1)) << "the keys go to the new one";
+    EXPECT_EQ(views().active().leaf(), buffer(1)) << "the keys go to the new one";
     EXPECT_TRUE(views().second().isAncestorOf(QApplication::focusWidget()));
     EXPECT_FALSE(views().second().buffer() == views().first().buffer());
     press("Ctrl+Alt+D");
     EXPECT_EQ(views().arrangement(), "(buffer / 3d) | 3d");
-    ASSERT_TRUE(views().frameOf(space(1)));
-    EXPECT_TRUE(views().frameOf(space(1))->isVisible());
-    EXPECT_EQ(views().active(), space(1));
+    ASSERT_TRUE(frameOf(space(1)));
+    EXPECT_TRUE(frameOf(space(1))->isVisible());
+    EXPECT_EQ(views().active().leaf(), space(1));
     press("Ctrl+Alt+W");
     EXPECT_EQ(views().arrangement(), "one");
     press("Ctrl+Alt+W");
     press("Ctrl+Alt+W");
-    EXPECT_EQ(leavesOf(views().tree()).size(), 1u) << "one stays";
+    EXPECT_EQ(leavesOf(views().grid().tree()).size(), 1u) << "one stays";
     EXPECT_FALSE(window.actions()[ActionId::CloseView]->isEnabled());
     EXPECT_EQ(window.actions().whyNot(ActionId::CloseView), "It is the only view.");
 }
@@ -85,18 +86,18 @@ TEST_F(WindowViews, KeysGoFromViewToView) {
     canvas()->setFocus();
     for (const lessons::ViewLeaf next : {buffer(1), buffer(2), space(0), buffer(0)}) {
         press("Ctrl+Tab");
-        EXPECT_EQ(views().active(), next);
-        EXPECT_TRUE(views().frameOf(next)->isAncestorOf(QApplication::focusWidget()));
-        EXPECT_TRUE(views().frameOf(next)->property("active").toBool()) << "its frame shows it";
+        EXPECT_EQ(views().active().leaf(), next);
+        EXPECT_TRUE(frameOf(next)->isAncestorOf(QApplication::focusWidget()));
+        EXPECT_TRUE(frameOf(next)->property("active").toBool()) << "its frame shows it";
     }
     press("Ctrl+Shift+Tab");
-    EXPECT_EQ(views().active(), space(0));
+    EXPECT_EQ(views().active().leaf(), space(0));
 }
 
 TEST_F(WindowViews, InAnArrangementOfOnesOwnViewsKeepTheirBuffers) {
     canvas()->setFocus();
     press("Ctrl+Alt+R");
-    EXPECT_EQ(arrangementName(views().tree()), "");
+    EXPECT_EQ(arrangementName(views().grid().tree()), "");
     views().second().setBuffer({BufferId::PolygonId});
     document().setStage(pipeline::StageId::ZBuffer);
     EXPECT_EQ(views().first().buffer().id, BufferId::ZView) << "the first one follows the stage";
@@ -129,15 +130,15 @@ TEST_F(WindowViews, WithoutRoomTheLastViewsComeBackWithIt) {
     // Four times at least 222 pixels, and three gaps.
     EXPECT_TRUE(views().setArrangement("buffer / buffer / buffer / 3d"));
     EXPECT_EQ(views().arrangement(), "buffer / buffer / buffer / 3d") << "it is what was asked for";
-    EXPECT_TRUE(views().frameOf(buffer(0))->isVisible());
+    EXPECT_TRUE(frameOf(buffer(0))->isVisible());
     EXPECT_GE(placeOf(buffer(0)).height(), 222);
-    EXPECT_FALSE(views().frameOf(space(0))->isVisible());
+    EXPECT_FALSE(frameOf(space(0))->isVisible());
     const auto* missing = views().findChild<QLabel*>("missingViews");
     EXPECT_TRUE(missing->isVisible());
     EXPECT_EQ(missing->text(), "1 view has no room here.");
     window.resize(2000, 1500);
     QTest::qWait(50);
-    EXPECT_TRUE(views().frameOf(space(0))->isVisible());
+    EXPECT_TRUE(frameOf(space(0))->isVisible());
     EXPECT_FALSE(missing->isVisible());
     EXPECT_GE(placeOf(space(0)).height(), 222);
 }
@@ -159,7 +160,7 @@ TEST_F(WindowViews, SizesComeBackToThePixel) {
     ASSERT_TRUE(state);
     const auto places = [&] {
         std::vector<QRect> all;
-        for (const lessons::ViewLeaf leaf : leavesOf(views().tree())) all.push_back(placeOf(leaf));
+        for (const lessons::ViewLeaf leaf : leavesOf(views().grid().tree())) all.push_back(placeOf(leaf));
         return all;
     };
     const std::vector<QRect> before = places();
@@ -273,7 +274,7 @@ TEST_F(WindowViews, LinkedViewsZoomAndMoveTogether) {
     press("Ctrl+Shift+3");
     QTest::qWait(50);
     BufferCanvas *a = views().first().canvas(), *b = views().second().canvas();
-    EXPECT_TRUE(views().isLinked()) << "they are there to be compared";
+    EXPECT_TRUE(views().links().isOn()) << "they are there to be compared";
     EXPECT_EQ(a->look().focus, b->look().focus) << "and fit the same";
     a->setZoom(8, QPointF(30, 40));
     EXPECT_EQ(b->zoom(), 8);
@@ -287,7 +288,7 @@ TEST_F(WindowViews, LinkedViewsZoomAndMoveTogether) {
     EXPECT_NEAR(a->look().center.x(), before.x() - 5, 0.25) << "40 pixels at 8 a pixel";
     EXPECT_NEAR(a->look().center.y(), before.y() - 10, 0.25);
     press("Ctrl+L");
-    EXPECT_FALSE(views().isLinked());
+    EXPECT_FALSE(views().links().isOn());
     a->setZoom(2, QPointF(30, 40));
     EXPECT_EQ(b->zoom(), 8);
     const auto state = window.shown().now();

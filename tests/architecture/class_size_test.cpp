@@ -30,7 +30,6 @@ const std::map<std::string, ClassSize>& largerThanMost() {
         {"app/desktop/clean_view.h CleanView", {29, 23}},
         {"app/desktop/notes_window.h NotesWindow", {19, 19}},
         {"app/desktop/slide_dialog.h SlideDialog", {12, 19}},
-        {"app/desktop/view_area.h ViewArea", {59, 18}},
         {"app/panels/buffer_canvas.h BufferCanvas", {69, 17}},
         {"app/panels/buffer_header.h BufferHeader", {20, 16}},
         {"app/panels/buffer_view.h BufferView", {33, 15}},
