@@ -10,6 +10,7 @@
 #include "app/core/theme.h"
 #include "app/desktop/clean_view.h"
 #include "app/desktop/notes_window.h"
+#include "app/desktop/talk_keys.h"
 #include "app/panels/follow_theme.h"
 
 namespace app {
@@ -102,7 +103,7 @@ pipeline::Errors Presentation::lookAt(const lessons::WindowState& state) {
 bool Presentation::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() == QEvent::KeyPress && m_clean) {
         const auto& key = *static_cast<QKeyEvent*>(event);
-        if ((key.modifiers() & ~Qt::KeypadModifier) == Qt::NoModifier && m_clean->takeKey(key.key())) return true;
+        if ((key.modifiers() & ~Qt::KeypadModifier) == Qt::NoModifier && m_clean->keys().take(key.key())) return true;
     }
     return QObject::eventFilter(watched, event);
 }

@@ -12,6 +12,7 @@
 #include "app/desktop/clean_view.h"
 #include "app/desktop/opening_bar.h"
 #include "app/desktop/presentation.h"
+#include "app/desktop/talk_keys.h"
 #include "app/desktop/view_area.h"
 #include "app/desktop/work_bar.h"
 #include "app/panels/buffer_canvas.h"
@@ -136,7 +137,7 @@ TEST_F(WindowOpening, WhilePresentingTheAudienceSeesHowFarAndEscapeCancelsThat) 
     window.openFile(writeModel("ring.obj", 100000));
     EXPECT_TRUE(bar->isVisible());
     EXPECT_TRUE(clean.rect().contains(bar->geometry().translated(bar->parentWidget()->pos())));
-    clean.takeKey(Qt::Key_Escape);
+    clean.keys().take(Qt::Key_Escape);
     EXPECT_FALSE(window.opener().busy());
     EXPECT_FALSE(bar->isVisible());
     EXPECT_TRUE(window.presentation().isOn()) << "the talk goes on";
@@ -161,7 +162,7 @@ TEST_F(WindowOpening, WhilePresentingEscapeStopsWhatTakesLongAndDoesNotEndTheTal
     ASSERT_TRUE(QTest::qWaitFor(runs, 5000));
     EXPECT_TRUE(clean.rect().contains(line->geometry().translated(line->parentWidget()->pos())));
     const auto talksOnAfterEscape = [&] {
-        clean.takeKey(Qt::Key_Escape);
+        clean.keys().take(Qt::Key_Escape);
         QTest::qWait(50);
         return window.presentation().isOn();
     };

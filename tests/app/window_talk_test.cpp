@@ -18,6 +18,7 @@
 #include "app/desktop/pen_layer.h"
 #include "app/desktop/presentation.h"
 #include "app/desktop/shown_state.h"
+#include "app/desktop/talk_keys.h"
 #include "app/desktop/view_area.h"
 #include "app/desktop/window_cues.h"
 #include "app/panels/algorithm_view.h"
@@ -106,13 +107,13 @@ TEST_F(WindowTalk, AShowsTheAlgorithmWithTheLineOfTheStep) {
     CleanView& view = present();
     auto* algorithm = view.findChild<AlgorithmView*>();
     EXPECT_FALSE(algorithm->isVisible());
-    EXPECT_TRUE(view.takeKey(Qt::Key_A));
+    EXPECT_TRUE(view.keys().take(Qt::Key_A));
     document().stepper().goTo(*pipeline::parsePlace("z-buffer/polygon=2/row=270/x=258/line=5"));
     EXPECT_TRUE(algorithm->isVisible());
     EXPECT_FALSE(algorithm->currentRect().isEmpty());
     EXPECT_TRUE(view.caption().contains("line 5")) << view.caption().toStdString();
     EXPECT_TRUE(window.shown().now()->algorithm);
-    EXPECT_TRUE(view.takeKey(Qt::Key_A));
+    EXPECT_TRUE(view.keys().take(Qt::Key_A));
     EXPECT_FALSE(algorithm->isVisible());
 }
 
@@ -167,7 +168,7 @@ TEST_F(WindowTalk, WhyLinesAreLeftOutStandsBelowTheAlgorithm) {
     document().change(*findSetting(document().scene(), "split"), 0);
     ASSERT_TRUE(waitForFrame());
     CleanView& view = present();
-    view.takeKey(Qt::Key_A);
+    view.keys().take(Qt::Key_A);
     document().setStage(pipeline::StageId::ZBuffer);
     const auto* why = view.findChild<QLabel*>("algorithmLeftOut");
     ASSERT_TRUE(QTest::qWaitFor([&] { return why->isVisible(); }, 30000));
@@ -217,15 +218,15 @@ TEST_F(AskingTalk, AQuestionHasItsChoicesAndNoNumbersThenComesTheAnswer) {
 
 TEST_F(AskingTalk, VotesAreTypedAndStayWithTheirQuestion) {
     CleanView& view = present();
-    EXPECT_TRUE(view.takeKey(Qt::Key_B)) << "a choice, not the black screen";
+    EXPECT_TRUE(view.keys().take(Qt::Key_B)) << "a choice, not the black screen";
     EXPECT_EQ(view.ask().field(), 1);
-    for (const int key : {Qt::Key_2, Qt::Key_1, Qt::Key_Tab, Qt::Key_9}) EXPECT_TRUE(view.takeKey(key));
+    for (const int key : {Qt::Key_2, Qt::Key_1, Qt::Key_Tab, Qt::Key_9}) EXPECT_TRUE(view.keys().take(key));
     EXPECT_EQ(model().votes(0), (std::vector<int>{0, 21, 9}));
     EXPECT_EQ(view.caption(), "30 votes so far.");
-    EXPECT_TRUE(view.takeKey(Qt::Key_B));
-    EXPECT_TRUE(view.takeKey(Qt::Key_7));
+    EXPECT_TRUE(view.keys().take(Qt::Key_B));
+    EXPECT_TRUE(view.keys().take(Qt::Key_7));
     EXPECT_EQ(model().votes(0)[1], 7) << "typed anew it replaces";
-    EXPECT_TRUE(view.takeKey(Qt::Key_Escape)) << "leaves the field, not the talk";
+    EXPECT_TRUE(view.keys().take(Qt::Key_Escape)) << "leaves the field, not the talk";
     EXPECT_EQ(view.ask().field(), -1);
     EXPECT_TRUE(window.presentation().isOn());
     press("PgDown");

@@ -27,7 +27,6 @@ const std::map<std::string, ClassSize>& largerThanMost() {
         {"app/core/lesson_run.h LessonRun", {33, 8}},
         {"app/core/renderer_check.h RendererCheck", {31, 20}},
         {"app/core/stepper.h Stepper", {42, 16}},
-        {"app/desktop/clean_view.h CleanView", {29, 23}},
         {"app/desktop/notes_window.h NotesWindow", {19, 19}},
         {"app/desktop/slide_dialog.h SlideDialog", {12, 19}},
         {"app/panels/buffer_canvas.h BufferCanvas", {69, 17}},

@@ -1,0 +1,44 @@
+#include "app/desktop/talk_algorithm.h"
+
+#include <QLabel>
+#include <QVBoxLayout>
+
+#include "app/core/document.h"
+#include "app/core/text.h"
+#include "app/panels/algorithm_panel.h"
+#include "app/panels/algorithm_view.h"
+#include "app/panels/follow_theme.h"
+#include "lessons/talk_words.h"
+
+namespace app {
+
+TalkAlgorithm::TalkAlgorithm(const Document& document, QWidget* parent)
+    : QWidget(parent), m_document(document), m_lines(new AlgorithmView(this)), m_leftOut(new QLabel(this)) {
+    m_lines->setLetters(20.8, 17.6);  // 38 and 32 px in 1080 lines
+    m_lines->setMostLines(int(lessons::kMostAlgorithmRows));
+    m_lines->setShowsLoop(true);
+    m_lines->setFocusPolicy(Qt::NoFocus);
+    m_leftOut->setObjectName("algorithmLeftOut");
+    m_leftOut->setWordWrap(true);
+    m_leftOut->setProperty("tone", 2);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addWidget(m_lines);
+    column->addWidget(m_leftOut);
+    column->addStretch(1);
+    followTheme(this, [this] { m_leftOut->setFont(Theme::current().text(12)); });
+}
+
+void TalkAlgorithm::showStep(bool wanted) {
+    const Stepper& stepper = m_document.stepper();
+    auto state = stepper.showsAlgorithm() ? algorithmState(stepper, m_document.stage()) : std::nullopt;
+    setVisible(state.has_value() && wanted);
+    QStringList why;
+    if (state)
+        for (const std::string& sentence : state->leftOut()) why += toQString(sentence);
+    m_leftOut->setText(why.join('\n'));
+    m_leftOut->setVisible(!why.isEmpty());
+    m_lines->setState(std::move(state));
+}
+
+}  // namespace app
