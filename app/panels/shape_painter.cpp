@@ -99,7 +99,7 @@ struct ShapePainter {
     void forEachSeen(Visit visit) const {
         const QRectF near = window.adjusted(-kTiny, -kTiny, kTiny, kTiny);
         for (std::size_t i = 0; i < picture.shapes.size() && !stop.stop_requested(); ++i) {
-            const QRectF& box = picture.boxes[i];
+            const QRectF box = picture.boxOf(i);
             const QRectF at(place(box.topLeft()), box.size() * zoom);
             if (isNear(at, near)) visit(picture.shapes[i], at);
         }

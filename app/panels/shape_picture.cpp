@@ -28,8 +28,8 @@ QString rowText(const AnyBuffer& buffer, std::size_t row, lessons::ShownChannel 
     return values.size() == 1 ? values[0] : '(' + values.join(", ") + ')';
 }
 
-QRectF boxAround(const ShapePicture& picture, const ProjectedPolygon& polygon) {
-    const auto corners = picture.topology->corners(polygon.polygon);
+QRectF boxAround(const ShapePicture& picture, std::size_t polygon) {
+    const auto corners = picture.topology->corners(polygon);
     QPointF least = picture.places[corners[0]], most = least;
     for (std::size_t i = 1; i < corners.size(); ++i) {
         const QPointF& at = picture.places[corners[i]];
@@ -86,7 +86,7 @@ ShapePicture shapePicture(const pipeline::Frame& frame, const AnyBuffer& buffer,
     picture.places = std::move(projected.places);
     picture.isSmall = isSmall;
     picture.shapes.reserve(projected.polygons.size());
-    picture.boxes.reserve(projected.polygons.size());
+    if (!isSmall) picture.boxes.reserve(projected.polygons.size());
     const bool onPolygons = buffer.info->domain == Domain::Polygon;
     const bool areVerdicts = onPolygons && buffer.info->palette == Palette::Verdict;
     picture.value = [buffer, areVerdicts, channel = look.channel](std::size_t row) {
@@ -97,10 +97,14 @@ ShapePicture shapePicture(const pipeline::Frame& frame, const AnyBuffer& buffer,
         Shape& shape = picture.shapes.emplace_back(Shape{.outline = polygon, .fill = {}});
         if (onPolygons) shape.fill = colorOf(buffer, polygon.polygon, look);
         if (areVerdicts) shape.letter = pipeline::letter(pipeline::Verdict(int(buffer.flat(polygon.polygon))));
-        picture.boxes.push_back(boxAround(picture, polygon));
+        if (!isSmall) picture.boxes.push_back(boxAround(picture, polygon.polygon));
     }
     if (buffer.info->domain == Domain::Vertex) addPoints(projected, buffer, look, stop, picture);
     return picture;
+}
+
+QRectF ShapePicture::boxOf(std::size_t shape) const {
+    return boxes.empty() ? boxAround(*this, shapes[shape].outline.polygon) : boxes[shape];
 }
 
 int nearestPolygonAt(const ShapePicture& picture, QPointF at) {
@@ -109,7 +113,7 @@ int nearestPolygonAt(const ShapePicture& picture, QPointF at) {
         return std::pair(!a.goesOn, a.distance) < std::pair(!b.goesOn, b.distance);
     };
     for (std::size_t i = 0; i < picture.shapes.size(); ++i) {
-        if (!picture.boxes[i].contains(at)) continue;
+        if (!picture.boxOf(i).contains(at)) continue;
         const Shape& shape = picture.shapes[i];
         if (nearest && !isBefore(shape.outline, nearest->outline)) continue;
         if (picture.outline(shape).containsPoint(at, Qt::OddEvenFill)) nearest = &shape;

@@ -27,13 +27,15 @@ struct ShapePicture {
     std::shared_ptr<const pipeline::Topology> topology;
     std::vector<QPointF> places;  // of every vertex, pixels
     std::vector<Shape> shapes;    // in the order of drawing: farthest first, culled ones before kept ones
-    std::vector<QRectF>
-        boxes;  // around each of them, close together: all are gone through at every move of the pointer
+    // Around each of them, close together: all are gone through at every move of the pointer. None in a thumbnail, which
+    // is painted once.
+    std::vector<QRectF> boxes;
     std::vector<ShapePoint> points;
     std::function<QString(std::size_t)> value;  // of a filled polygon or a point; written where there are few
     bool isSmall = false;                       // a thumbnail: no words, small points
 
     QPolygonF outline(const Shape& shape) const;
+    QRectF boxOf(std::size_t shape) const;  // pixels
 };
 
 // The hatches that tell verdicts apart without colour.

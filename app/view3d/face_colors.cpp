@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "app/view3d/view_mesh.h"
 #include "pipeline/illumination/illumination.h"
@@ -59,32 +58,29 @@ void colorFaces(const pipeline::Frame& frame, const pipeline::Topology& topology
         return frameBufferColor(intensityAt(scene, lights, material, position, row3(*normals, vertex), towardsEye),
                                 iMax);
     };
-    // Faces share their vertices, and a vertex has one object's material.
-    std::vector<std::optional<glm::vec3>> phong(mesh.positions.size());
-
+    const auto vertexColor = [&](std::size_t vertex, const pipeline::Material& material) {
+        if (hasRun && shading == pipeline::Shading::Gouraud && gouraud)
+            return frameBufferColor(row3(*gouraud, vertex), iMax);
+        if (hasRun && shading == pipeline::Shading::Phong && normals) return phongColor(vertex, material);
+        return glm::vec3(material.diffuse);
+    };
+    if (hasRun && shading == pipeline::Shading::Flat && flat) {
+        mesh.polygonColors.reserve(topology.polygonCount());
+        for (std::size_t p = 0; p < topology.polygonCount(); ++p)
+            mesh.polygonColors.push_back(frameBufferColor(row3(*flat, p), iMax));
+    } else {
+        // Faces share their vertices, and a vertex has one object's material.
+        mesh.vertexColors.resize(mesh.positions.size());
+        for (std::size_t v = 0; v < mesh.positions.size() && !stop.stop_requested(); ++v)
+            mesh.vertexColors[v] = vertexColor(v, scene.objects[topology.objectOfVertex(v)].material);
+    }
     for (Face& face : mesh.faces) {
         if (stop.stop_requested()) return;
         const auto polygon = static_cast<std::size_t>(face.polygon);
-        const pipeline::Material& material = scene.objects[topology.objectOfPolygon(polygon)].material;
-        face.alpha = float(pipeline::opacity(material));
-        if (verdicts) {
-            const double code = verdicts->flat(polygon);
-            face.shaded = pipeline::goesOn(static_cast<pipeline::Verdict>(int(code)));
-        }
-        for (std::size_t i = 0; i < 3; ++i) {
-            const std::size_t vertex = face.vertices[i];
-            glm::vec3& color = face.colors[i];
-            if (hasRun && shading == pipeline::Shading::Flat && flat) {
-                color = frameBufferColor(row3(*flat, polygon), iMax);
-            } else if (hasRun && shading == pipeline::Shading::Gouraud && gouraud) {
-                color = frameBufferColor(row3(*gouraud, vertex), iMax);
-            } else if (hasRun && shading == pipeline::Shading::Phong && normals) {
-                if (!phong[vertex]) phong[vertex] = phongColor(vertex, material);
-                color = *phong[vertex];
-            } else {
-                color = glm::vec3(material.diffuse);
-            }
-        }
+        face.alpha = float(pipeline::opacity(scene.objects[topology.objectOfPolygon(polygon)].material));
+        if (!verdicts) continue;
+        const double code = verdicts->flat(polygon);
+        face.shaded = pipeline::goesOn(static_cast<pipeline::Verdict>(int(code)));
     }
 }
 

@@ -47,7 +47,7 @@ void Glass::set(const ViewMesh* mesh, Detail detail, double strength, const Them
             const Vec3d& at = mesh->positions[vertices[i]];
             sum += at;
             points->InsertNextPoint(at.x, at.y, at.z);
-            const glm::vec3 color = glm::mix(ground, face.shaded ? face.colors[i] : culled, float(strength));
+            const glm::vec3 color = glm::mix(ground, face.shaded ? mesh->colorOf(face, i) : culled, float(strength));
             const glm::vec4 bytes = glm::round(255.0f * glm::clamp(glm::vec4(color, face.alpha), 0.0f, 1.0f));
             rgba->InsertNextTuple4(bytes.r, bytes.g, bytes.b, bytes.a);
         }

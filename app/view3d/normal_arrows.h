@@ -1,5 +1,4 @@
 #pragma once
-#include <span>
 #include <vector>
 
 #include "app/view3d/view_content.h"
@@ -7,8 +6,11 @@
 
 namespace app {
 
-// The arrows of a mesh's normals; none where they are off or the frame has none.
-std::span<const NormalArrow> normalArrows(const ViewMesh& mesh, NormalsShown shown);
+// A normal in world space as a colour.
+inline glm::vec3 colorOfNormal(glm::vec3 normal) { return (normal + 1.0f) / 2.0f; }
+
+// How many normals could be drawn: none where they are off, the frame has none, or the space keeps no angles.
+std::size_t normalCount(const ViewMesh& mesh, NormalsShown shown);
 
 // Those that are drawn: of each object every k-th, but twenty where it has so many. On an object that is small beside
 // the scene they are shorter.

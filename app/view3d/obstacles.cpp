@@ -61,7 +61,7 @@ void addObjects(const ViewContent& content, std::vector<Obstacle>& obstacles) {
 void addNormals(const ViewContent& content, const ViewOptions& options, const ViewFrame& view,
                 std::vector<Obstacle>& obstacles) {
     constexpr std::size_t kMany = 400;
-    const std::size_t all = normalArrows(*content.mesh, options.normals).size();
+    const std::size_t all = normalCount(*content.mesh, options.normals);
     if (all / options.everyOf(all) > kMany) return;
     const double length = options.normalLength * view.unitsPerMarkPixel();
     for (const NormalArrow& normal : shownNormals(content, options))

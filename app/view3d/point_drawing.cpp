@@ -34,12 +34,16 @@ Vec3d onSphere(double degreesFromN, double azimuth) {
 ViewMesh discMesh(const ViewContent& content) {
     glm::vec3 color(0.7f);
     for (const Face& face : content.mesh->faces)
-        if (face.polygon == content.pickedPolygon) color = (face.colors[0] + face.colors[1] + face.colors[2]) / 3.0f;
+        if (face.polygon == content.pickedPolygon) {
+            color = glm::vec3(0);
+            for (std::size_t i = 0; i < 3; ++i) color += content.mesh->colorOf(face, i) / 3.0f;
+        }
     ViewMesh mesh;
+    mesh.polygonColors = {color};
     mesh.positions.push_back(Vec3d(0.0));
     for (unsigned i = 0; i < kAround; ++i) {
         mesh.positions.push_back(onSphere(90, 2 * kPi * i / kAround));
-        mesh.faces.push_back({{0, i + 1, (i + 1) % kAround + 1}, {color, color, color}, 0, true});
+        mesh.faces.push_back({{0, i + 1, (i + 1) % kAround + 1}});
     }
     return mesh;
 }

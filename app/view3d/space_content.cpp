@@ -43,28 +43,22 @@ private:
         if (isNew) {
             const double t = m_above[a] / (m_above[a] - m_above[b]);
             m_mesh.positions.push_back(glm::mix(m_mesh.positions[a], m_mesh.positions[b], t));
-            if (!m_mesh.vertexNormalColors.empty())
-                m_mesh.vertexNormalColors.push_back(
-                    glm::mix(m_mesh.vertexNormalColors[a], m_mesh.vertexNormalColors[b], float(t)));
+            for (std::vector<glm::vec3>* of : {&m_mesh.vertexColors, &m_mesh.vertexNormals})
+                if (!of->empty()) of->push_back(glm::mix((*of)[a], (*of)[b], float(t)));
         }
         return place->second;
     }
 
     // I. E. Sutherland and G. W. Hodgman, "Reentrant polygon clipping", Communications of the ACM, 1974.
     void cut(const Face& face) {
-        std::vector<std::pair<std::uint32_t, glm::vec3>> kept;
+        std::vector<std::uint32_t> kept;
         for (std::size_t i = 0; i < 3; ++i) {
             const std::uint32_t a = face.vertices[i], b = face.vertices[(i + 1) % 3];
-            if (m_above[a] >= 0) kept.emplace_back(a, face.colors[i]);
-            if ((m_above[a] < 0) == (m_above[b] < 0)) continue;
-            const auto t = float(m_above[a] / (m_above[a] - m_above[b]));
-            kept.emplace_back(between(a, b), glm::mix(face.colors[i], face.colors[(i + 1) % 3], t));
+            if (m_above[a] >= 0) kept.push_back(a);
+            if ((m_above[a] < 0) != (m_above[b] < 0)) kept.push_back(between(a, b));
         }
         for (std::size_t i = 2; i < kept.size(); ++i)
-            m_mesh.faces.push_back({{kept[0].first, kept[i - 1].first, kept[i].first},
-                                    {kept[0].second, kept[i - 1].second, kept[i].second},
-                                    face.polygon,
-                                    face.shaded});
+            m_mesh.faces.push_back({{kept[0], kept[i - 1], kept[i]}, face.polygon, face.shaded, face.alpha});
     }
 
     const ViewContent& m_world;
@@ -90,11 +84,6 @@ double meanEdge(const ViewMesh& mesh) {
     return mesh.edges.empty() ? 0 : sum / double(mesh.edges.size());
 }
 
-void turnArrows(const SpaceMap& map, std::vector<NormalArrow>& arrows) {
-    for (NormalArrow& arrow : arrows)
-        arrow.base = map.toSpace(arrow.base), arrow.direction = map.turned(arrow.direction);
-}
-
 Bounds boundsOf(const ViewMesh& mesh) {
     Bounds bounds;
     for (const Vec3d& p : mesh.positions) bounds.add(p);
@@ -112,13 +101,7 @@ ViewMesh moved(ViewMesh mesh, const pipeline::View& eye, const SpaceMap& map) {
     mesh.tree.reset();
     // What was cut off is no polygon's corner any more: any place does.
     for (Vec3d& p : mesh.positions) p = hasPlace(eye, map, p) ? map.toSpace(p) : Vec3d(0.0);
-    if (map.keepsLengths()) {
-        turnArrows(map, mesh.polygonNormals);
-        turnArrows(map, mesh.vertexNormals);
-    } else {
-        mesh.polygonNormals.clear();
-        mesh.vertexNormals.clear();
-    }
+    mesh.hasAngles = map.keepsLengths();
     mesh.meanEdge = meanEdge(mesh);
     return mesh;
 }
@@ -222,8 +205,7 @@ SpaceMorph::SpaceMorph(const ViewContent& world, const SpaceMap& mapFrom, const 
     ViewMesh mesh = moved(*both.mesh, both.eye, mapTo);
     m_end = mesh.positions;
     for (const Vec3d& p : begin.positions) m_begin.push_back(placedBefore(to, before(from, p)));
-    mesh.polygonNormals.clear();
-    mesh.vertexNormals.clear();
+    mesh.hasAngles = false;
     mesh.objects.clear();
     mesh.picture = {};
     m_content = withMoved(both, std::make_shared<const ViewMesh>(std::move(mesh)), mapTo);

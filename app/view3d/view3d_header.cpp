@@ -205,7 +205,7 @@ void View3dHeader::showSpace() {
 QString View3dHeader::normalsTip() const {
     const auto& content = m_view.space().content();
     const ViewOptions& options = m_view.options();
-    const std::size_t all = content ? normalArrows(*content->mesh, options.normals).size() : 0;
+    const std::size_t all = content ? normalCount(*content->mesh, options.normals) : 0;
     const std::size_t shown = content ? shownNormals(*content, options).size() : 0;
     const QString tip = tr("Normals of the polygons or vertices");
     if (shown == all) return tip;

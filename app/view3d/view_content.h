@@ -32,15 +32,15 @@ using FaceTree = pipeline::rays::TriangleTree<double>;
 // paintOverlay. All positions are in world space, or where inSpace made it, in that of `map`. Nothing here depends on a theme, on the
 // camera of the view or on the size of the window.
 
-// A triangle of a polygon. Colours are sRGB, 0 to 1, as the frame buffer would hold them.
+// A triangle of a polygon.
 struct Face {
     std::array<std::uint32_t, 3> vertices;  // into ViewMesh::positions
-    std::array<glm::vec3, 3> colors{};      // one a vertex; equal with flat shading
     std::int32_t polygon = 0;               // counted over all objects
     bool shaded = true;                     // false: the pipeline culled the polygon, so that it has no colour
     float alpha = 1;                        // opacity of its front; 0: not drawn
 };
 
+// A normal as it is drawn; see normalArrows.
 struct NormalArrow {
     Vec3d base, direction;  // direction has unit length
     glm::vec3 color{0.5f};  // (N + 1) / 2 of N in world space
@@ -99,11 +99,14 @@ struct ViewMesh {
     std::shared_ptr<const pipeline::Topology> topology;  // the frame's; null without vertices
     std::vector<Vec3d> positions;                        // of every vertex, as vertices.world
     std::vector<Face> faces;
+    // sRGB, 0 to 1, as the frame buffer would hold them: per vertex, or with flat shading per polygon.
+    std::vector<glm::vec3> vertexColors, polygonColors;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;  // of polygons, each once
     double meanEdge = 0;                                         // their mean length, world units
-    std::vector<NormalArrow> polygonNormals, vertexNormals;      // empty where the frame has none
-    // Unit normals as colours, (N + 1) / 2: per polygon, and per vertex where the frame has those.
-    std::vector<glm::vec3> polygonNormalColors, vertexNormalColors;
+    // Unit normals in world space, (0, 0, 0) where there is none: per polygon, and per vertex where the frame has those.
+    // In float, because a mesh may have millions of them.
+    std::vector<glm::vec3> polygonNormals, vertexNormals;
+    bool hasAngles = true;              // false where a normal would not stand at right angles to its polygon
     std::vector<ObjectBounds> objects;  // per object, in world space; empty where the frame has no vertices
     Picture picture;                    // the frame buffer; empty before the first pixel is shaded
     // Over the faces, where there are many; null: a ray looks at them one by one.
@@ -112,6 +115,10 @@ struct ViewMesh {
     std::shared_ptr<const std::vector<CoarseFace>> coarse;
     // Where it is cut at the near plane: the vertex that an edge, its lesser end first, was given there.
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> cuts;
+
+    const glm::vec3& colorOf(const Face& face, std::size_t corner) const {
+        return polygonColors.empty() ? vertexColors[face.vertices[corner]] : polygonColors[std::size_t(face.polygon)];
+    }
 };
 
 struct ViewContent {

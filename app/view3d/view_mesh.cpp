@@ -81,7 +81,7 @@ void addPolygons(const Frame& frame, const ViewMesh* before, const std::stop_tok
     mesh.faces.reserve(topology.triangles.size());
     for (std::size_t t = 0; t < topology.triangles.size(); ++t) {
         const auto& v = topology.triangles[t].vertices;
-        mesh.faces.push_back({{v[0], v[1], v[2]}, {}, std::int32_t(topology.polygonOf(t))});
+        mesh.faces.push_back({{v[0], v[1], v[2]}, std::int32_t(topology.polygonOf(t))});
     }
     const bool isSame = before && before->topology == mesh.topology && before->positions == mesh.positions;
     if (isSame && before->tree) {
@@ -98,27 +98,18 @@ void addPolygons(const Frame& frame, const ViewMesh* before, const std::stop_tok
 }
 
 void addNormals(const Frame& frame, const std::stop_token& stop, ViewMesh& mesh) {
-    const pipeline::Topology& topology = frame.topology();
-    if (mesh.positions.empty() || stop.stop_requested()) return;
-    if (const auto normals = frame.buffer({BufferId::PolygonsNormal}))
-        for (std::size_t p = 0; p < topology.polygonCount() && !stop.stop_requested(); ++p) {
-            const auto corners = topology.corners(p);
-            Vec3d sum{0.0};
-            for (std::size_t i = 0; i < corners.size(); ++i) sum += mesh.positions[corners[i]];
-            const Vec3d normal = row3(*normals, p);
-            mesh.polygonNormalColors.emplace_back((normal + 1.0) / 2.0);
-            if (finite(normal) && normal != Vec3d(0.0))
-                mesh.polygonNormals.push_back({sum / double(corners.size()), glm::normalize(normal),
-                                               mesh.polygonNormalColors.back(), topology.objectOfPolygon(p)});
+    if (mesh.positions.empty()) return;
+    const auto read = [&](BufferId id, std::size_t count, std::vector<glm::vec3>& to) {
+        const auto normals = frame.buffer({id});
+        if (!normals) return;
+        to.reserve(count);
+        for (std::size_t i = 0; i < count && !stop.stop_requested(); ++i) {
+            const Vec3d normal = row3(*normals, i);
+            to.emplace_back(finite(normal) ? normal : Vec3d(0.0));
         }
-    if (const auto normals = frame.buffer({BufferId::VerticesNormal}))
-        for (std::size_t v = 0; v < mesh.positions.size() && !stop.stop_requested(); ++v) {
-            const Vec3d normal = row3(*normals, v);
-            mesh.vertexNormalColors.emplace_back((normal + 1.0) / 2.0);
-            if (finite(normal) && normal != Vec3d(0.0))
-                mesh.vertexNormals.push_back({mesh.positions[v], glm::normalize(normal), mesh.vertexNormalColors.back(),
-                                              std::uint32_t(topology.objectOfVertex(v))});
-        }
+    };
+    read(BufferId::PolygonsNormal, frame.topology().polygonCount(), mesh.polygonNormals);
+    read(BufferId::VerticesNormal, mesh.positions.size(), mesh.vertexNormals);
 }
 
 }  // namespace app

@@ -7,11 +7,13 @@
 #include <vtkCellArray.h>
 #include <vtkDoubleArray.h>
 #include <vtkFloatArray.h>
-#include <vtkIdTypeArray.h>
 #include <vtkImageData.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
+#include <vtkTypeInt32Array.h>
 #include <vtkUnsignedCharArray.h>
+
+#include "app/view3d/normal_arrows.h"
 
 namespace app {
 
@@ -61,9 +63,9 @@ vtkSmartPointer<vtkPoints> pointsOf(const std::vector<Vec3d>& positions) {
     return points;
 }
 
-// Cells of so many points each.
-vtkSmartPointer<vtkCellArray> cellsOf(const std::vector<vtkIdType>& ids, vtkIdType size) {
-    auto corners = vtkSmartPointer<vtkIdTypeArray>::New();
+// Cells of so many points each, in 32 bits: half of the memory of vtkIdType.
+vtkSmartPointer<vtkCellArray> cellsOf(const std::vector<vtkTypeInt32>& ids, vtkIdType size) {
+    auto corners = vtkSmartPointer<vtkTypeInt32Array>::New();
     corners->SetNumberOfValues(vtkIdType(ids.size()));
     std::ranges::copy(ids, corners->GetPointer(0));
     auto cells = vtkSmartPointer<vtkCellArray>::New();
@@ -79,21 +81,21 @@ vtkSmartPointer<vtkPolyData> facesData(const ViewMesh& mesh, Detail detail, Face
                                        const ThemeColors& colors) {
     const Color8 ground = toColor8(colors.view);
     const auto colorAt = [&](const Face& face, std::size_t corner) {
-        if (shown == FacesShown::Normals && !mesh.vertexNormalColors.empty())
-            return toColor8(mesh.vertexNormalColors[face.vertices[corner]]);
-        if (shown == FacesShown::Normals && !mesh.polygonNormalColors.empty())
-            return toColor8(mesh.polygonNormalColors[std::size_t(face.polygon)]);
-        return face.shaded ? toColor8(face.colors[corner]) : toColor8(colors.hover);
+        if (shown == FacesShown::Normals && !mesh.vertexNormals.empty())
+            return toColor8(colorOfNormal(mesh.vertexNormals[face.vertices[corner]]));
+        if (shown == FacesShown::Normals && !mesh.polygonNormals.empty())
+            return toColor8(colorOfNormal(mesh.polygonNormals[std::size_t(face.polygon)]));
+        return face.shaded ? toColor8(mesh.colorOf(face, corner)) : toColor8(colors.hover);
     };
     // A vertex is one point while the faces around it give it one colour.
     struct Placed {
-        vtkIdType point = -1;
+        vtkTypeInt32 point = -1;
         Color8 color{0};
     };
     std::vector<Placed> placed(mesh.positions.size());
     std::vector<Vec3d> points;
     std::vector<Color8> rgb;
-    std::vector<vtkIdType> corners;
+    std::vector<vtkTypeInt32> corners;
     const std::size_t count = detail == Detail::Full ? mesh.faces.size() : mesh.coarse->size();
     points.reserve(std::min(count, mesh.positions.size()));
     rgb.reserve(std::min(count, mesh.positions.size()));
@@ -104,7 +106,7 @@ vtkSmartPointer<vtkPolyData> facesData(const ViewMesh& mesh, Detail detail, Face
             Placed& at = placed[vertices[i]];
             const Color8 color = mixed(colorAt(face, i), ground, strength);
             if (at.point < 0 || at.color != color) {
-                at = {vtkIdType(points.size()), color};
+                at = {vtkTypeInt32(points.size()), color};
                 points.push_back(mesh.positions[vertices[i]]);
                 rgb.push_back(color);
             }
@@ -126,9 +128,9 @@ vtkSmartPointer<vtkPolyData> facesData(const ViewMesh& mesh, Detail detail, Face
 }
 
 vtkSmartPointer<vtkPolyData> edgesData(const ViewMesh& mesh) {
-    std::vector<vtkIdType> ends;
+    std::vector<vtkTypeInt32> ends;
     ends.reserve(2 * mesh.edges.size());
-    for (const auto& [a, b] : mesh.edges) ends.push_back(vtkIdType(a)), ends.push_back(vtkIdType(b));
+    for (const auto& [a, b] : mesh.edges) ends.push_back(vtkTypeInt32(a)), ends.push_back(vtkTypeInt32(b));
     auto data = vtkSmartPointer<vtkPolyData>::New();
     data->SetPoints(pointsOf(mesh.positions));
     data->SetLines(cellsOf(ends, 2));

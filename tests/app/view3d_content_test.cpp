@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/view3d/normal_arrows.h"
 #include "app/view3d/overlay.h"
 #include "app/view3d/point_drawing.h"
 #include "app/view3d/view_content.h"
@@ -23,8 +24,10 @@ TEST(View3dContent, HoldsThePyramidInWorldSpace) {
     expectNear(content.bounds.max, {470, 150, 150}, 1e-4);
     EXPECT_EQ(content.mesh->polygonNormals.size(), 5u);
     // Polygon 2 is (470,150,0) (200,150,0) (335,75,150): its normal (0, 2, 1) / √5 at the mean.
-    expectNear(content.mesh->polygonNormals[2].base, {335, 125, 50}, 1e-4);
-    expectNear(content.mesh->polygonNormals[2].direction, Vec3d(0, 2, 1) / std::sqrt(5.0), 1e-6);
+    const auto arrows = shownNormals(content, {});
+    ASSERT_EQ(arrows.size(), 5u);
+    expectNear(arrows[2].base, {335, 125, 50}, 1e-4);
+    expectNear(arrows[2].direction, Vec3d(0, 2, 1) / std::sqrt(5.0), 1e-6);
 }
 
 // I of polygon 2 at (335, 125, 50): N·L = 3/√15 = 0.774597, R·V = 0.3974, its 8th power 0.00062, so
@@ -36,7 +39,8 @@ TEST(View3dContent, FlatFacesHaveTheFrameBuffersColour) {
         if (face.polygon != 2) continue;
         ++found;
         EXPECT_TRUE(face.shaded);
-        for (const glm::vec3& color : face.colors) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            const glm::vec3& color = content.mesh->colorOf(face, i);
             EXPECT_NEAR(color.r, 25.517 / 175, 1e-4);
             EXPECT_NEAR(color.g, 63.755 / 175, 1e-4);
             EXPECT_NEAR(color.b, 114.739 / 175, 1e-4);
@@ -47,15 +51,17 @@ TEST(View3dContent, FlatFacesHaveTheFrameBuffersColour) {
 
 // The eye stands at (612, 612, 500): it sees neither the base nor polygon 0, whose normal has y < 0.
 TEST(View3dContent, CulledPolygonsAreNotShaded) {
-    for (const app::Face& face : contentOf(test::pyramid()).mesh->faces)
+    const ViewContent content = contentOf(test::pyramid());
+    for (const app::Face& face : content.mesh->faces)
         EXPECT_EQ(face.shaded, face.polygon != 0 && face.polygon != 4) << face.polygon;
 }
 
 TEST(View3dContent, GouraudColoursDifferAlongAFace) {
     pipeline::Scene scene = test::pyramid();
     scene.settings.shading = pipeline::Shading::Gouraud;
-    for (const app::Face& face : contentOf(scene).mesh->faces)
-        EXPECT_TRUE(face.polygon != 2 || face.colors[0] != face.colors[2]);
+    const ViewContent content = contentOf(scene);
+    for (const app::Face& face : content.mesh->faces)
+        EXPECT_TRUE(face.polygon != 2 || content.mesh->colorOf(face, 0) != content.mesh->colorOf(face, 2));
 }
 
 // Phong shading leaves no intensities at the vertices; the model gives them. A light straight
@@ -72,8 +78,8 @@ TEST(View3dContent, PhongShadingIsEvaluatedAtTheVertices) {
     for (const app::Face& face : content.mesh->faces)
         for (std::size_t i = 0; i < 3; ++i)
             if (face.vertices[i] == 0) {
-                EXPECT_NEAR(face.colors[i].r, 0.25, 1e-4);
-                EXPECT_NEAR(face.colors[i].b, 1.0, 1e-4);
+                EXPECT_NEAR(content.mesh->colorOf(face, i).r, 0.25, 1e-4);
+                EXPECT_NEAR(content.mesh->colorOf(face, i).b, 1.0, 1e-4);
             }
 }
 

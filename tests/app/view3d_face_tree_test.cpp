@@ -22,7 +22,7 @@ ViewContent soup(std::mt19937& random) {
         for (int corner = 0; corner < 3; ++corner)
             mesh->positions.push_back(i % 10 == 9 ? mesh->positions[mesh->positions.size() - 3]
                                                   : middle + vector(edge));
-        mesh->faces.push_back({{3 * i, 3 * i + 1, 3 * i + 2}, {}, std::int32_t(i)});
+        mesh->faces.push_back({{3 * i, 3 * i + 1, 3 * i + 2}, std::int32_t(i)});
     }
     mesh->positions[300].x = NAN;
     ViewContent content;

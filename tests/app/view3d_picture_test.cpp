@@ -263,8 +263,9 @@ TEST(View3dPicture, TranslucentFacesLetThroughWhatIsBehindThem) {
     const auto far = std::ranges::find(mesh.faces, 2, &app::Face::polygon);
     ASSERT_NE(far, mesh.faces.end());
     app::Face behind = *far, before = *far;
-    behind.colors.fill({1, 0, 0}), behind.alpha = 0.25f;
-    before.colors.fill({0, 0, 1}), before.alpha = 0.5f;
+    behind.polygon = 0, behind.alpha = 0.25f;
+    before.polygon = 1, before.alpha = 0.5f;
+    mesh.polygonColors = {{1, 0, 0}, {0, 0, 1}};
     const Vec3d towards = -app::presetCamera(ViewPreset::Iso, content, {}, kSize, false).forward;
     for (std::uint32_t& vertex : before.vertices) {
         mesh.positions.push_back(mesh.positions[vertex] + 20.0 * towards);

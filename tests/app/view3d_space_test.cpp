@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/view3d/lobe_drawing.h"
+#include "app/view3d/normal_arrows.h"
 #include "app/view3d/overlay.h"
 #include "app/view3d/point_drawing.h"
 #include "app/view3d/space_content.h"
@@ -123,7 +124,8 @@ TEST(View3dSpace, ScreenSpaceAgreesWithTheTransformStage) {
         EXPECT_NEAR(480 - screen.mesh->positions[v].z, buffer->flat(3 * v + 1), 1e-3);
         EXPECT_TRUE(screen.mesh->positions[v].y >= 0 && screen.mesh->positions[v].y <= 480);
     }
-    EXPECT_TRUE(screen.vectors.empty() && screen.mesh->polygonNormals.empty()) << "it keeps no angles";
+    EXPECT_TRUE(screen.vectors.empty() && normalCount(*screen.mesh, app::NormalsShown::Polygons) == 0)
+        << "it keeps no angles";
 }
 
 // A triangle with two corners before the near plane and one behind it: a quadrangle stays, two triangles.
@@ -132,7 +134,7 @@ TEST(View3dSpace, PolygonsAreCutAtTheNearPlane) {
     world.eye = alongMinusX();
     auto mesh = std::make_shared<app::ViewMesh>();
     mesh->positions = {{0, -1, 0}, {0, 1, 0}, {12, 0, 0}};  // z_view 10, 10, −2; near is 2
-    mesh->faces.push_back({{0, 1, 2}, {}, 0, true});
+    mesh->faces.push_back({{0, 1, 2}, 0, true});
     mesh->edges = {{0, 1}, {0, 2}, {1, 2}};
     world.mesh = mesh;
     world.pickedLoop = {0, 1, 2};

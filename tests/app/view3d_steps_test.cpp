@@ -37,7 +37,7 @@ TEST_F(View3dSteps, InsideTheTransformStageItShowsNothingOfLaterStages) {
                 return vertices.flat(3 * v) != 0 || vertices.flat(3 * v + 1) != 0 || vertices.flat(3 * v + 2) != 0;
             });
             EXPECT_EQ(face.shaded, isThere);
-            EXPECT_EQ(face.colors[0], glm::vec3(document.scene().objects[0].material.diffuse));
+            EXPECT_EQ(content.mesh->colorOf(face, 0), glm::vec3(document.scene().objects[0].material.diffuse));
         }
     }
 }
