@@ -4,11 +4,8 @@
 // is one change until every view has painted it, a click one until the equation and the vectors are those of the pixel.
 // While a hand drags on, the next frame is computed as the one before is painted: frames a second are the median of the
 // times between two frames that the buffer view has painted, beside it the 95th percentile, and the frames a second of
-// the 3D view. A pause is what the window's thread computes between two moves of the mouse; the longest is told. Other
-// work on the machine makes the times longer; pauses, and the CPU time of the window's thread and of all threads for a
-// frame of the drag, are CPU times, which it hardly changes. Memory is the peak of the process so far.
-#include <sys/resource.h>
-
+// the 3D view. Other work on the machine makes the times longer; the CPU time of the window's thread and of all
+// threads for a frame of the drag, which it hardly changes, stands beside.
 #include <QApplication>
 #include <QElapsedTimer>
 #include <QFile>
@@ -20,7 +17,6 @@
 #include <cmath>
 #include <cstdio>
 #include <ctime>
-#include <utility>
 #include <vector>
 
 #include "app/core/pixel_inspection.h"
@@ -174,7 +170,6 @@ double quantile(const std::vector<double>& ascending, double share) {
 struct Drag {
     double framesPerSecond = 0, slow = 0, frames3dPerSecond = 0;  // slow: of 95 % of the intervals the longest
     double windowCpu = 0, wholeCpu = 0;                           // milliseconds a frame
-    double pause = 0;                                             // milliseconds
 };
 
 // Turns the camera as a hand does that does not wait for pictures.
@@ -185,11 +180,8 @@ Drag drag(app::MainWindow& window) {
     const PaintedFrames painted(window);
     int moves = 0;
     QTimer mouse;
-    double before = windowCpu(), pause = 0;
-    QObject::connect(&mouse, &QTimer::timeout, [&] {
-        document.change(setting, begin + 0.1 * (1 + moves++ % 50), app::Document::Change::Live);
-        pause = std::max(pause, windowCpu() - std::exchange(before, windowCpu()));
-    });
+    QObject::connect(&mouse, &QTimer::timeout,
+                     [&] { document.change(setting, begin + 0.1 * (1 + moves++ % 50), app::Document::Change::Live); });
     mouse.start(kMouseMilliseconds);
     QElapsedTimer time;
     time.start();
@@ -197,12 +189,9 @@ Drag drag(app::MainWindow& window) {
     runUntil([] { return false; }, kDragMilliseconds);
     mouse.stop();
     const std::vector<double> intervals = painted.intervals();
-    const Drag found{1000 / quantile(intervals, 0.5),
-                     quantile(intervals, 0.95),
+    const Drag found{1000 / quantile(intervals, 0.5), quantile(intervals, 0.95),
                      1000.0 * painted.count3d() / double(time.elapsed()),
-                     (windowCpu() - windowBefore) / painted.count(),
-                     (wholeCpu() - wholeBefore) / painted.count(),
-                     pause};
+                     (windowCpu() - windowBefore) / painted.count(), (wholeCpu() - wholeBefore) / painted.count()};
     document.change(setting, begin, app::Document::Change::Done);
     settle(window);
     return found;
@@ -245,17 +234,10 @@ QList<NamedScene> scenesOf(QStringList wanted) {
     const bool areAll = wanted.isEmpty();
     for (const pipeline::BuiltInScene& scene : pipeline::builtInScenes()) {
         const QString name = QString::fromStdString(scene.name);
-        if (wanted.removeAll(name) > 0 || areAll)
-            scenes.append({name, QString::fromStdString(scene.file.string())});
+        if (wanted.removeAll(name) > 0 || areAll) scenes.append({name, QString::fromStdString(scene.file.string())});
     }
     for (const QString& file : wanted) scenes.append({QFileInfo(file).fileName(), file});
     return scenes;
-}
-
-double peakMegabytes() {
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    return 1.024e-3 * double(usage.ru_maxrss);  // it counts KiB
 }
 
 }  // namespace
@@ -280,8 +262,8 @@ int main(int argc, char** argv) {
         "load %s\nstart page usable after %.0f ms (processor, window's thread: %.0f ms): Qt %.0f, window made %.0f, "
         "shown %.0f\n",
         load().constData(), shown, windowCpu(), ready, made - ready, shown - made);
-    std::printf("%-28s %9s %8s %8s %8s %9s %8s %8s %11s %8s %9s %7s\n", "scene", "picture", "opens ms", "step ms",
-                "click ms", "frames/s", "95 % ms", "3D/s", "window cpu", "all cpu", "pause ms", "MB");
+    std::printf("%-28s %9s %8s %8s %8s %9s %8s %8s %11s %8s\n", "scene", "picture", "opens ms", "step ms", "click ms",
+                "frames/s", "95 % ms", "3D/s", "window cpu", "all cpu");
     for (const auto& [name, file] : scenesOf(application.arguments().mid(1))) {
         QElapsedTimer opening;
         opening.start();
@@ -298,10 +280,9 @@ int main(int argc, char** argv) {
             settle(window);
             const std::vector<double> clicks = click(window);
             const Drag dragged = drag(window);
-            std::printf("%-28s %4d×%-4d %8.0f %8.1f %8.1f %9.1f %8.1f %8.1f %11.1f %8.1f %9.1f %7.0f\n",
-                        qPrintable(name), width, height, opened, quantile(steps, 0.5), quantile(clicks, 0.5),
-                        dragged.framesPerSecond, dragged.slow, dragged.frames3dPerSecond, dragged.windowCpu,
-                        dragged.wholeCpu, dragged.pause, peakMegabytes());
+            std::printf("%-28s %4d×%-4d %8.0f %8.1f %8.1f %9.1f %8.1f %8.1f %11.1f %8.1f\n", qPrintable(name), width,
+                        height, opened, quantile(steps, 0.5), quantile(clicks, 0.5), dragged.framesPerSecond,
+                        dragged.slow, dragged.frames3dPerSecond, dragged.windowCpu, dragged.wholeCpu);
             std::fflush(stdout);
         }
         window.document().history().stack()->setClean();
