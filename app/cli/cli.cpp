@@ -31,9 +31,22 @@ constexpr std::array kCommands{
 
 constexpr std::array<std::string_view, 4> kOptions{"-h", "--help", "--version", "--help-all"};
 
+constexpr const char* kSceneFooter =
+    "SCENE is a scene file, or the name of a scene that comes with the program: pyramid.\n";
 constexpr const char* kFooter =
-    "SCENE is a scene file, or the name of a scene that comes with the program: pyramid.\n"
     "Exit status: 0 done, 1 the answer is no, 2 wrong usage, 3 bad input,\n4 could not write, or not enough memory.";
+
+// Of a command that takes a SCENE, or with commands of its own that do.
+bool takesScene(const CLI::App& command) {
+    return command.get_option_no_throw("SCENE") ||
+           std::ranges::any_of(command.get_subcommands({}), [](const CLI::App* one) { return takesScene(*one); });
+}
+
+// A command takes its last lines from the one that it is added to.
+void addFooters(CLI::App& command) {
+    command.footer(takesScene(command) ? std::string(kSceneFooter) + kFooter : kFooter);
+    for (CLI::App* one : command.get_subcommands({})) addFooters(*one);
+}
 
 }  // namespace
 
@@ -50,8 +63,8 @@ void declareProgram(CLI::App& program, const CliHost& host, int& status) {
     program.set_version_flag("--version", fmt::format("shadescope {}", pipeline::programVersion()));
     program.require_subcommand(1);
     program.get_formatter()->column_width(32);
-    program.footer(kFooter);
     for (const Command& command : kCommands) command.declare(program, host, status);
+    addFooters(program);
 }
 
 namespace {

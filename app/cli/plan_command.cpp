@@ -57,6 +57,18 @@ std::vector<std::pair<std::string, std::string>> buffersLeftOut(const pipeline::
     return left;
 }
 
+// All names of buffers, of stages and derived ones.
+pipeline::Json buffersToJson(std::size_t lights) {
+    pipeline::Json all = pipeline::Json::array();
+    const auto add = [&](const std::vector<pipeline::BufferName>& names) {
+        for (const pipeline::BufferName& name : names)
+            all.push_back({{"name", name.text()}, {"meaning", bufferInfo(name.id).meaning}});
+    };
+    add(pipeline::allBuffers(lights));
+    add(pipeline::allDerived(lights));
+    return all;
+}
+
 // frame: nothing where none was run; counts: whether what it did is printed.
 void printPlan(const pipeline::Scene& scene, const pipeline::Plan& plan, const WantedFrame& wanted,
                const pipeline::Frame* frame, bool counts) {
@@ -89,7 +101,8 @@ void printPlanAsJson(const pipeline::Scene& scene, const pipeline::Plan& plan, c
                         {"settings", settingsToJson(scene)},
                         {"remarks", frame ? remarksToJson(*frame) : remarksToJson(scene)},
                         {"plan", toJson(plan)},
-                        {"absent", left}};
+                        {"absent", left},
+                        {"buffers", buffersToJson(scene.lights.size())}};
     if (frame && counts)
         for (const pipeline::StageId stage : pipeline::kStages) {
             json["plan"][index(stage)]["counts"] = frame->run(stage).counts;
@@ -139,7 +152,7 @@ void declarePlan(CLI::App& program, const CliHost&, int& status) {
     auto* counts =
         command->add_flag("--counts", options->counts, "Run the frame, and print what it did and left out in counts");
     command->get_option("--threads")->needs(counts);
-    command->add_flag("--json", options->json, "Print JSON");
+    command->add_flag("--json", options->json, "Print JSON, also all settings and the names of all buffers");
     command->callback([options, &status] { status = runPlan(*options); });
 }
 

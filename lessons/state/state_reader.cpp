@@ -58,7 +58,8 @@ public:
         state.set = strings(table, "set", m_path);
         state.sliders = strings(table, "sliders", m_path);
         if (state.sliders.size() > kMostSliders)
-            m_values.refuse(*table.get("sliders"), m_path + "sliders", fmt::format("at most {} keys", kMostSliders));
+            m_values.refuse(*table.get("sliders"), m_path + "sliders",
+                            fmt::format("at most {} keys of settings", kMostSliders));
         const auto stages = stageNames(), steps = stepNames();
         if (const auto* node = table.get("stage"))
             if (const auto i = m_values.choice(*node, m_path + "stage", stages)) state.stage = pipeline::kStages[*i];

@@ -87,24 +87,32 @@ bool holds(std::string_view whole, std::string_view part) {
     return part.size() >= kLeast && whole.find(part) != whole.npos;
 }
 
+// "a", "b" and "c"
+std::string listed(std::span<const std::string> names) {
+    std::string list;
+    for (std::size_t i = 0; i < names.size(); ++i)
+        list += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + inQuotes(names[i]);
+    return list;
+}
+
 }  // namespace
 
-std::string insteadOf(std::string_view text, std::span<const std::string> known) {
+std::string insteadOf(std::string_view text, std::span<const std::string> known, std::string_view command) {
     const std::string best = nearest(text, known);
     if (best.empty()) return "there is none";
     if (editDistance(text.substr(0, 100), best) <= (text.size() + 2) / 3 || holds(text, best))
         return "the nearest is " + inQuotes(best);
     const auto whole = std::ranges::find_if(known, [&](const std::string& name) { return holds(name, text); });
     if (whole != known.end()) return "the nearest is " + inQuotes(*whole);
-    constexpr std::size_t kMost = 900;  // bytes of a list: more is not read
-    std::string list = known.size() == 1 ? "there is " : "there are ";
-    for (std::size_t i = 0; i < known.size(); ++i) {
-        const bool isLast = i + 1 == known.size();
-        if (!isLast && list.size() + known[i].size() > kMost)
-            return list + " and " + std::to_string(known.size() - i) + " more";
-        list += (i == 0 ? "" : isLast ? " and " : ", ") + inQuotes(known[i]);
-    }
-    return list;
+    constexpr std::size_t kMost = 10, kNearest = 3;  // names in a message
+    if (known.size() <= kMost) return (known.size() == 1 ? "there is " : "there are ") + listed(known);
+    std::vector<std::pair<std::size_t, std::size_t>> order;  // distance and place
+    for (std::size_t i = 0; i < known.size(); ++i) order.emplace_back(editDistance(text.substr(0, 100), known[i]), i);
+    std::ranges::partial_sort(order, order.begin() + kNearest);
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < kNearest; ++i) names.push_back(known[order[i].second]);
+    const std::string all = command.empty() ? "" : "; " + std::string(command) + " lists all";
+    return "there are " + std::to_string(known.size()) + ", the nearest are " + listed(names) + all;
 }
 
 }  // namespace pipeline

@@ -29,7 +29,10 @@ std::size_t editDistance(std::string_view a, std::string_view b);
 std::string nearest(std::string_view text, std::span<const std::string> candidates);
 
 // What a message says after a word that is none of the known ones: "the nearest is "camera"" where one differs in at most
-// a third of the word's letters, or holds it or is held; else "there are "camera", "lights" and "objects"", the first 50.
-std::string insteadOf(std::string_view text, std::span<const std::string> known);
+// a third of the word's letters, or holds it or is held; else "there are "camera", "lights" and "objects"". Of more than 10
+// words only their number and the nearest three, then the command that lists all, where there is one.
+std::string insteadOf(std::string_view text, std::span<const std::string> known, std::string_view command = {});
+// For settings and buffers.
+inline constexpr std::string_view kListingCommand = "shadescope plan --json SCENE";
 
 }  // namespace pipeline

@@ -23,7 +23,7 @@ std::string described(const toml::node& node) {
     if (const auto* value = node.as_floating_point())
         return std::isfinite(value->get()) ? shortestText(value->get()) : "not finite";
     if (const auto* value = node.as_boolean()) return value->get() ? "true" : "false";
-    if (node.is_array()) return "an array";
+    if (const auto* value = node.as_array()) return fmt::format("an array of {}", value->size());
     if (node.is_table()) return "a table";
     return "a date or a time";
 }

@@ -82,7 +82,7 @@ Result<SettingRef> findSetting(const Scene& scene, std::string_view key) {
     }
     std::vector<std::string> keys;
     for (const SettingRef& ref : settingsOf(scene)) keys.push_back(ref.key());
-    return Error{{}, "no setting " + inQuotes(key) + "; " + insteadOf(key, keys), {}};
+    return Error{{}, "no setting " + inQuotes(key) + "; " + insteadOf(key, keys, kListingCommand), {}};
 }
 
 Result<double> parseSetting(const SettingRef& ref, std::string_view text) {

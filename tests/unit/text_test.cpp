@@ -92,9 +92,17 @@ TEST(InsteadOf, NamesWhatIsNearAndElseAllThatThereIs) {
     EXPECT_EQ(insteadOf("schema", names), "there are \"camera\", \"light\" and \"material.0.n\"");
     EXPECT_EQ(insteadOf("xyz", std::vector<std::string>{"depth"}), "there is \"depth\"");
     EXPECT_EQ(insteadOf("x", {}), "there is none");
-    // "there are " and n names of 7 bytes with commas are 8 + 9 n bytes; with the next name's 5, 99 are the first above 900.
-    std::vector<std::string> many(110, "depth");
-    EXPECT_TRUE(insteadOf("xyz", many).ends_with(", \"depth\" and 11 more"));
+}
+
+// One letter of "axxx" and of "xbxx" is in its place, none of the others.
+TEST(InsteadOf, OfManyNamesTheNearestThreeAndHowManyThereAre) {
+    std::vector<std::string> many{"pppp", "qqqq", "axxx", "rrrr", "ssss", "xbxx",
+                                  "tttt", "uuuu", "vvvv", "wwww", "yyyy"};
+    EXPECT_EQ(insteadOf("abcd", many), "there are 11, the nearest are \"axxx\", \"xbxx\" and \"pppp\"");
+    EXPECT_EQ(insteadOf("abcd", many, "plan"),
+              "there are 11, the nearest are \"axxx\", \"xbxx\" and \"pppp\"; plan lists all");
+    many.pop_back();
+    EXPECT_TRUE(insteadOf("abcd", many, "plan").ends_with("\"vvvv\" and \"wwww\"")) << "ten are read in a line";
 }
 
 }  // namespace

@@ -117,8 +117,9 @@ TEST(TomlScene, AnAmbientLightThatIsNotGivenIsTheModels) {
     EXPECT_EQ(ambient("model = \"opengl\"", "ambient.intensity=0"), Vec3d(0));
 }
 
-TEST(TomlScene, ListsATableOnceAmongTheKeys) {
-    const std::string errors = errorsIn("xyzzy = 1\n" + kSphere), camera = "\"camera\"";
+// Three letters of "abxera" are not those of "camera": too many for the nearest alone, fewer than of any other key.
+TEST(TomlScene, NamesATableOnceAmongTheKeys) {
+    const std::string errors = errorsIn("abxera = 1\n" + kSphere), camera = "\"camera\"";
     const std::size_t first = errors.find(camera);
     ASSERT_NE(first, errors.npos) << errors;
     EXPECT_EQ(errors.find(camera, first + 1), errors.npos) << errors;

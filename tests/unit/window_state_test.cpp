@@ -78,7 +78,7 @@ TEST(WindowState, WhatIsWrongIsToldWithItsPlace) {
     for (const char* text : {"pixel = [2.5, 3]\n", "pins = [[1, 4.5, 5]]\n", "[[view]]\nregion = [0, 0, 2, 1.5]\n"})
         EXPECT_NE(errorsIn(text).find("expected whole numbers from 0"), std::string::npos) << errorsIn(text);
     EXPECT_EQ(errorsIn("sliders = [\"a\", \"b\", \"c\"]\n"),
-              "s.toml:1:11: sliders is an array, expected at most 2 keys\n");
+              "s.toml:1:11: sliders is an array of 3, expected at most 2 keys of settings\n");
     EXPECT_EQ(errorsIn("selected = \"polygn 3\"\n"),
               "s.toml:1:12: selected is \"polygn 3\", expected object, polygon, vertex or light, and its number\n");
     EXPECT_TRUE(errorsIn("pins = [[10, 3, 4]]\n").starts_with("s.toml:1:9: pins is "));
