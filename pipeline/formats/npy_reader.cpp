@@ -133,7 +133,7 @@ Result<NumberFile> readNpy(std::string_view bytes, const std::string& name, std:
     std::size_t count = 1;
     for (const std::size_t side : *shape) {
         if (side != 0 && count > most / side)
-            return wrongAt(name, before, fmt::format("an array of {} numbers", fmt::join(*shape, " × ")),
+            return wrongAt(name, before, "an array of " + NumberFile{name, *shape, {}}.sizeText(),
                            fmt::format("at most {} numbers", most));
         count *= side;
     }
@@ -141,7 +141,7 @@ Result<NumberFile> readNpy(std::string_view bytes, const std::string& name, std:
     const std::size_t there = (bytes.size() - start) / size;
     if (there < count)
         return wrongAt(name, bytes.size(), fmt::format("{} numbers", there),
-                       fmt::format("{} ({})", count, fmt::join(*shape, " × ")));
+                       fmt::format("{}, of an array of {}", count, NumberFile{name, *shape, {}}.sizeText()));
     NumberFile file{name, *shape, std::vector<double>(count)};
     file.kind = type->kind == 'f' ? NumberKind::Real : NumberKind::Whole;
     file.digits = type->kind != 'f' ? 53 : size == 2 ? 11 : size == 4 ? 24 : 53;
