@@ -71,7 +71,8 @@ int inspectTable(std::shared_ptr<const pipeline::Scene> scene, const InspectOpti
     const auto id = pipeline::findTable(options.table).value();  // CLI11 has checked both words
     const auto format = std::ranges::find(pipeline::kTableFormats, options.format);
     const auto write = [](std::string_view text) { say("{}", text); };
-    const pipeline::FramePtr frame = frameOf(std::move(scene), options);
+    const pipeline::BufferSet shown = pipeline::tableBuffers(*scene, id);
+    const pipeline::FramePtr frame = frameOf(std::move(scene), options, shown);
     if (!frame) return cancelled();
     const pipeline::SceneTable table = sceneTable(frame, id);
     const std::vector<std::uint32_t> rows = allRows(table);

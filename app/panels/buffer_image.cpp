@@ -116,7 +116,7 @@ BufferStatistics channelStatistics(const AnyBuffer& buffer, lessons::ShownChanne
     if (channel == lessons::ShownChannel::All || buffer.channels() == 1) return statistics(buffer);
     double min = INFINITY, max = -INFINITY;
     const auto channels = std::size_t(buffer.channels());
-    const std::vector<bool> with = pipeline::verticesWithPosition(buffer);
+    const std::vector<bool> with = pipeline::rowsWithValue(buffer);
     std::visit(
         [&](const auto& numbers) {
             for (std::size_t i = std::size_t(index(channel)); i < numbers.size(); i += channels) {
@@ -177,6 +177,7 @@ std::optional<AnyBuffer> polygonsUnder(const Frame& frame, const BufferInfo& inf
 std::vector<bool> drawnElements(const AnyBuffer& buffer, const std::optional<AnyBuffer>& polygonId,
                                 lessons::ShownChannel channel) {
     const BufferInfo& info = *buffer.info;
+    if (auto rows = pipeline::rowsWithValue(buffer); !rows.empty()) return rows;
     if (isColorPicture(info, channel)) return {};
     if (info.domain == Domain::Pixel && polygonId) {
         // At outlines there may be no verdict.
@@ -189,7 +190,6 @@ std::vector<bool> drawnElements(const AnyBuffer& buffer, const std::optional<Any
             codes.data);
         return drawn;
     }
-    if (info.id == pipeline::BufferId::VerticesScreen) return pipeline::verticesWithPosition(buffer);
     if (!std::isinf(info.neutral)) return {};
     std::vector<bool> drawn(buffer.count());
     for (std::size_t i = 0; i < drawn.size(); ++i) drawn[i] = buffer.flat(i) != info.neutral;

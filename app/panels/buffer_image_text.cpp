@@ -71,9 +71,10 @@ QString valueText(const AnyBuffer& buffer, double value, int characters) {
 QStringList elementText(const AnyBuffer& buffer, std::size_t x, std::size_t y, lessons::ShownChannel channel,
                         int characters) {
     QStringList texts;
+    const bool isEmpty = buffer.hasValue && !(*buffer.hasValue)[y];
     for (int c = 0; c < buffer.channels(); ++c)
         if (channel == lessons::ShownChannel::All || index(channel) == c)
-            texts << valueText(buffer, buffer.value(x, y, c), characters);
+            texts << (isEmpty ? QStringLiteral("–") : valueText(buffer, buffer.value(x, y, c), characters));
     return texts;
 }
 

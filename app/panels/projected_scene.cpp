@@ -67,7 +67,7 @@ ProjectedVertices projectVertices(const Source& source) {
         },
         source.view->data);
     // What lies between the eye and the near plane is cut off, and may be as far off the picture as numbers reach.
-    projected.isPlaced = pipeline::verticesWithPosition(*source.screen);
+    projected.isPlaced = pipeline::rowsWithValue(*source.screen);
     for (std::size_t i = 0; i < count; ++i)
         if (projected.distances[i] < source.nearest) projected.isPlaced[i] = false;
     return projected;

@@ -14,7 +14,9 @@ using pipeline::Palette;
 
 namespace {
 
+// None for a row without a value.
 QColor colorOf(const AnyBuffer& buffer, std::size_t row, const BufferLook& look) {
+    if (buffer.hasValue && !(*buffer.hasValue)[row]) return {};
     const pipeline::Color8 c =
         buffer.channels() == 3 && look.channel == lessons::ShownChannel::All
             ? elementColor(buffer, 0, row, look.range)

@@ -26,6 +26,7 @@ TablePage::TablePage(Document& document, pipeline::TableId table, QWidget* paren
         m_shown.reset();
         m_model->clear();
     });
+    connect(&document, &Document::sceneChanged, this, &TablePage::want);
     connect(&document.frames(), &FrameFeed::frameReady, this, &TablePage::refresh);
     connect(&NumberStyle::current(), &NumberStyle::changed, this, [this] {
         if (m_shown) fitColumns();
@@ -92,7 +93,18 @@ void TablePage::build() {
 
 void TablePage::showEvent(QShowEvent* event) {
     QWidget::showEvent(event);
+    want();
     refresh();
+}
+
+void TablePage::hideEvent(QHideEvent* event) {
+    QWidget::hideEvent(event);
+    want();
+}
+
+void TablePage::want() {
+    const bool shows = m_document.hasScene() && isVisible();
+    m_document.frames().want(this, shows ? tableBuffers(m_document.scene(), m_table) : pipeline::BufferSet());
 }
 
 QString TablePage::facts() const { return m_facts->text(); }

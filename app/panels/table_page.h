@@ -29,9 +29,11 @@ signals:
 
 protected:
     void showEvent(QShowEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
 
 private:
     void build();
+    void want();      // the buffers of the columns, while the page is on show
     void refresh();   // another frame
     void markRows();  // another selection or pixel
     void fitColumns();

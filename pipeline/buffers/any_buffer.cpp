@@ -96,7 +96,18 @@ void addStatistics(std::span<const T> numbers, BufferStatistics& result) {
 
 }  // namespace
 
-std::vector<bool> verticesWithPosition(const AnyBuffer& buffer) {
+std::string_view rowsWithoutValue(BufferId buffer) {
+    switch (buffer) {
+        case BufferId::VerticesScreen: return "vertices without a position in the picture";
+        case BufferId::PolygonsIntensity: return "polygons that are not lit: culled, or seen in no pixel";
+        case BufferId::VerticesIntensity:
+            return "vertices that are not lit: their polygons are culled, or seen in no pixel";
+        default: return {};
+    }
+}
+
+std::vector<bool> rowsWithValue(const AnyBuffer& buffer) {
+    if (buffer.hasValue) return *buffer.hasValue;
     if (buffer.info->id != BufferId::VerticesScreen) return {};
     std::vector<bool> with(buffer.rows());
     for (std::size_t i = 0; i < with.size(); ++i)
@@ -106,15 +117,16 @@ std::vector<bool> verticesWithPosition(const AnyBuffer& buffer) {
 
 BufferStatistics statistics(const AnyBuffer& buffer) {
     BufferStatistics result;
-    const std::vector<bool> with = verticesWithPosition(buffer);
-    result.withoutPosition = std::size_t(std::ranges::count(with, false));
+    const std::vector<bool> with = rowsWithValue(buffer);
+    result.withoutValue = std::size_t(std::ranges::count(with, false));
     std::visit(
         [&](const auto& numbers) {
-            if (result.withoutPosition == 0) return addStatistics(numbers, result);
-            std::vector<typename std::decay_t<decltype(numbers)>::value_type> positions;
+            if (result.withoutValue == 0) return addStatistics(numbers, result);
+            const auto channels = std::size_t(buffer.channels());
+            std::vector<typename std::decay_t<decltype(numbers)>::value_type> values;
             for (std::size_t i = 0; i < numbers.size(); ++i)
-                if (with[i / 3]) positions.push_back(numbers[i]);
-            addStatistics(std::span<const typename decltype(positions)::value_type>(positions), result);
+                if (with[i / channels]) values.push_back(numbers[i]);
+            addStatistics(std::span<const typename decltype(values)::value_type>(values), result);
         },
         buffer.data);
     return result;

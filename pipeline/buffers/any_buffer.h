@@ -4,6 +4,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -21,6 +22,8 @@ struct AnyBuffer {
                  std::span<const std::uint8_t>>
         data;
     std::shared_ptr<const void> owner;
+    // Of polygons or vertices, one for each: false if it has no value; its numbers are 0. Null if all have one.
+    std::shared_ptr<const std::vector<bool>> hasValue = nullptr;
 
     std::size_t rows() const;     // of the picture: H; faces · h where a light has several; V; P
     std::size_t columns() const;  // W; 1 for vertices and polygons
@@ -32,15 +35,20 @@ struct AnyBuffer {
     const char* dtype() const;         // "float32", "float64", "int32", "uint8"
 };
 
-// Per vertex whether vertices.screen holds a position for it; empty of any other buffer.
-std::vector<bool> verticesWithPosition(const AnyBuffer& buffer);
+// Per polygon or vertex whether the buffer has a value for it; empty if all have one. A polygon that the cull stage
+// drops has what a stage computes for all polygons: positions, verdict, area, normal. It is not lit, so it has no intensity.
+// vertices.screen has no value for a vertex without a position in the picture.
+std::vector<bool> rowsWithValue(const AnyBuffer& buffer);
+// What the rows without a value are, for messages: "vertices without a position in the picture". Empty for a buffer that has
+// a value in every row.
+std::string_view rowsWithoutValue(BufferId buffer);
 
-// What a buffer holds. Minimum and maximum are of the finite numbers, 0 where there are none. Vertices without a position
-// in vertices.screen are counted, and their numbers are not.
+// What a buffer holds. Minimum and maximum are of the finite numbers, 0 where there are none. Rows without a value are
+// counted, and their numbers are not.
 struct BufferStatistics {
     double min = 0, max = 0;
     std::size_t finite = 0, nan = 0, infinite = 0, negative = 0;
-    std::size_t withoutPosition = 0;
+    std::size_t withoutValue = 0;
 };
 BufferStatistics statistics(const AnyBuffer& buffer);
 

@@ -108,9 +108,10 @@ constexpr std::array<BufferInfo, kBufferCount> kTable{{
      "The mean intensity over the samples of a pixel; intensity itself is the value at its centre.", P::Color, 0,
      partsOf(R::Antialiasing, R::Intensity)},
     {B::PolygonsIntensity, "polygons.intensity", S::Shading, D::Polygon, E::Real, 3, false, "intensity", "",
-     "Flat shading's intensity of each polygon.", P::Color, 0, partsOf(R::PolygonTerms)},
+     "Flat shading's intensity of each polygon that is kept; 0 for the others.", P::Color, 0, partsOf(R::PolygonTerms)},
     {B::VerticesIntensity, "vertices.intensity", S::Shading, D::Vertex, E::Real, 3, false, "intensity", "",
-     "Gouraud shading's intensity of each vertex.", P::Color, 0, partsOf(R::VertexTerms)},
+     "Gouraud shading's intensity of each vertex of a polygon that is kept; 0 for the others.", P::Color, 0,
+     partsOf(R::VertexTerms)},
     {B::Color, "color", S::Shading, D::Pixel, E::UInt8, 3, false, "", "sRGB", "The frame buffer.", P::Color, 0},
 }};
 
@@ -196,12 +197,12 @@ std::optional<BufferName> findAnyBuffer(std::string_view text) {
     return name ? name : findDerived(text);
 }
 
-std::string insteadOfBuffer(std::string_view text) { return insteadOf(text, textsOf(allBuffers(1))); }
+std::string insteadOfBuffer(std::string_view text) { return insteadOf(text, textsOf(allBuffers(1)), kListingCommand); }
 
 std::string insteadOfAnyBuffer(std::string_view text) {
     std::vector<std::string> names = textsOf(allBuffers(1)), derived = textsOf(allDerived(1));
     names.insert(names.end(), derived.begin(), derived.end());
-    return insteadOf(text, names);
+    return insteadOf(text, names, kListingCommand);
 }
 
 std::vector<BufferName> allBuffers(std::size_t lights) { return namesOf(kTable, lights); }

@@ -68,7 +68,7 @@ Values valuesOf(const AnyBuffer& buffer, const std::vector<std::uint8_t>& covere
     for (std::size_t i = 0; i < out.numbers.size(); ++i) out.numbers[i] = buffer.flat(i);
     out.there.assign(out.count(), 1);
     if (out.domain == Domain::Pixel && covered.size() == out.count()) out.there = covered;
-    const std::vector<bool> placed = verticesWithPosition(buffer);
+    const std::vector<bool> placed = rowsWithValue(buffer);
     for (std::size_t i = 0; i < placed.size(); ++i) out.there[i] = placed[i];
     for (std::size_t i = 0; i < out.count(); ++i)
         for (int c = 0; c < out.channels; ++c)

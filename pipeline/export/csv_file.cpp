@@ -56,9 +56,10 @@ Result<std::uint64_t> writeCsv(const ExportItem& item, const std::filesystem::pa
                         text += ',';
                     }
                     append(text, y);
+                    const bool isEmpty = buffer.hasValue && !(*buffer.hasValue)[y];
                     for (std::size_t c = 0; c < channels; ++c) {
                         text += ',';
-                        append(text, numbers[(y * buffer.columns() + x) * channels + c]);
+                        if (!isEmpty) append(text, numbers[(y * buffer.columns() + x) * channels + c]);
                     }
                     text += '\n';
                 }

@@ -31,7 +31,7 @@ std::vector<Figure::Outline> polygonOutlines(const Frame& frame, const std::opti
     const Settings& settings = frame.scene().settings;
     const glm::dvec2 low = part ? glm::dvec2(part->first) : glm::dvec2(0);
     const glm::dvec2 high = part ? glm::dvec2(part->last) + 1.0 : glm::dvec2(settings.width, settings.height);
-    const std::vector<bool> hasPlace = verticesWithPosition(*screen);
+    const std::vector<bool> hasPlace = rowsWithValue(*screen);
     const double nearest = nearestDepth(frame);
     const Topology& topology = frame.topology();
     std::vector<Figure::Outline> outlines;

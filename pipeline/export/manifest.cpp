@@ -62,7 +62,8 @@ Json describe(const WrittenBuffer& written) {
                {"non_finite", found.nan + found.infinite},
                {"nan", found.nan},
                {"files", files}};
-    if (info.id == BufferId::VerticesScreen) entry["without_position"] = found.withoutPosition;
+    if (const std::string_view what = rowsWithoutValue(info.id); !what.empty())
+        entry["without_value"] = {{"count", found.withoutValue}, {"what", what}};
     return entry;
 }
 

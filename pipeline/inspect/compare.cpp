@@ -117,7 +117,7 @@ std::string shapeText(const AnyBuffer& buffer) {
     if (buffer.info->domain == Domain::Vertex) return fmt::format("{} vertices", buffer.rows());
     if (buffer.info->domain == Domain::Polygon) return plural(std::int64_t(buffer.rows()), "polygon");
     std::string text = fmt::format("{} × {}", buffer.columns(), buffer.rows());
-    if (buffer.channels() > 1) text += fmt::format(" of {} channels", buffer.channels());
+    if (buffer.channels() > 1) text += fmt::format(" × {}", buffer.channels());
     return text;
 }
 
@@ -154,9 +154,9 @@ std::string whyNotComparable(const AnyBuffer& a, const AnyBuffer& b) {
 BufferDifference compareBuffers(const AnyBuffer& a, const AnyBuffer& b, int channel, DifferenceMetric metric,
                                 const std::vector<bool>& pixelsA, const std::vector<bool>& pixelsB,
                                 const CompareControl& control) {
-    const std::vector<bool> verticesA = verticesWithPosition(a), verticesB = verticesWithPosition(b);
-    const std::vector<bool>& drawnA = verticesA.empty() ? pixelsA : verticesA;
-    const std::vector<bool>& drawnB = verticesB.empty() ? pixelsB : verticesB;
+    const std::vector<bool> rowsA = rowsWithValue(a), rowsB = rowsWithValue(b);
+    const std::vector<bool>& drawnA = rowsA.empty() ? pixelsA : rowsA;
+    const std::vector<bool>& drawnB = rowsB.empty() ? pixelsB : rowsB;
     const auto channels = std::size_t(a.channels());
     const std::size_t elements = a.count() / channels;
     auto data = std::make_shared<DifferenceData>(DifferenceData{infoOf(*a.info, metric), {}});

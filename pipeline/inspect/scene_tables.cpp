@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "pipeline/inspect/table_columns.h"
+#include "pipeline/plan/needs.h"
 #include "pipeline/scene/topology.h"
 #include "pipeline/stages/cull.h"
 
@@ -114,18 +115,15 @@ void addPolygons(const FramePtr& frame, SceneTable& table) {
                                return area ? Cell(*area) : Cell();
                            });
                        }});
-    addBuffer(frame, BufferId::PolygonsNormal, {"n[0]", "n[1]", "n[2]"}, {" x", " y", " z"}, kUnitDecimals, columns);
+    addBuffer(frame, BufferId::PolygonsNormal, {"n[0]", "n[1]", "n[2]"}, {" x", " y", " z"}, kUnitDecimals, table);
     addBuffer(frame, BufferId::PolygonsIntensity, {"lred", "lgreen", "lblue"}, {" red", " green", " blue"},
-              intensityDecimals(*frame), columns);
+              intensityDecimals(*frame), table);
 }
 
 void addVertices(const FramePtr& frame, SceneTable& table) {
     table.rows = frame->topology().vertexCount();
     table.meaning = "Arrays of vertices: w_pts, v_pts and s_pts of Object[i].";
     table.facts = viewingFacts(frame->scene());
-    if (const auto screen = frame->buffer({BufferId::VerticesScreen}))
-        if (const std::size_t without = statistics(*screen).withoutPosition; without > 0)
-            table.facts.push_back({"", "vertices without a position in the picture", "", std::int64_t(without)});
     auto& columns = table.columns;
     columns.push_back(rowNumber("", "vertex", "The vertex, counted over all objects as in the buffers."));
     columns.push_back(count("i", "object", "The object that it belongs to.",
@@ -136,15 +134,15 @@ void addVertices(const FramePtr& frame, SceneTable& table) {
             return v - topology.firstVertex[topology.objectOfVertex(v)];
         }));
     const int decimals = lengthDecimals(*frame);
-    addBuffer(frame, BufferId::VerticesWorld, {"xw", "yw", "zw"}, {" x", " y", " z"}, decimals, columns);
-    addBuffer(frame, BufferId::VerticesView, {"xv", "yv", "zv"}, {" x", " y", " z"}, decimals, columns);
-    addBuffer(frame, BufferId::VerticesScreen, {"xs", "ys", ""}, {" x", " y", " depth"}, 3, columns);
+    addBuffer(frame, BufferId::VerticesWorld, {"xw", "yw", "zw"}, {" x", " y", " z"}, decimals, table);
+    addBuffer(frame, BufferId::VerticesView, {"xv", "yv", "zv"}, {" x", " y", " z"}, decimals, table);
+    addBuffer(frame, BufferId::VerticesScreen, {"xs", "ys", ""}, {" x", " y", " depth"}, 3, table);
     columns.back().decimals = depthDecimals(*frame);
     columns.back().unit = frame->scene().settings.depthFormat == DepthFormat::Linear ? "world units" : "";
     columns.back().meaning = "The depth that the z-buffer compares.";
-    addBuffer(frame, BufferId::VerticesNormal, {"N x", "N y", "N z"}, {" x", " y", " z"}, kUnitDecimals, columns);
+    addBuffer(frame, BufferId::VerticesNormal, {"N x", "N y", "N z"}, {" x", " y", " z"}, kUnitDecimals, table);
     addBuffer(frame, BufferId::VerticesIntensity, {"I(r)", "I(g)", "I(b)"}, {" red", " green", " blue"},
-              intensityDecimals(*frame), columns);
+              intensityDecimals(*frame), table);
 }
 
 void addLights(const FramePtr& frame, SceneTable& table) {
@@ -190,6 +188,15 @@ std::optional<TableId> findTable(std::string_view name) {
     const auto found = std::ranges::find(kNames, name);
     if (found == kNames.end()) return {};
     return TableId(found - kNames.begin());
+}
+
+BufferSet tableBuffers(const Scene& scene, TableId id) {
+    using enum BufferId;
+    BufferSet all;
+    if (id == TableId::Polygons) all = setOf({PolygonsVerdict, PolygonsNormal, PolygonsIntensity});
+    if (id == TableId::Vertices)
+        all = setOf({VerticesWorld, VerticesView, VerticesScreen, VerticesNormal, VerticesIntensity});
+    return all & usefulBuffers(scene);
 }
 
 SceneTable sceneTable(const FramePtr& frame, TableId id) {

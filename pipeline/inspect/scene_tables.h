@@ -57,6 +57,9 @@ struct SceneTable {
 // is empty and says why. Columns of settings that have no effect in this scene are left out, but for
 // those that the lecture names.
 SceneTable sceneTable(const FramePtr& frame, TableId id);
+// The buffers that the table shows and that are useful in this scene: a frame that has been asked for them has all that an
+// export of the scene has.
+BufferSet tableBuffers(const Scene& scene, TableId id);
 
 // The rows in the order of a column's values, and in their own order where those are equal. Rows
 // without a value come last either way.

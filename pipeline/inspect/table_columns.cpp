@@ -61,28 +61,20 @@ void addSettings(const FramePtr& frame, SettingGroup group, std::vector<TableCol
     }
 }
 
-// False of a polygon or vertex whose intensity shading left out.
-bool isEvaluated(const Frame& frame, BufferId id, std::size_t row) {
-    if (id != BufferId::PolygonsIntensity && id != BufferId::VerticesIntensity) return true;
-    return readStages(frame, [&](const auto& data) {
-        if (!data.shading) return true;
-        const auto& elements = id == BufferId::PolygonsIntensity ? data.shading->polygons : data.shading->vertices;
-        return elements.isEvaluated(row);
-    });
-}
-
 void addBuffer(const FramePtr& frame, BufferId id, std::array<std::string, 3> lecture, std::array<std::string, 3> parts,
-               int decimals, std::vector<TableColumn>& columns) {
+               int decimals, SceneTable& table) {
     const BufferInfo& info = bufferInfo(id);
     // Shared by the three columns; it keeps the frame's data alive.
     const auto buffer = std::make_shared<const std::optional<AnyBuffer>>(frame->buffer({id}));
     const auto with =
-        std::make_shared<const std::vector<bool>>(*buffer ? verticesWithPosition(**buffer) : std::vector<bool>());
+        std::make_shared<const std::vector<bool>>(*buffer ? rowsWithValue(**buffer) : std::vector<bool>());
+    if (const auto without = std::ranges::count(*with, false); without > 0)
+        table.facts.push_back({"", std::string(rowsWithoutValue(id)), "", std::int64_t(without)});
     for (std::size_t c = 0; c < 3; ++c)
-        columns.push_back(
+        table.columns.push_back(
             {lecture[c], fmt::format("{}{}", info.name, parts[c]), unitOf(info, c), std::string(info.meaning), decimals,
-             *buffer ? std::string() : frame->whyAbsent({id}), [frame, id, buffer, with, c](std::size_t row) -> Cell {
-                 if (!*buffer || !isEvaluated(*frame, id, row) || (!with->empty() && !(*with)[row])) return {};
+             *buffer ? std::string() : frame->whyAbsent({id}), [frame, buffer, with, c](std::size_t row) -> Cell {
+                 if (!*buffer || (!with->empty() && !(*with)[row])) return {};
                  return std::visit(
                      [i = 3 * row + c](const auto& numbers) -> Cell {
                          if constexpr (std::floating_point<typename std::decay_t<decltype(numbers)>::value_type>)

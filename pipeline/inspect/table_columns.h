@@ -31,11 +31,10 @@ TableColumn count(std::string lecture, std::string name, std::string meaning, Co
 void addSettings(const FramePtr& frame, SettingGroup group, std::vector<TableColumn>& columns,
                  const std::function<bool(std::string_view key)>& keeps);
 
-// One column a channel of a buffer: lecture 1's names for the three, and what is added to the buffer's. Empty where
-// shading evaluated nothing: the 0 that its buffer holds there is no intensity; and for a vertex without a position in the
-// picture.
+// One column a channel of a buffer: lecture 1's names for the three, and what is added to the buffer's. Rows without a value
+// (rowsWithValue) are empty, and a fact counts them.
 void addBuffer(const FramePtr& frame, BufferId buffer, std::array<std::string, 3> lecture,
-               std::array<std::string, 3> parts, int decimals, std::vector<TableColumn>& columns);
+               std::array<std::string, 3> parts, int decimals, SceneTable& table);
 
 // scrn_dist, ρ, θ, φ of lecture 1's camera; eye and target of another.
 std::vector<TableFact> viewingFacts(const Scene& scene);

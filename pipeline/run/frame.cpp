@@ -98,6 +98,27 @@ std::optional<AnyBuffer> shadowDepth(const BufferName& name, const FrameData<Rea
     return own(name, {faces, std::size_t(size.y), std::size_t(size.x)}, std::move(values));
 }
 
+// Per polygon or vertex whether it has an intensity: it is evaluated, and the cull stage keeps it, or one of the
+// polygons of the vertex. Null if all have one.
+template <class Real>
+std::shared_ptr<const std::vector<bool>> litElements(const FrameData<Real>& data, bool ofPolygons) {
+    const auto& elements = ofPolygons ? data.shading->polygons : data.shading->vertices;
+    if (!data.cull && elements.places.empty()) return nullptr;
+    std::vector<bool> keeps(elements.count(), !data.cull);
+    const Topology& topology = *data.transform->topology;
+    for (std::size_t polygon = 0; data.cull && polygon < topology.polygonCount(); ++polygon) {
+        if (!goesOn(data.cull->verdicts[polygon])) continue;
+        const Topology::Corners corners = topology.corners(polygon);
+        if (ofPolygons)
+            keeps[polygon] = true;
+        else
+            for (std::size_t i = 0; i < corners.size(); ++i) keeps[corners[i]] = true;
+    }
+    for (std::size_t i = 0; i < keeps.size(); ++i) keeps[i] = keeps[i] && elements.isEvaluated(i);
+    if (std::ranges::find(keeps, false) == keeps.end()) return nullptr;
+    return std::make_shared<const std::vector<bool>>(std::move(keeps));
+}
+
 template <class Real>
 std::optional<AnyBuffer> shaded(const BufferName& name, const FrameData<Real>& data) {
     const ShadingOutput<Real>& out = *data.shading;
@@ -114,12 +135,14 @@ std::optional<AnyBuffer> shaded(const BufferName& name, const FrameData<Real>& d
     if (name.id == BufferId::PolygonsIntensity || name.id == BufferId::VerticesIntensity) {
         const auto& elements = name.id == BufferId::PolygonsIntensity ? out.polygons : out.vertices;
         if (elements.intensity.empty()) return {};
-        if (elements.places.empty()) return view(name, elements.intensity, data.shading);
-        // Black where nothing was evaluated.
-        const auto all = std::make_shared<std::vector<Vec3<Real>>>();
-        all->reserve(elements.count());
-        for (const std::uint32_t place : elements.places) all->push_back(elements.intensity[place]);
-        return view(name, *all, all);
+        const auto lit = litElements(data, name.id == BufferId::PolygonsIntensity);
+        if (!lit) return view(name, elements.intensity, data.shading);
+        const auto all = std::make_shared<std::vector<Vec3<Real>>>(elements.count(), Vec3<Real>(0));
+        for (std::size_t i = 0; i < all->size(); ++i)
+            if ((*lit)[i]) (*all)[i] = elements.intensity[elements.placeOf(i)];
+        AnyBuffer buffer = view(name, *all, all);
+        buffer.hasValue = lit;
+        return buffer;
     }
     const auto& vectors = out.vectors[index(name.id)];
     if (k < vectors.size()) return view(name, vectors[k], data.shading);

@@ -28,6 +28,30 @@ TEST(Commands, AUsageErrorPointsToTheHelpOfItsCommand) {
     EXPECT_EQ(run({"inspect", "--help"}).status, 0);
 }
 
+TEST(Commands, HelpSpeaksOfASceneWhereTheCommandTakesOne) {
+    for (const char* command : {"plan", "check", "drill", "grade", "inspect", "sheet"}) {
+        const std::string help = run({command, "--help"}).out;
+        const std::string usage = help.substr(0, help.find("SCENE is a scene file"));
+        EXPECT_EQ(usage.size() < help.size(), has(usage, "SCENE")) << command;
+        EXPECT_TRUE(has(help, "Exit status: 0 done")) << command;
+    }
+}
+
+// A message that names some of many says which command names all.
+TEST(Commands, UnknownSettingsAndBuffersPointToTheListOfAll) {
+    const std::string list = "; shadescope plan --json SCENE lists all\n";
+    const auto json = nlohmann::json::parse(run({"plan", "pyramid", "--json"}).out);
+    const auto expected = [&](const std::string& what, const char* of) {
+        return "no " + what + "; there are " + std::to_string(json[of].size()) + ", the nearest are ";
+    };
+    const std::string setting = run({"plan", "pyramid", "--set", "qqqq=1"}).err;
+    EXPECT_TRUE(setting.starts_with(expected("setting \"qqqq\"", "settings"))) << setting;
+    EXPECT_TRUE(setting.ends_with(list)) << setting;
+    const std::string buffer = run({"figure", "pyramid", "--buffer", "qqqq", "-o", "never.svg"}).err;
+    EXPECT_TRUE(buffer.starts_with(expected("buffer \"qqqq\"", "buffers"))) << buffer;
+    EXPECT_TRUE(buffer.ends_with(list)) << buffer;
+}
+
 TEST(Program, HelpAndVersionGoToStandardOutput) {
     for (const char* option : {"-h", "--help"}) {
         const auto done = run({option});

@@ -359,7 +359,7 @@ INSTANTIATE_TEST_SUITE_P(
                           {"--size", "16384x16384"},
                           "expected at most 4 GiB; ask for fewer buffers, or make the picture smaller"},
                     Wrong{"Buffer", {"--buffers", "colour"}, "no buffer \"colour\"; the nearest is \"color\""},
-                    Wrong{"NoBuffer", {"--buffers", "nope"}, "\"condition\", \"expression\" and \"z_ndc\"\n"},
+                    Wrong{"NoBuffer", {"--buffers", "nope"}, "lists all\n"},
                     Wrong{"EmptyBuffer", {"--buffers", ""}, "no buffer \"\"; there are "},
                     Wrong{"EmptyBufferAmongOthers", {"--buffers", "color,,depth"}, "no buffer \"\"; there are "},
                     Wrong{"EmptyBufferAtTheEnd", {"--buffers", "color,"}, "no buffer \"\"; there are "},

@@ -67,11 +67,10 @@ TEST(BufferTable, SuggestsTheNearestName) {
     EXPECT_EQ(insteadOfBuffer("colour"), "the nearest is \"color\"");
     EXPECT_EQ(insteadOfBuffer("zview"), "the nearest is \"z_view\"");
     EXPECT_EQ(insteadOfBuffer("n_dot_l"), "the nearest is \"n_dot_l.0\"");
-    EXPECT_TRUE(insteadOfBuffer("picture").starts_with("there are \"vertices.world\", "));
+    EXPECT_TRUE(insteadOfBuffer("picture").ends_with("; shadescope plan --json SCENE lists all"));
     EXPECT_EQ(insteadOfAnyBuffer("zndc"), "the nearest is \"z_ndc\"");
-    const std::string all = insteadOfAnyBuffer("picture");
-    for (const BufferName& name : allBuffers(1)) EXPECT_NE(all.find(name.text()), all.npos) << name.text();
-    for (const BufferName& name : allDerived(1)) EXPECT_NE(all.find(name.text()), all.npos) << name.text();
+    const std::size_t all = allBuffers(1).size() + allDerived(1).size();
+    EXPECT_TRUE(insteadOfAnyBuffer("picture").starts_with("there are " + std::to_string(all) + ", the nearest are "));
 }
 
 TEST(BufferTable, NeutralValuesAreThoseOfTheSpecification) {

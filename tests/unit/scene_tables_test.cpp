@@ -4,12 +4,18 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
 
 #include "pipeline/core/csv.h"
+#include "pipeline/export/csv_file.h"
 #include "pipeline/export/table_json.h"
 #include "pipeline/inspect/table_text.h"
+#include "pipeline/plan/needs.h"
+#include "pipeline/stages/cull.h"
+#include "tests/support/files.h"
 #include "tests/support/scenes.h"
 
 namespace pipeline {
@@ -156,6 +162,83 @@ TEST(SceneTables, AgreeWithTheFramesBuffers) {
                 EXPECT_EQ(value, normals->flat(3 * row + std::size_t(c)));
             }
     }
+}
+
+// The cells of a row of a buffer's CSV file, without the row's number; empty text where there is no value.
+std::vector<std::vector<std::string>> csvRows(const AnyBuffer& buffer) {
+    const test::TemporaryFolder folder;
+    const auto file = folder.path() / "buffer.csv";
+    EXPECT_TRUE(writeCsv({buffer, {}, {}}, file));
+    std::vector<std::vector<std::string>> rows;
+    std::ifstream in(file);
+    std::string line;
+    std::getline(in, line);  // the names
+    while (std::getline(in, line)) {
+        std::vector<std::string>& row = rows.emplace_back();
+        for (std::size_t comma = line.find(','); comma != line.npos;) {
+            const std::size_t next = line.find(',', comma + 1);
+            row.push_back(line.substr(comma + 1, next == line.npos ? next : next - comma - 1));
+            comma = next;
+        }
+    }
+    return rows;
+}
+
+// What is kept is lit, whether a pixel shows it or not; what culling drops is not, nor a vertex of such polygons alone.
+TEST(SceneTables, AgreeWithAnExportOnWhatCulledPolygonsHave) {
+    std::size_t dropped = 0, kept = 0;
+    for (unsigned seed = 0; seed < 30; ++seed) {
+        Scene scene = test::randomScene(seed);
+        scene.settings.shading = seed % 2 == 0 ? Shading::Flat : Shading::Gouraud;
+        const bool flat = seed % 2 == 0;
+        const TableId id = flat ? TableId::Polygons : TableId::Vertices;
+        const BufferId buffer = flat ? BufferId::PolygonsIntensity : BufferId::VerticesIntensity;
+        const FramePtr shown = test::frameOf(scene, tableBuffers(scene, id));
+        const FramePtr exported = test::frameOf(scene, usefulBuffers(scene));
+        const auto written = exported->buffer({buffer});
+        if (!written) continue;  // no outline is lit
+        const SceneTable table = sceneTable(shown, id);
+        const TableColumn& red = column(table, flat ? "lred" : "I(r)");
+        const auto csv = csvRows(*written);
+        ASSERT_EQ(csv.size(), table.rows);
+        std::vector<bool> isKept(table.rows, false);
+        const auto verdicts = exported->buffer({BufferId::PolygonsVerdict});
+        for (std::size_t p = 0; p < exported->topology().polygonCount(); ++p) {
+            if (verdicts && !goesOn(Verdict(int(verdicts->flat(p))))) continue;
+            const auto corners = exported->topology().corners(p);
+            if (flat) isKept[p] = true;
+            for (std::size_t i = 0; !flat && i < corners.size(); ++i) isKept[corners[i]] = true;
+        }
+        for (std::size_t row = 0; row < table.rows; ++row) {
+            const Cell cell = red.cell(row);
+            const bool isEmpty = std::holds_alternative<std::monostate>(cell);
+            ASSERT_EQ(!isEmpty, isKept[row] || !verdicts) << seed << " row " << row;
+            ASSERT_EQ(isEmpty, csv[row][0].empty()) << seed << " row " << row;
+            if (!isEmpty) {
+                ASSERT_EQ(std::visit(
+                              [](const auto& v) -> double {
+                                  if constexpr (std::is_arithmetic_v<std::decay_t<decltype(v)>>) return double(v);
+                                  return NAN;
+                              },
+                              cell),
+                          written->flat(3 * row));
+            }
+            isEmpty ? ++dropped : ++kept;
+        }
+        EXPECT_EQ(statistics(*written).withoutValue,
+                  std::size_t(std::ranges::count(isKept, false)) * (verdicts ? 1 : 0));
+    }
+    EXPECT_GT(dropped, 100u);
+    EXPECT_GT(kept, 100u);
+}
+
+TEST(SceneTables, CountWhatIsNotLit) {
+    const Scene scene = test::pyramid();
+    const SceneTable table =
+        sceneTable(test::frameOf(scene, tableBuffers(scene, TableId::Polygons)), TableId::Polygons);
+    ASSERT_EQ(table.facts.size(), 2u);
+    EXPECT_EQ(table.facts[1].heading(), "polygons that are not lit: culled, or seen in no pixel");
+    EXPECT_EQ(std::get<std::int64_t>(table.facts[1].value), 2);  // Left and Base
 }
 
 TEST(SceneTables, OutliveTheirFrame) {

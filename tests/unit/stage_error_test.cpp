@@ -19,7 +19,7 @@ TEST(StageError, OfTransformLeavesOutAVertexThatHasAPositionInOnePrecisionOnly) 
     scene.settings.cull = CullMode::None;
     const FramePtr frame = test::frameOf(scene);
     const AnyBuffer screen = *frame->buffer({BufferId::VerticesScreen});
-    ASSERT_EQ(statistics(screen).withoutPosition, 1u);  // in float
+    ASSERT_EQ(statistics(screen).withoutValue, 1u);  // in float
     const auto errors = errorAgainstDouble(frame);
     ASSERT_TRUE(errors[index(StageId::Transform)]);
     EXPECT_LT(errors[index(StageId::Transform)]->value, 0x1p-12) << errors[index(StageId::Transform)]->text;

@@ -291,7 +291,7 @@ TEST(Transform, AVertexBehindTheEyeHasNoPlaceOnTheScreen) {
         for (int c = 0; c < 3; ++c) EXPECT_EQ(screen.value(0, i, c), double(-1e30f));
     }
     EXPECT_GT(behind, 0);
-    EXPECT_EQ(statistics(screen).withoutPosition, std::size_t(behind));
+    EXPECT_EQ(statistics(screen).withoutValue, std::size_t(behind));
     EXPECT_GT(statistics(screen).min, -1e10);
 }
 
@@ -321,7 +321,7 @@ TEST(Transform, AVertexThatAPlaneCutsOffIsProjectedLikeAnyOther) {
         for (std::size_t i = 3; i < 5; ++i)
             for (int c = 0; c < 3; ++c)
                 EXPECT_EQ(screen.value(0, i, c), precision == Precision::Float ? double(-1e30f) : -1e30) << i;
-        EXPECT_EQ(statistics(screen).withoutPosition, 2u);
+        EXPECT_EQ(statistics(screen).withoutValue, 2u);
         EXPECT_EQ(statistics(screen).min, 0.25);
     }
 }
@@ -339,7 +339,7 @@ TEST(Transform, AVertexWhosePositionFloatCannotHoldHasNone) {
         scene.settings.precision = precision;
         const BufferStatistics found = statistics(*test::frameOf(scene)->buffer({BufferId::VerticesScreen}));
         EXPECT_EQ(found.infinite, 0u);
-        return found.withoutPosition;
+        return found.withoutValue;
     };
     EXPECT_EQ(without(Precision::Float), 1u);
     EXPECT_EQ(without(Precision::Double), 0u);
