@@ -77,13 +77,22 @@ constexpr std::array kCullLines{
 };
 
 // L1: CalcNormal, summed over the polygon's triangles.
+constexpr std::string_view kNewell = "numerics.polygon_normal=newell",
+                           kThreeCorners = "numerics.polygon_normal=three-corners",
+                           kFromOrigin = "numerics.polygon_normal=from-origin";
 constexpr std::array kCalcNormalLines{
     Line{"for each {polygon}", Loop, {}, kElement},
-    Line{"  a = v1 − v0: {a}"},
-    Line{"  b = v2 − v0: {b}"},
-    Line{"  n = a × b", Do, {}, Begins::Step, "numerics.polygon_normal=three-corners"},
-    Line{"  n = Σ (vi − v0) × (vi+1 − v0)", Do, {}, Begins::Step, "numerics.polygon_normal=newell"},
-    Line{"  n = Σ vi × vi+1", Do, {}, Begins::Step, "numerics.polygon_normal=from-origin"},
+    Line{"  n = (0, 0, 0)", Do, {}, Begins::Step, "numerics.polygon_normal=newell|from-origin"},
+    Line{"  a = v1 − v0: {a}", Do, {}, Begins::Step, kThreeCorners},
+    Line{"  b = v2 − v0: {b}", Do, {}, Begins::Step, kThreeCorners},
+    Line{"  n = a × b: {a × b}", Do, {}, Begins::Step, kThreeCorners},
+    Line{"  for each triangle v0, vi, vi+1: {i}", Loop, "parts", Begins::Step, kNewell},
+    Line{"    a = vi − v0: {a}", Do, {}, Begins::Step, kNewell},
+    Line{"    b = vi+1 − v0: {b}", Do, {}, Begins::Step, kNewell},
+    Line{"    c = a × b: {c}", Do, {}, Begins::Step, kNewell},
+    Line{"  for each edge vi, vi+1: {i}", Loop, "parts", Begins::Step, kFromOrigin},
+    Line{"    c = vi × vi+1: {c}", Do, {}, Begins::Step, kFromOrigin},
+    Line{"    n = n + c: {n}", Do, {}, Begins::Step, "numerics.polygon_normal=newell|from-origin"},
     Line{"  length = sqrt(n·n): {length}"},
     Line{"  n = n / length: {n}"},
 };

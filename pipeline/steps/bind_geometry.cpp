@@ -55,15 +55,50 @@ void bindCull(const FrameData<Real>& data, const BoundStep& step, Bindings& out)
     out.word("visibility", std::string(name(verdict)));
 }
 
+// So many that a product of edges shows seven digits.
+int decimalsOf(Vec3d v) {
+    int decimals = 6;
+    for (double largest = largestComponent(v); largest >= 10 && decimals > 0; largest /= 10) --decimals;
+    return std::min(decimals, 4);
+}
+
+// The sum of areaVector() as it grows: a turn for each triangle or edge of the polygon.
+template <class Real>
+void bindNormalSum(PolygonNormalForm form, const TransformOutput<Real>& in, const Topology::Corners& corners,
+                   Bindings& out) {
+    const bool isOfEdges = form == PolygonNormalForm::FromOrigin;
+    const std::size_t n = corners.size();
+    const auto at = [&](std::size_t i) { return in.world[corners[i % n]]; };
+    Vec3<Real> sum(0);
+    std::vector<Bindings>& turns = out.loops["parts"];
+    for (std::size_t i = isOfEdges ? 0 : 1; i + (isOfEdges ? 0 : 1) < n; ++i) {
+        const Vec3<Real> a = isOfEdges ? at(i) : at(i) - at(0), b = isOfEdges ? at(i + 1) : at(i + 1) - at(0);
+        const Vec3<Real> c = glm::cross(a, b);
+        sum += c;
+        Bindings& turn = turns.emplace_back();
+        turn.whole("i", std::int64_t(i));
+        turn.vector("a", Vec3d(a)), turn.vector("b", Vec3d(b));
+        turn.vector("c", Vec3d(c), decimalsOf(Vec3d(c)), isOfEdges ? "" : "twice the triangle's area along its normal");
+        turn.vector("n", Vec3d(sum), decimalsOf(Vec3d(sum)));
+    }
+}
+
 template <class Real>
 void bindPolygonNormal(const FrameData<Real>& data, const BoundStep& step, Bindings& out) {
     bindElement(step, "polygon", out);
     const TransformOutput<Real>& in = *data.transform;
     const Topology::Corners corners = in.topology->corners(step.number());
-    const Vec3<Real> origin = in.world[corners[0]];
-    out.vector("a", Vec3d(in.world[corners[1]] - origin));
-    out.vector("b", Vec3d(in.world[corners[2]] - origin));
-    const Vec3d area(areaVector<Real>(data.keys.normals.form, in, step.number()));
+    const PolygonNormalForm form = data.keys.normals.form;
+    const Vec3d area(areaVector<Real>(form, in, step.number()));
+    if (form == PolygonNormalForm::ThreeCorners) {
+        const Vec3<Real> a = in.world[corners[1]] - in.world[corners[0]],
+                         b = in.world[corners[2]] - in.world[corners[0]];
+        out.vector("a", Vec3d(a)), out.vector("b", Vec3d(b));
+        const Vec3d product(glm::cross(a, b));
+        out.vector("a × b", product, decimalsOf(product));
+    } else {
+        bindNormalSum(form, in, corners, out);
+    }
     const bool mirrored = in.mirrored[in.topology->objectOfPolygon(step.number())] != 0;
     out.number("length", glm::length(area), 4, "twice the area");
     out.vector("n", Vec3d(data.normals->polygon[step.number()]), 4,

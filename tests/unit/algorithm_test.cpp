@@ -106,6 +106,39 @@ TEST(Algorithm, OfAStageThatIsLeftOutTheLinesStandGreyWithThePlansReason) {
     EXPECT_EQ(state.leftOut(), std::vector<std::string>{"Line 2 is left out. Off in this scene: split = off."});
 }
 
+// The base is the square (200, 0, 0), (200, 150, 0), (470, 150, 0), (470, 0, 0): edges (0, 150, 0) and (270, 150, 0), then
+// (270, 150, 0) and (270, 0, 0). Each product is (0, 0, −270 · 150), so that the sum is (0, 0, −81000).
+TEST(Algorithm, TheSumOfCalcNormalGrowsByTheProductOfEachTriangle) {
+    const Steps steps(test::frameOf(unculledPyramid()));
+    const auto at = [&](const char* place) { return *steps.algorithmAt(momentAt(steps, place)); };
+    const auto vector = [](const AlgorithmState& state, const char* name) { return valueOf(state, name)->numbers; };
+    using V = std::vector<double>;
+    EXPECT_EQ(vector(at("normals/polygon=4/line=4"), "a"), (V{0, 150, 0}));
+    EXPECT_EQ(vector(at("normals/polygon=4/line=5/time=2"), "b"), (V{270, 0, 0}));
+    for (const char* place : {"normals/polygon=4/line=6", "normals/polygon=4/line=6/time=2"})
+        EXPECT_EQ(vector(at(place), "c"), (V{0, 0, -40500})) << place;
+    EXPECT_EQ(vector(at("normals/polygon=4/line=7"), "n"), (V{0, 0, -40500}));
+    const AlgorithmState sum = at("normals/polygon=4/line=7/time=2");
+    EXPECT_EQ(vector(sum, "n"), (V{0, 0, -81000}));
+    EXPECT_EQ(rowsOf(sum)[6].valuesText, "0.00, 0.00, −81000.00");
+    EXPECT_EQ(vector(at("normals/polygon=4/line=9"), "n"), (V{0, 0, -1}));
+}
+
+// Of the face Front, v0 to v2 = (470, 0, 0), (470, 150, 0), (335, 75, 150), each form has the same area vector:
+// (0, 150, 0) × (−135, 75, 150) = (22500, 0, 20250).
+TEST(Algorithm, CalcNormalShowsTheProductInEveryForm) {
+    for (const auto& [form, line] : {std::pair(PolygonNormalForm::Newell, "7"),
+                                     {PolygonNormalForm::ThreeCorners, "4"},
+                                     {PolygonNormalForm::FromOrigin, "5/time=3"}}) {
+        Scene scene = unculledPyramid();
+        scene.settings.forms.polygonNormal = form;
+        const Steps steps(test::frameOf(scene));
+        const auto state = *steps.algorithmAt(momentAt(steps, std::string("normals/polygon=1/line=") + line));
+        const AlgorithmValue& value = state.walk.visits[*state.visit].values.front();
+        EXPECT_EQ(value.numbers, (std::vector<double>{22500, 0, 20250})) << line;
+    }
+}
+
 // Every row of the table, with the settings that choose its lines, has 5 to 15 of them.
 TEST(Algorithm, EveryStageAndEveryAlternativeHasATextOfAFewLines) {
     using Change = void (*)(Scene&);
