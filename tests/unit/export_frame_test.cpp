@@ -306,10 +306,8 @@ TEST(ExportFrame, ManifestDescribesEveryBuffer) {
         for (std::size_t i = 0; i < npy.values.size(); ++i) {
             const double value = npy.values[i];
             if (name->id == BufferId::PolygonsIntensity && verdicts.values[i / 3] != 0) continue;  // culled: not lit
-            if (!std::isfinite(value))
-                ++nonFinite;
-            else
-                min = std::min(min, value), max = std::max(max, value);
+            nonFinite += !std::isfinite(value);
+            if (std::isfinite(value)) min = std::min(min, value), max = std::max(max, value);
         }
         EXPECT_EQ(buffer["minimum"], min) << name->text();
         EXPECT_EQ(buffer["maximum"], max) << name->text();
