@@ -73,11 +73,12 @@ std::optional<Moment> Stepper::moment() const {
 
 bool Stepper::isLeftOut() const { return isInside() && m_steps && !m_steps->runs(m_place->stage); }
 
-bool Stepper::isStillDrawing() const {
+bool isStillDrawing(const Stepper& stepper) {
     using pipeline::StageId;
-    if (!isInside()) return false;
-    const auto at = moment();
-    return at ? *at < Moment{StageId::ZBuffer, m_steps->total(StageId::ZBuffer)} : m_place->stage <= StageId::ZBuffer;
+    if (!stepper.isInside()) return false;
+    const auto at = stepper.moment();
+    if (!at) return stepper.place()->stage <= StageId::ZBuffer;
+    return *at < Moment{StageId::ZBuffer, stepper.steps()->total(StageId::ZBuffer)};
 }
 
 QString Stepper::words() const {
@@ -197,15 +198,12 @@ int Stepper::bookmarkHere() const {
 
 void Stepper::toggleBookmark() {
     if (!isInside() || !m_steps) return;
-    if (const int here = bookmarkHere(); here >= 0) return removeBookmark(std::size_t(here));
-    m_bookmarks.push_back(*m_place);
-    std::ranges::sort(m_bookmarks, {}, [this](const Place& place) { return m_steps->momentOf(place); });
-    emit changed();
-}
-
-void Stepper::removeBookmark(std::size_t i) {
-    if (i >= m_bookmarks.size()) return;
-    m_bookmarks.erase(m_bookmarks.begin() + std::ptrdiff_t(i));
+    if (const int here = bookmarkHere(); here >= 0) {
+        m_bookmarks.erase(m_bookmarks.begin() + here);
+    } else {
+        m_bookmarks.push_back(*m_place);
+        std::ranges::sort(m_bookmarks, {}, [this](const Place& place) { return m_steps->momentOf(place); });
+    }
     emit changed();
 }
 

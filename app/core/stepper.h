@@ -37,8 +37,6 @@ public:
     void resume() { request(); }
     // Whether the place is in a stage that this frame leaves out: the moment is the end of the stage before it.
     bool isLeftOut() const;
-    // Whether the place is before the end of the z-buffer stage, so that more may be drawn.
-    bool isStillDrawing() const;
     QString words() const;  // "polygon 2, row 270, x 258"; "Shadow buffer, left out"
 
     void goTo(const pipeline::Place& place);
@@ -70,7 +68,6 @@ public:
     // Index of the bookmark at this place, or -1.
     int bookmarkHere() const;
     void toggleBookmark();
-    void removeBookmark(std::size_t i);
     void setBookmarks(std::vector<pipeline::Place> bookmarks);  // in the order of the frame
 
 signals:
@@ -106,5 +103,8 @@ private:
     StepsPtr m_counted;   // of the newest frame; used by the job's thread only
     BackgroundJob m_job;  // last: it ends before the members that its work uses
 };
+
+// Whether the place is before the end of the z-buffer stage, so that more may be drawn.
+bool isStillDrawing(const Stepper& stepper);
 
 }  // namespace app

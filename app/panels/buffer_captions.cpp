@@ -3,6 +3,7 @@
 #include <QLabel>
 
 #include "app/core/theme.h"
+#include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_compare.h"
 #include "app/panels/buffer_view.h"
 
@@ -17,7 +18,7 @@ void BufferCaptions::setTitle(const QString& name) { m_title->setText(name); }
 
 void BufferCaptions::show() {
     const ShownBuffer& shown = *view().shown();
-    const bool isEarly = view().document().stepper().isStillDrawing();
+    const bool isEarly = isStillDrawing(view().document().stepper());
     m_notice->setText(shown.empty.isEmpty() ? shown.notice : isEarly ? tr("Nothing is drawn yet.") : shown.empty);
     m_notice->setVisible(!m_notice->text().isEmpty());
     m_notice->setAttribute(Qt::WA_TransparentForMouseEvents, !m_notice->text().contains("href"));

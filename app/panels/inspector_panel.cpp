@@ -194,9 +194,9 @@ void InspectorPanel::showHeader() {
         const QString object = onOneLine(m_shown->frame->scene().objects[std::size_t(r.object)].name);
         m_place->setText(tr("Polygon %1 of %2, row 0 on top").arg(r.polygon).arg(object));
     } else {
-        m_place->setText(!r.layers.empty()                       ? tr("Background, behind translucent surfaces.")
-                         : m_document.stepper().isStillDrawing() ? tr("Nothing is drawn here yet.")
-                                                                 : tr("Background: nothing was drawn here."));
+        m_place->setText(!r.layers.empty()                      ? tr("Background, behind translucent surfaces.")
+                         : isStillDrawing(m_document.stepper()) ? tr("Nothing is drawn here yet.")
+                                                                : tr("Background: nothing was drawn here."));
     }
     setAccessibleDescription(tr("Pixel %1, colour %2. %3").arg(place, m_value->text(), m_place->text()));
 }
