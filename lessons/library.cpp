@@ -8,6 +8,7 @@
 #include "pipeline/formats/scene_folder.h"
 #include "pipeline/formats/scene_reader.h"
 #include "pipeline/scene/key_places.h"
+#include "pipeline/scene/same_shapes.h"
 
 namespace lessons {
 
@@ -105,6 +106,8 @@ Result<Lesson> readLesson(const std::filesystem::path& folder, const pipeline::S
 }
 
 Library allLessons() {
+    // Expressions that change an object's tessellation are checked in the scene as changed, one after the other.
+    const pipeline::SameShapes shapes;
     Library library;
     for (const std::string& name : lessonNames()) {
         auto lesson = readLesson(lessonFolder() / name);

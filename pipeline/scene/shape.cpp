@@ -6,6 +6,7 @@
 #include "pipeline/core/angles.h"
 #include "pipeline/core/numerics.h"
 #include "pipeline/scene/make_mesh.h"
+#include "pipeline/scene/same_shapes.h"
 #include "pipeline/scene/teapot.h"
 
 namespace pipeline {
@@ -251,6 +252,7 @@ std::size_t mostTrianglesOf(const Shape& shape) {
 std::shared_ptr<const Mesh> makeShape(const Shape& shape) { return makeShape(shape, {}); }
 
 std::shared_ptr<const Mesh> makeShape(const Shape& shape, const Stop& stop) {
+    if (auto known = SameShapes::find(shape)) return known;
     Builder builder(stop);
     const int n = shape.tessellation;
     switch (shape.kind) {
@@ -261,7 +263,9 @@ std::shared_ptr<const Mesh> makeShape(const Shape& shape, const Stop& stop) {
         case ShapeKind::Torus: addTorus(builder, n); break;
         case ShapeKind::Teapot: addTeapot(builder, n); break;
     }
-    return builder.finish();
+    auto mesh = builder.finish();
+    if (!stop.stop_requested()) SameShapes::keep(shape, mesh);
+    return mesh;
 }
 
 }  // namespace pipeline

@@ -5,6 +5,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "pipeline/scene/make_mesh.h"
+#include "pipeline/scene/same_shapes.h"
+
 namespace pipeline {
 namespace {
 
@@ -175,6 +178,29 @@ TEST(Shape, TeapotNormalsAreThoseOfFinePolygons) {
         for (const std::uint32_t v : corners) worst = std::min(worst, glm::dot(flat, mesh->normals[v]));
     }
     EXPECT_GT(worst, 0.97);
+}
+
+TEST(Shape, IsMadeOnceWhileSameShapesLives) {
+    const Shape ball{ShapeKind::Sphere, 3}, finer{ShapeKind::Sphere, 4};
+    const auto before = makeShape(ball);
+    {
+        const SameShapes shapes;
+        const auto first = makeShape(ball);
+        EXPECT_NE(first, before);
+        EXPECT_EQ(makeShape(ball), first);
+        EXPECT_NE(makeShape(finer), first);
+        std::stop_source stopped;
+        stopped.request_stop();
+        const Shape torus{ShapeKind::Torus, 8};
+        const auto unfinished = makeShape(torus, stopped.get_token());
+        EXPECT_NE(makeShape(torus), unfinished) << "a mesh that was stopped is of no use";
+        {
+            const SameShapes inner;
+            EXPECT_NE(makeShape(ball), first);
+        }
+        EXPECT_EQ(makeShape(ball), first);
+    }
+    EXPECT_NE(makeShape(ball), makeShape(ball));
 }
 
 }  // namespace
