@@ -57,7 +57,7 @@ Exports::Exports(QWidget& window, Actions& actions, Document& document, ViewArea
                  .run = [this] { exportFilm(); },
                  .whyNot = whyNot});
     connect(&views, &ViewArea::saveAsked, this,
-            [this](ViewArea::SavedAs as) { as == ViewArea::SavedAs::Figure ? exportFigure() : exportActive(); });
+            [this](SavedAs as) { as == SavedAs::Figure ? exportFigure() : exportActive(); });
 }
 
 QString whyNoValues(const Document& document) {

@@ -4,7 +4,6 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "app/desktop/view_menu.h"
 #include "app/panels/buffer_view.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/thumbnail_strip.h"
@@ -68,7 +67,8 @@ ViewArea::ViewArea(Document& document, QWidget* parent, ViewDress dress)
 
 // A view that has just been made.
 void ViewArea::takeView(ViewLeaf leaf, ViewDress dress) {
-    if (dress == ViewDress::Full) addViewMenu(m_grid->views().menuOf(leaf), *this, leaf);
+    if (dress == ViewDress::Full)
+        addViewMenu(*m_grid->views().menuOf(leaf), leaf, m_active, m_edits, [this](SavedAs as) { emit saveAsked(as); });
     if (leaf.kind == ViewLeaf::Kind::Space) return;
     BufferView& view = m_grid->views().buffer(leaf.number);
     connect(&view, &BufferView::bufferChanged, this, [this, &view] {

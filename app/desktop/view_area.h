@@ -7,6 +7,7 @@
 #include "app/desktop/view_edits.h"
 #include "app/desktop/view_grid.h"
 #include "app/desktop/view_links.h"
+#include "app/desktop/view_menu.h"
 #include "lessons/state/window_state.h"
 
 class QLabel;
@@ -20,8 +21,6 @@ class ThumbnailStrip;
 class ViewArea : public QWidget {
     Q_OBJECT
 public:
-    enum class SavedAs : unsigned char { Files, Figure };
-
     explicit ViewArea(Document& document, QWidget* parent = nullptr, ViewDress dress = ViewDress::Full);
 
     ViewGrid& grid() { return *m_grid; }

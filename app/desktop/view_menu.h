@@ -1,13 +1,20 @@
 #pragma once
+#include <functional>
+
 #include "lessons/state/view_tree.h"
 
 class QMenu;
 
 namespace app {
 
-class ViewArea;
+class ActiveView;
+class ViewEdits;
 
-// What can be done with one view of the area, at the end of the menu of its header.
-void addViewMenu(QMenu* menu, ViewArea& area, lessons::ViewLeaf leaf);
+// What of the active view is saved: its buffer as files, or as a figure.
+enum class SavedAs : unsigned char { Files, Figure };
+
+// What can be done with one view, at the end of the menu of its header. `save` finds it active.
+void addViewMenu(QMenu& menu, lessons::ViewLeaf leaf, ActiveView& active, ViewEdits& edits,
+                 const std::function<void(SavedAs)>& save);
 
 }  // namespace app
