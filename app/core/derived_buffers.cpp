@@ -1,6 +1,6 @@
 #include "app/core/derived_buffers.h"
 
-#include "app/core/document.h"
+#include "app/core/frame_feed.h"
 #include "app/core/mix_model.h"
 #include "app/core/text.h"
 
@@ -8,15 +8,21 @@ namespace app {
 
 using pipeline::BufferName;
 
-DerivedBuffers::DerivedBuffers(Document& document) : m_document(document) {
-    connect(&document, &Document::sceneOpened, this, [this] {
-        for (const auto& [name, job] : m_jobs) job->forget();
-        setText({});
-        settle();
-    });
-    connect(&document, &Document::sceneChanged, this, &DerivedBuffers::settle);
-    connect(&document.frames(), &FrameFeed::frameReady, this, &DerivedBuffers::ask);
-    connect(&document.mixer(), &MixModel::changed, this, &DerivedBuffers::ask);
+DerivedBuffers::DerivedBuffers(FrameFeed& frames, const MixModel& mixer) : m_frames(frames), m_mixer(mixer) {
+    connect(&frames, &FrameFeed::frameReady, this, &DerivedBuffers::ask);
+    connect(&mixer, &MixModel::changed, this, &DerivedBuffers::ask);
+}
+
+void DerivedBuffers::setScene(ScenePtr scene) {
+    m_scene = std::move(scene);
+    settle();
+}
+
+void DerivedBuffers::begin(ScenePtr scene) {
+    m_scene = std::move(scene);
+    for (const auto& [name, job] : m_jobs) job->forget();
+    setText({});
+    settle();
 }
 
 void DerivedBuffers::setText(const QString& text) {
@@ -26,9 +32,7 @@ void DerivedBuffers::setText(const QString& text) {
     settle();
 }
 
-lessons::DerivedRecipe DerivedBuffers::recipe() const {
-    return {m_text.trimmed().toStdString(), m_document.mixer().mix()};
-}
+lessons::DerivedRecipe DerivedBuffers::recipe() const { return {m_text.trimmed().toStdString(), m_mixer.mix()}; }
 
 void DerivedBuffers::want(const QObject* who, std::vector<BufferName> names) {
     const auto known = m_wanted.find(who);
@@ -55,19 +59,19 @@ void DerivedBuffers::settle() {
                 job = std::make_unique<DerivedJob>();
                 connect(job.get(), &DerivedJob::changed, this, [this, name] { emit changed(name); });
             }
-            if (!m_document.hasScene()) continue;
-            if (const auto buffers = buffersFor(name, recipe(), m_document.scene())) needed |= *buffers;
+            if (!m_scene) continue;
+            if (const auto buffers = buffersFor(name, recipe(), *m_scene)) needed |= *buffers;
         }
     }
     m_jobs.swap(kept);
-    m_document.frames().want(this, needed);
+    m_frames.want(this, needed);
     ask();
     for (const auto& [text, job] : kept)
         if (job) emit changed(*pipeline::findDerived(text));  // it went
 }
 
 void DerivedBuffers::ask() {
-    const pipeline::FramePtr& frame = m_document.frames().shown();
+    const pipeline::FramePtr& frame = m_frames.shown();
     if (!frame) return;
     for (const auto& [text, job] : m_jobs) job->ask(frame, *pipeline::findDerived(text), recipe());
 }
@@ -79,7 +83,7 @@ DerivedJob* DerivedBuffers::find(const BufferName& name) const {
 
 const lessons::DerivedBuffer* DerivedBuffers::made(const BufferName& name) const {
     const DerivedJob* job = find(name);
-    const pipeline::FramePtr& frame = m_document.frames().shown();
+    const pipeline::FramePtr& frame = m_frames.shown();
     if (!job || !job->made() || !frame) return nullptr;
     const pipeline::Settings& settings = frame->scene().settings;
     const pipeline::AnyBuffer& buffer = job->made()->buffer;

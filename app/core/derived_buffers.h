@@ -3,17 +3,22 @@
 #include <vector>
 
 #include "app/core/derived_job.h"
+#include "app/core/scene_step.h"
 
 namespace app {
 
-class Document;
+class FrameFeed;
+class MixModel;
 
-// The derived buffers of a document that somebody looks at, computed for each newest frame. Also the text of the
+// The derived buffers of a scene that somebody looks at, computed for each newest frame. Also the text of the
 // condition and the expression. Another scene begins without a text.
 class DerivedBuffers : public QObject {
     Q_OBJECT
 public:
-    explicit DerivedBuffers(Document& document);
+    DerivedBuffers(FrameFeed& frames, const MixModel& mixer);
+
+    void setScene(ScenePtr scene);  // a new state of the same scene
+    void begin(ScenePtr scene);     // another scene
 
     const QString& text() const { return m_text; }
     void setText(const QString& text);
@@ -39,7 +44,9 @@ private:
     void settle();  // after a change of what is wanted
     void ask();
 
-    Document& m_document;
+    FrameFeed& m_frames;
+    const MixModel& m_mixer;
+    ScenePtr m_scene;
     QString m_text;
     std::map<const QObject*, std::vector<pipeline::BufferName>> m_wanted;
     std::map<std::string, std::unique_ptr<DerivedJob>> m_jobs;  // by name

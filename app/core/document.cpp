@@ -24,10 +24,20 @@ using pipeline::SettingRef;
 using pipeline::StageId;
 
 Document::Document(QObject* parent) : QObject(parent) {
-    m_mixer = std::make_unique<MixModel>(*this);
-    m_derived = std::make_unique<DerivedBuffers>(*this);
-    m_inspection = std::make_unique<PixelInspection>(*this);
-    m_renderer = std::make_unique<RendererCheck>(*this);
+    m_mixer = std::make_unique<MixModel>();
+    m_derived = std::make_unique<DerivedBuffers>(m_frames, *m_mixer);
+    m_inspection = std::make_unique<PixelInspection>(m_frames, m_pointing, m_work);
+    m_renderer = std::make_unique<RendererCheck>(m_work);
+    connect(this, &Document::sceneOpened, this, [this] {
+        m_mixer->begin(m_scene);
+        m_derived->begin(m_scene);
+        m_renderer->begin(m_scene);
+    });
+    connect(this, &Document::sceneChanged, this, [this] {
+        m_mixer->setScene(m_scene);
+        m_derived->setScene(m_scene);
+        m_renderer->setScene(m_scene);
+    });
     connect(&m_history, &SceneHistory::stepped, this, &Document::showScene);
     connect(&m_stepper, &Stepper::stageReached, this, &Document::showStage);
     connect(&m_frames, &FrameFeed::stateReady, this, [this] {

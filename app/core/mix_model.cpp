@@ -1,19 +1,21 @@
 #include "app/core/mix_model.h"
 
-#include "app/core/document.h"
 #include "app/core/text.h"
 
 namespace app {
 
-MixModel::MixModel(Document& document) : m_document(document) {
-    connect(&document, &Document::sceneOpened, this, &MixModel::reset);
-    connect(&document, &Document::sceneChanged, this, [this] {
-        // The strips are those of the scene's lights.
-        if (m_mix.size() != pipeline::plainMix(m_document.scene().lights.size()).size()) reset();
-    });
+void MixModel::setScene(ScenePtr scene) {
+    m_scene = std::move(scene);
+    // The strips are those of the scene's lights.
+    if (m_mix.size() != pipeline::plainMix(m_scene->lights.size()).size()) reset();
 }
 
-void MixModel::reset() { set(pipeline::plainMix(m_document.hasScene() ? m_document.scene().lights.size() : 0)); }
+void MixModel::begin(ScenePtr scene) {
+    m_scene = std::move(scene);
+    reset();
+}
+
+void MixModel::reset() { set(pipeline::plainMix(m_scene ? m_scene->lights.size() : 0)); }
 
 void MixModel::set(const pipeline::TermMix& mix) {
     if (mix == m_mix) return;
@@ -34,7 +36,7 @@ void MixModel::setShownAlone(const QObject* view, bool shown) {
 }
 
 QString MixModel::sentence() const {
-    const QString why = m_document.hasScene() ? toQString(whyNoMix(m_document.scene())) : QString();
+    const QString why = m_scene ? toQString(whyNoMix(*m_scene)) : QString();
     return why.isEmpty() ? tr("Mix of terms: %1").arg(toQString(describe(m_mix))) : why;
 }
 

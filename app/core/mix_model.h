@@ -3,19 +3,18 @@
 #include <QString>
 #include <set>
 
+#include "app/core/scene_step.h"
 #include "pipeline/inspect/term_mix.h"
 
 namespace app {
-
-class Document;
 
 // How the terms of the illumination are mixed. Another scene begins with every term as it is. The picture that they
 // make is the derived buffer `mix`.
 class MixModel : public QObject {
     Q_OBJECT
 public:
-    explicit MixModel(Document& document);
-
+    void setScene(ScenePtr scene);  // a new state of the same scene
+    void begin(ScenePtr scene);     // another scene
     const pipeline::TermMix& mix() const { return m_mix; }
     bool isPlain() const { return pipeline::isPlain(m_mix); }
     void set(const pipeline::TermMix& mix);
@@ -29,7 +28,7 @@ signals:
     void changed();
 
 private:
-    Document& m_document;
+    ScenePtr m_scene;
     pipeline::TermMix m_mix;
     std::set<const QObject*> m_views;  // of the buffer `mix`
 };

@@ -1,26 +1,29 @@
 #include "app/core/pixel_inspection.h"
 
-#include "app/core/document.h"
+#include "app/core/frame_feed.h"
 #include "app/core/large_frame.h"
+#include "app/core/pointing.h"
+#include "app/core/work_list.h"
 
 namespace app {
 
-PixelInspection::PixelInspection(Document& document) : m_document(document) {
-    connect(&document.frames(), &FrameFeed::frameReady, this, &PixelInspection::ask);
-    connect(&document.pointing(), &Pointing::pixelChanged, this, &PixelInspection::ask);
+PixelInspection::PixelInspection(const FrameFeed& frames, const Pointing& pointing, WorkList& work)
+    : m_frames(frames), m_pointing(pointing) {
+    connect(&frames, &FrameFeed::frameReady, this, &PixelInspection::ask);
+    connect(&pointing, &Pointing::pixelChanged, this, &PixelInspection::ask);
     connect(&m_job, &BackgroundJob::busyChanged, this, &PixelInspection::busyChanged);
-    document.work().add(
+    work.add(
         this, tr("the picked pixel"), [this] { m_job.forget(); },
         [this] {
             m_askedFrame.reset();
             ask();
         });
-    connect(this, &PixelInspection::busyChanged, this, [this](bool busy) { m_document.work().setBusy(this, busy); });
+    connect(this, &PixelInspection::busyChanged, this, [this, &work](bool busy) { work.setBusy(this, busy); });
 }
 
 void PixelInspection::ask() {
-    const pipeline::FramePtr& frame = m_document.frames().shown();
-    const auto pixel = m_document.pointing().pixel();
+    const pipeline::FramePtr& frame = m_frames.shown();
+    const auto pixel = m_pointing.pixel();
     if (!frame || !pixel) {
         m_job.forget();
         m_askedFrame.reset();

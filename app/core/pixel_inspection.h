@@ -7,7 +7,9 @@
 
 namespace app {
 
-class Document;
+class FrameFeed;
+class Pointing;
+class WorkList;
 
 // A pixel's report and its frame.
 struct InspectedPixel {
@@ -20,7 +22,7 @@ struct InspectedPixel {
 class PixelInspection : public QObject {
     Q_OBJECT
 public:
-    explicit PixelInspection(Document& document);
+    PixelInspection(const FrameFeed& frames, const Pointing& pointing, WorkList& work);
 
     // The newest report; null if no pixel is picked. While busy it is that of the previous pixel or frame.
     const std::shared_ptr<const InspectedPixel>& newest() const { return m_newest; }
@@ -34,7 +36,8 @@ private:
     void ask();
     void take(std::shared_ptr<const InspectedPixel> inspected);
 
-    Document& m_document;
+    const FrameFeed& m_frames;
+    const Pointing& m_pointing;
     std::shared_ptr<const InspectedPixel> m_newest;
     pipeline::FramePtr m_askedFrame;
     glm::ivec2 m_askedPixel{0};

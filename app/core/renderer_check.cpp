@@ -1,14 +1,12 @@
 #include "app/core/renderer_check.h"
 
-#include <QDir>
 #include <QFileInfo>
-#include <QFileSystemWatcher>
 #include <QTime>
 #include <atomic>
 
-#include "app/core/document.h"
 #include "app/core/shown_name.h"
 #include "app/core/text.h"
+#include "app/core/work_list.h"
 #include "pipeline/plan/memory_limit.h"
 
 namespace app {
@@ -18,7 +16,7 @@ using ReportResult = pipeline::Result<foreign::Report>;
 
 namespace {
 
-constexpr int kFilesRest = 300, kFilesAbsent = 1000;  // milliseconds
+constexpr int kSceneRest = 300;  // milliseconds
 
 }  // namespace
 
@@ -33,17 +31,11 @@ struct RendererCheck::Progress {
     std::atomic<std::size_t> done{0}, all{0};
 };
 
-RendererCheck::RendererCheck(Document& document) : m_document(document) {
+RendererCheck::RendererCheck(WorkList& work) {
     m_soon.setSingleShot(true);
     m_soon.setInterval(0);
     connect(&m_soon, &QTimer::timeout, this, &RendererCheck::compare);
-    m_rest.setSingleShot(true);
-    connect(&m_rest, &QTimer::timeout, this, &RendererCheck::lookAtFiles);
-    connect(&document, &Document::sceneChanged, this, [this] {
-        m_soon.setInterval(kFilesRest);  // a slider may go on
-        compareSoon();
-    });
-    WorkList& work = document.work();
+    connect(&m_watch, &RendererWatch::changed, this, &RendererCheck::readAgain);
     work.add(
         this, tr("the comparison with your renderer"), [this] { cancel(); }, [this] { readAgain(); });
     connect(&m_job, &BackgroundJob::busyChanged, this, [this, &work](bool busy) {
@@ -56,6 +48,12 @@ RendererCheck::RendererCheck(Document& document) : m_document(document) {
 
 RendererCheck::~RendererCheck() = default;
 
+void RendererCheck::setScene(ScenePtr scene) {
+    m_scene = std::move(scene);
+    m_soon.setInterval(kSceneRest);  // a slider may go on
+    compareSoon();
+}
+
 void RendererCheck::open(const QStringList& paths) {
     m_paths.clear();
     for (const QString& path : paths) m_paths += QFileInfo(path).absoluteFilePath();
@@ -64,7 +62,7 @@ void RendererCheck::open(const QStringList& paths) {
     m_buffers.clear();
     m_errors.clear();
     m_readAt.clear();
-    watch();
+    m_watch.setPaths(m_paths);
     emit opened();
     m_soon.setInterval(0);
     compareSoon();
@@ -74,13 +72,12 @@ void RendererCheck::open(const QStringList& paths) {
 void RendererCheck::close() {
     m_job.forget();
     m_soon.stop();
-    m_rest.stop();
     m_kept.reset();
     m_paths.clear();
     m_report.reset();
     m_buffers.clear();
     m_errors.clear();
-    watch();
+    m_watch.setPaths({});
     emit compared();
     emit changed();
 }
@@ -124,18 +121,18 @@ std::pair<std::size_t, std::size_t> RendererCheck::tried() const {
 }
 
 void RendererCheck::compareSoon() {
-    if (!isOpen() || !m_document.hasScene()) return;
+    if (!isOpen() || !m_scene) return;
     m_missed = !m_followed;
     if (m_followed) m_soon.start();
 }
 
 void RendererCheck::compare() {
-    if (!isOpen() || !m_document.hasScene()) return;
+    if (!isOpen() || !m_scene) return;
     m_cancelled = false;
-    m_stamp = m_seen = stampOf(m_paths);
-    if (!m_kept || *m_kept->scene != m_document.scene()) {
+    m_watch.take();
+    if (!m_kept || *m_kept->scene != *m_scene) {
         m_kept = std::make_shared<Kept>();
-        m_kept->scene = m_document.sharedScene();
+        m_kept->scene = m_scene;
     }
     ask(false);
 }
@@ -181,40 +178,10 @@ void RendererCheck::take(const std::shared_ptr<const ReportResult>& result, bool
     m_report = *result ? ReportPtr(result, &result->value()) : nullptr;
     m_buffers.clear();
     m_work = Work::None;
-    watch();
+    m_watch.follow();
     emit compared();
     if (m_report && !names && !m_report->agrees()) return ask(true);
     emit changed();
-}
-
-// Folders tell of files that come and go, files of being written.
-void RendererCheck::watch() {
-    if (m_paths.isEmpty()) return m_watcher.reset();
-    if (!m_watcher) {
-        m_watcher = std::make_unique<QFileSystemWatcher>();
-        const auto rest = [this] { m_rest.start(kFilesRest); };
-        connect(m_watcher.get(), &QFileSystemWatcher::fileChanged, this, rest);
-        connect(m_watcher.get(), &QFileSystemWatcher::directoryChanged, this, rest);
-    }
-    QStringList wanted = m_paths;
-    for (const QString& path : m_paths)
-        for (const QFileInfo& file : QDir(path).entryInfoList(QDir::Files)) wanted += file.absoluteFilePath();
-    QStringList watched = m_watcher->files() + m_watcher->directories(), added;
-    for (const QString& one : wanted)
-        if (!watched.removeOne(one) && QFileInfo::exists(one)) added += one;
-    if (!watched.isEmpty()) m_watcher->removePaths(watched);
-    if (!added.isEmpty()) m_watcher->addPaths(added);
-}
-
-// Renderers write in several goes: compared once two looks in a row have seen the same.
-void RendererCheck::lookAtFiles() {
-    if (!isOpen()) return;
-    watch();
-    const QString now = stampOf(m_paths);
-    if (now.isEmpty()) m_rest.start(kFilesAbsent);  // a folder that is gone may come back
-    if (now == m_stamp || now.isEmpty()) return;
-    if (std::exchange(m_seen, now) != now) return m_rest.start(kFilesRest);
-    readAgain();
 }
 
 std::optional<pipeline::AnyBuffer> RendererCheck::buffer(const pipeline::AnyBuffer& like) const {

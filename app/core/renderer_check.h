@@ -8,15 +8,15 @@
 
 #include "app/core/background_job.h"
 #include "app/core/renderer_files.h"
+#include "app/core/renderer_watch.h"
+#include "app/core/scene_step.h"
 #include "pipeline/compare/verdict.h"
-
-class QFileSystemWatcher;
 
 namespace app {
 
-class Document;
+class WorkList;
 
-// Somebody else's renderer: its files, compared with the document's scene beside the window, and again whenever the files
+// Somebody else's renderer: its files, compared with the window's scene beside it, and again whenever the files
 // or the scene change. What its stages are comes first, the names of known errors follow.
 class RendererCheck : public QObject {
     Q_OBJECT
@@ -24,8 +24,11 @@ public:
     using ReportPtr = std::shared_ptr<const pipeline::foreign::Report>;
     enum class Work : unsigned char { None, Stages, Names };
 
-    explicit RendererCheck(Document& document);
+    explicit RendererCheck(WorkList& work);
     ~RendererCheck() override;
+
+    void begin(ScenePtr scene) { m_scene = std::move(scene); }  // another scene; setScene() follows
+    void setScene(ScenePtr scene);                              // compared again soon
 
     // A folder, or files. What runs is stopped; conventions that were stated by hand are forgotten.
     void open(const QStringList& paths);
@@ -72,19 +75,16 @@ private:
     void compare();
     void ask(bool names);
     void take(const std::shared_ptr<const pipeline::Result<pipeline::foreign::Report>>& result, bool names);
-    void lookAtFiles();
-    void watch();
 
-    Document& m_document;
+    ScenePtr m_scene;
     QStringList m_paths;
     int m_given = 3;
     bool m_followed = false, m_missed = false, m_cancelled = false;
     StatedByHand m_byHand;
     std::shared_ptr<Kept> m_kept;  // of the scene; of the job's thread alone
     std::shared_ptr<Progress> m_progress;
-    std::unique_ptr<QFileSystemWatcher> m_watcher;
-    QTimer m_soon, m_rest;
-    QString m_stamp, m_seen;  // of the files: as compared, as last looked at
+    RendererWatch m_watch;
+    QTimer m_soon;
     ReportPtr m_report;
     pipeline::Errors m_errors;
     QString m_readAt;

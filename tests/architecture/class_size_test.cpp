@@ -25,7 +25,7 @@ const std::map<std::string, ClassSize>& largerThanMost() {
         {"app/core/cue_model.h CueModel", {45, 10}},
         {"app/core/document.h Document", {48, 13}},
         {"app/core/lesson_run.h LessonRun", {33, 8}},
-        {"app/core/renderer_check.h RendererCheck", {31, 20}},
+        {"app/core/renderer_check.h RendererCheck", {31, 17}},
         {"app/core/stepper.h Stepper", {42, 16}},
         {"app/desktop/notes_window.h NotesWindow", {19, 19}},
         {"app/desktop/slide_dialog.h SlideDialog", {12, 19}},
