@@ -77,8 +77,10 @@ TEST_F(DerivedBuffersTest, ZInDeviceCoordinatesIsThatOfTheProjectionMatrix) {
         document.change(*pipeline::findSetting(document.scene(), "camera.projection"), projection);
         view.setBuffer(kZNdc);
         ASSERT_TRUE(shows(kZNdc));
-        ASSERT_TRUE(QTest::qWaitFor([&] { return !document.frames().busy(); }, 10000));
-        QTest::qWait(100);
+        const auto isCurrent = [&] {
+            return !document.frames().busy() && view.isCurrent() && view.frame() == document.frames().shown();
+        };
+        ASSERT_TRUE(QTest::qWaitFor(isCurrent, 10000));
         const pipeline::View eye = makeView(document.scene());
         const glm::dmat4 matrix = eye.perspective ? glm::perspectiveRH_NO(1.0, 1.0, eye.near, eye.far)
                                                   : glm::orthoRH_NO(-1.0, 1.0, -1.0, 1.0, eye.near, eye.far);

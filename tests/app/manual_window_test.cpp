@@ -10,6 +10,7 @@
 #include "app/desktop/view_area.h"
 #include "app/panels/buffer_canvas.h"
 #include "app/view3d/view3d_panel.h"
+#include "tests/app/quiet.h"
 #include "tests/app/window_fixture.h"
 
 namespace app {
@@ -44,7 +45,7 @@ TEST_F(WindowManual, LinksLeadToHeadingsAndPicturesFit) {
     EXPECT_EQ(page().textCursor().block().text(), "The histogram");
     EXPECT_GT(page().verticalScrollBar()->value(), 0);
     page().setSource(page().source().resolved(QUrl("window.md")));
-    QTest::qWait(200);
+    EXPECT_TRUE(test::waitUntilQuiet());
     EXPECT_EQ(page().horizontalScrollBar()->maximum(), 0) << "a picture is wider than the page";
 }
 

@@ -10,6 +10,7 @@
 #include <QTest>
 
 #include "pipeline/scene/settings_table.h"
+#include "tests/app/quiet.h"
 #include "tests/support/scenes.h"
 
 namespace {
@@ -123,7 +124,9 @@ TEST_F(TablesPanelTest, SortsByValueAndKeepsWhatIsSelected) {
     EXPECT_EQ(document.pointing().selection(), (lessons::Selection{lessons::Selection::Kind::Polygon, 4}));
     // The order holds when the frame changes.
     document.change(*pipeline::findSetting(document.scene(), "object.0.sx"), 1.9);
-    QTest::qWait(300);
+    QSignalSpy frame(&document.frames(), &app::FrameFeed::stateReady);
+    ASSERT_TRUE(frame.wait());
+    ASSERT_TRUE(test::waitUntilQuiet());
     EXPECT_EQ(text(polygons(), 0, "polygon"), "4");
 }
 
@@ -148,14 +151,14 @@ TEST_F(TablesPanelTest, ALowPanelHasItsFactsBesideTheTabs) {
     EXPECT_FALSE(facts->isVisible());
     const int rows = polygons().view().viewport()->height();
     panel.resize(900, 180);
-    QTest::qWait(20);
+    EXPECT_TRUE(test::waitUntilQuiet());
     EXPECT_TRUE(facts->isVisible());
     EXPECT_EQ(facts->text(), "polygons = 5");
     EXPECT_LT(facts->geometry().right(), panel.width());
     EXPECT_EQ(facts->geometry().center().y(), panel.tabBar()->geometry().center().y());
     EXPECT_GT(polygons().view().viewport()->height(), rows - 120) << "120 lower, and a line less above the rows";
     panel.resize(900, 300);
-    QTest::qWait(20);
+    EXPECT_TRUE(test::waitUntilQuiet());
     EXPECT_FALSE(facts->isVisible());
 }
 

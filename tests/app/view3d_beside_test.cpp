@@ -52,7 +52,7 @@ TEST_F(View3dBeside, TheFirstPictureIsNotStopped) {
     {
         const std::lock_guard turnOfVtk(app::vtkTurn());
         other.show();
-        QTest::qWait(600);  // until what takes long may be stopped
+        ASSERT_TRUE(QTest::qWaitFor([&] { return !document.work().running().isEmpty(); }));
         EXPECT_FALSE(drawing.shown());
         document.work().cancel();
     }

@@ -318,7 +318,7 @@ TEST_F(View3dWindow, AClickPicksInEverySpace) {
         panel.setSpace({space});
         ASSERT_TRUE(QTest::qWaitFor([&] { return !view.space().isMoving(); }, 5000));
         view.camera().go(app::ViewPreset::Eye);
-        QTest::qWait(400);
+        ASSERT_TRUE(QTest::qWaitFor([&] { return !view.camera().isFlying() && view.isDrawn(); }));
         const auto map = app::mapOf(*view.space().content(), {space});
         clickAt(map->toSpace({335, 125, 50}));
         ASSERT_TRUE(document.pointing().pixel()) << int(space);
@@ -358,8 +358,8 @@ TEST_F(View3dWindow, AfterADragItShowsTheSameAsAViewThatHasSeenNothingElse) {
     other.resize(panel.size());
     other.show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(&other));
-    QTest::qWait(400);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return view.isDrawn() && other.view().isDrawn(); }, 20000));
+    const auto areDrawn = [&] { return other.view().space().content() && view.isDrawn() && other.view().isDrawn(); };
+    ASSERT_TRUE(QTest::qWaitFor(areDrawn, 20000));
     const QImage dragged = view.grab().toImage(), fresh = other.view().grab().toImage();
     ASSERT_EQ(dragged.size(), fresh.size());
     qint64 differ = 0;

@@ -24,6 +24,7 @@
 #include "app/panels/buffer_compare.h"
 #include "app/panels/buffer_view.h"
 #include "app/panels/lesson_panel.h"
+#include "tests/app/quiet.h"
 #include "tests/app/window_fixture.h"
 
 namespace app {
@@ -145,7 +146,7 @@ TEST_F(WindowCommands, ASettingAndALessonAreFoundAmongTheCommands) {
         auto* field = find<QLineEdit>("commandField");
         QTest::keyClicks(field, words);
         QTest::keyClick(field, Qt::Key_Return);
-        QTest::qWait(50);
+        EXPECT_TRUE(test::waitUntilQuiet());
     };
     find<QDockWidget>("settings")->hide();
     run("material.0.n");

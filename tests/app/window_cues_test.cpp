@@ -19,6 +19,7 @@
 #include "app/panels/condition_bar.h"
 #include "app/panels/cue_panel.h"
 #include "app/panels/math_view.h"
+#include "tests/app/quiet.h"
 #include "tests/app/window_fixture.h"
 
 namespace app {
@@ -35,7 +36,7 @@ protected:
         EXPECT_TRUE(waitForFrame());
         EXPECT_TRUE(
             QTest::qWaitFor([this] { return !document().frames().busy() && document().stepper().isSettled(); }, 30000));
-        QTest::qWait(50);
+        EXPECT_TRUE(test::waitUntilQuiet());
     }
     // Three cues that differ in scene, setting, place, buffer, zoom and pixel.
     void makeThree() {

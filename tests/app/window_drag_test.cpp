@@ -10,6 +10,7 @@
 #include "app/panels/stage_strip.h"
 #include "app/panels/value_slider.h"
 #include "app/view3d/vtk_widget.h"
+#include "tests/app/quiet.h"
 #include "tests/app/window_fixture.h"
 
 namespace app {
@@ -51,10 +52,10 @@ protected:
 TEST_F(WindowDrag, LaysNothingOutAnewAndPaintsNothingThatStaysAsItIs) {
     openPyramid();
     drag(2, Document::Change::Live);  // undo has a step, and its row of words
-    QTest::qWait(50);
+    ASSERT_TRUE(test::waitUntilQuiet());
     const Events events;
     drag(10, Document::Change::Live);
-    QTest::qWait(10);
+    ASSERT_TRUE(test::waitUntilQuiet());
     EXPECT_EQ(events.count(&window, QEvent::LayoutRequest), 0);
     EXPECT_EQ(events.count(find<ValueSlider>("material.0.kr"), QEvent::Paint), 0);
     EXPECT_GE(events.count(canvas(), QEvent::Paint), 1);

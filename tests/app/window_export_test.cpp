@@ -18,6 +18,7 @@
 #include "app/panels/export_dialog.h"
 #include "app/panels/figure_dialog.h"
 #include "app/view3d/offscreen.h"
+#include "tests/app/quiet.h"
 #include "tests/app/window_fixture.h"
 
 namespace app {
@@ -29,7 +30,7 @@ protected:
         press("Ctrl+E");
         auto* dialog = window.findChild<ExportDialog*>();
         EXPECT_NE(dialog, nullptr);
-        QTest::qWait(50);
+        EXPECT_TRUE(test::waitUntilQuiet());
         EXPECT_TRUE(waitForFrame());  // with every buffer that the dialog lists
         dialog->findChild<QLineEdit*>("exportFolder")->setText(folder.filePath("out"));
         return dialog;
@@ -155,7 +156,7 @@ TEST_F(WindowExport, SavesTheActiveViewsBufferAlone) {
     window.findChild<Actions*>()->operator[](ActionId::SaveBuffer)->trigger();
     auto* dialog = window.findChild<ExportDialog*>();
     ASSERT_NE(dialog, nullptr);
-    QTest::qWait(50);
+    EXPECT_TRUE(test::waitUntilQuiet());
     ASSERT_TRUE(waitForFrame());  // with more buffers, which stay unchecked
     EXPECT_EQ(chosenIn(*dialog), std::vector<std::string>{"depth"});
     EXPECT_TRUE(dialog->findChild<QLineEdit*>("exportCommand")->text().contains("--buffers depth"));

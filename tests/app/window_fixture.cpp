@@ -7,6 +7,7 @@
 #include <QSettings>
 #include <QTest>
 #include <QTimer>
+#include <algorithm>
 
 #include "app/core/scene_opener.h"
 #include "app/core/theme.h"
@@ -14,6 +15,7 @@
 #include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_view.h"
 #include "pipeline/formats/scene_reader.h"
+#include "tests/app/quiet.h"
 
 namespace app {
 
@@ -45,10 +47,13 @@ void WindowTest::openPyramid() {
 }
 
 bool WindowTest::waitForFrame() {
-    const bool there =
-        QTest::qWaitFor([this] { return document().frames().shown() && !document().frames().busy(); }, 30000);
-    QTest::qWait(50);  // for what is painted a moment later
-    const auto isDone = [this] { return !document().frames().busy() && document().stepper().isSettled(); };
+    const auto isThere = [this] {
+        const auto isNewest = [](const BufferView* view) { return view->isHidden() || view->isCurrent(); };
+        return document().frames().shown() && !document().frames().busy() &&
+               std::ranges::all_of(window.findChildren<BufferView*>(), isNewest);
+    };
+    const bool there = QTest::qWaitFor(isThere, 30000) && test::waitUntilQuiet();
+    const auto isDone = [&] { return isThere() && document().stepper().isSettled(); };
     return there && QTest::qWaitFor(isDone, 30000);
 }
 

@@ -14,6 +14,7 @@
 #include <QTest>
 #include <QToolButton>
 
+#include "app/core/pixel_inspection.h"
 #include "app/core/theme.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/panel_dock.h"
@@ -27,6 +28,7 @@
 #include "app/panels/step_bar.h"
 #include "app/panels/tab_order.h"
 #include "app/view3d/scene_view.h"
+#include "tests/app/quiet.h"
 #include "tests/app/window_fixture.h"
 
 namespace app {
@@ -66,7 +68,8 @@ TEST_F(WindowKeyboard, TabGoesThroughTheWholeWindowAndBack) {
     for (const char* panel : {"tables", "scanline"}) find<QDockWidget>(panel)->show();
     document().pointing().pick(glm::ivec2(280, 257));
     ASSERT_TRUE(waitForFrame());
-    QTest::qWait(300);  // what the pixel shows comes and goes
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !document().inspection().busy(); }));
+    ASSERT_TRUE(test::waitUntilQuiet());  // what the pixel shows comes and goes
     const QList<QWidget*> order = tabOrder(window);
     const qsizetype all = order.size();
     ASSERT_GT(all, 40);
@@ -251,7 +254,7 @@ TEST_F(WindowKeyboard, TheEquationsRingGoesWithTheFocus) {
     auto* equation = window.findChild<MathView*>();
     ASSERT_NE(equation, nullptr);
     const auto rim = [&] {
-        QTest::qWait(100);
+        EXPECT_TRUE(test::waitUntilQuiet());
         const QPoint at = equation->mapToGlobal(QPoint(equation->width() / 2, 1));
         return equation->screen()->grabWindow(0).toImage().pixelColor(at);
     };

@@ -23,6 +23,7 @@
 #include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_view.h"
 #include "app/panels/lesson_panel.h"
+#include "tests/app/quiet.h"
 #include "tests/app/window_fixture.h"
 
 namespace app {
@@ -56,7 +57,7 @@ TEST_F(WindowLook, PictureIsTheFrameInEveryTheme) {
     openPyramid();
     for (const ThemeId theme : {ThemeId::Light, ThemeId::Dark, ThemeId::Projector}) {
         Theme::current().set(theme);
-        QTest::qWait(100);
+        ASSERT_TRUE(waitForFrame());
         expectPictureIsFrame();
     }
 }
@@ -69,7 +70,7 @@ TEST_F(WindowLook, NothingIsCutInAnySizeAndTheme) {
             SCOPED_TRACE(testing::Message() << size.width() << " x " << size.height() << ", theme " << int(theme));
             window.resize(size);
             Theme::current().set(theme);
-            QTest::qWait(100);
+            EXPECT_TRUE(test::waitUntilQuiet());
             EXPECT_EQ(window.size(), size) << "the panels need more room than the window has";
             expectNothingCut();
         }
@@ -82,14 +83,14 @@ TEST_F(WindowLook, TheSentenceAtTheFootHasRoom) {
     openPyramid();
     window.resize(1280, 720);
     Theme::current().set(ThemeId::Projector);
-    QTest::qWait(100);
+    EXPECT_TRUE(test::waitUntilQuiet());
     auto* sentence = find<QLabel>("statusSentence");
     auto* error = find<QLabel>("statusError");
     emit document().said("5 stages ran, 1 left out.");
     EXPECT_TRUE(error->isVisible());
     document().pointing().hover(glm::ivec2(268, 281));
     emit document().said("The eye does not see that point: polygon 3 is turned away or hidden there.");
-    QTest::qWait(50);
+    EXPECT_TRUE(test::waitUntilQuiet());
     EXPECT_FALSE(error->isVisible());
     EXPECT_LE(sentence->sizeHint().width(), sentence->width());
     document().pointing().hover(std::nullopt);
@@ -104,7 +105,7 @@ TEST_F(WindowLook, ResetBringsClosedPanelsBack) {
     auto* inspector = find<QDockWidget>("inspector");
     EXPECT_FALSE(inspector->isVisible());
     window.actions()[ActionId::ResetLayout]->trigger();
-    QTest::qWait(50);
+    EXPECT_TRUE(test::waitUntilQuiet());
     // Tables are shown when asked for, My renderer while one is checked.
     const QStringList later{"tables", "scanline", "renderer"};
     for (QDockWidget* dock : window.findChildren<QDockWidget*>())
@@ -275,15 +276,15 @@ TEST_F(WindowLook, AThemeAndLargerTextLeaveThePanelsAsChosen) {
     ASSERT_FALSE(inspector->isVisible());
     ASSERT_FALSE(window.views().hasThumbnails());
     window.resizeDocks({tree}, {350}, Qt::Horizontal);
-    QTest::qWait(50);
+    EXPECT_TRUE(test::waitUntilQuiet());
     ASSERT_EQ(tree->width(), 350);
     press("Ctrl+Shift++");
-    QTest::qWait(50);
+    EXPECT_TRUE(test::waitUntilQuiet());
     EXPECT_FALSE(inspector->isVisible());
     EXPECT_FALSE(window.views().hasThumbnails());
     EXPECT_NEAR(tree->width(), 350 * 1.03, 1) << "it grows with the letters, but less";
     window.actions()[ActionId::DarkTheme]->trigger();
-    QTest::qWait(50);
+    EXPECT_TRUE(test::waitUntilQuiet());
     EXPECT_FALSE(inspector->isVisible());
     EXPECT_FALSE(window.views().hasThumbnails());
     EXPECT_NEAR(tree->width(), 350, 2) << "the dark theme's letters have their first size";

@@ -234,8 +234,7 @@ TEST_F(WindowOpen, FailedLoadKeepsTheSceneAndSaysWhereAndWhy) {
     // The list takes some of the height; closed again, the picture is the one from before.
     QTest::keyClick(errors, Qt::Key_Escape);
     EXPECT_FALSE(errors->isVisible());
-    QTest::qWait(50);
-    EXPECT_EQ(pictureOnScreen(), before);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return pictureOnScreen() == before; }));
 }
 
 TEST_F(WindowOpen, CloseLeadsBackToTheStartPage) {

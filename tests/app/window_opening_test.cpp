@@ -13,6 +13,7 @@
 #include "app/desktop/opening_bar.h"
 #include "app/desktop/presentation.h"
 #include "app/desktop/talk_keys.h"
+#include "app/desktop/talk_work.h"
 #include "app/desktop/view_area.h"
 #include "app/desktop/work_bar.h"
 #include "app/panels/buffer_canvas.h"
@@ -20,6 +21,7 @@
 #include "app/panels/error_list.h"
 #include "app/panels/start_page.h"
 #include "app/view3d/view3d_panel.h"
+#include "tests/app/quiet.h"
 #include "tests/app/window_fixture.h"
 
 namespace app {
@@ -101,8 +103,10 @@ TEST_F(WindowOpening, EscapeOrTheButtonStopsWhatTakesLongAndOneClickGoesOn) {
     openPyramid();
     canvas()->setFocus();
     WorkList& list = document().work();
-    const auto idle = [&] { return document().stepper().isSettled() && window.views().view3d().view().isDrawn(); };
-    QTest::qWait(400);  // until the steps are counted
+    const auto idle = [&] {
+        const Stepper& stepper = document().stepper();
+        return stepper.steps() && stepper.isSettled() && window.views().view3d().view().isDrawn();
+    };
     ASSERT_TRUE(QTest::qWaitFor(idle, 20000));
     QObject who;
     list.add(
@@ -150,8 +154,9 @@ TEST_F(WindowOpening, WhilePresentingEscapeStopsWhatTakesLongAndDoesNotEndTheTal
     CleanView& clean = *window.presentation().cleanView();
     auto* line = clean.findChild<WorkBar*>("workBar");
     auto* link = line->findChild<QPushButton*>("workLink");
-    QTest::qWait(400);
-    const auto isQuiet = [&] { return !line->isVisible() && clean.views().view3d().view().isDrawn(); };
+    const auto isQuiet = [&] {
+        return document().stepper().steps() && !line->isVisible() && clean.views().view3d().view().isDrawn();
+    };
     ASSERT_TRUE(QTest::qWaitFor(isQuiet, 20000));
     WorkList& list = document().work();
     QObject who;
@@ -163,7 +168,7 @@ TEST_F(WindowOpening, WhilePresentingEscapeStopsWhatTakesLongAndDoesNotEndTheTal
     EXPECT_TRUE(clean.rect().contains(line->geometry().translated(line->parentWidget()->pos())));
     const auto talksOnAfterEscape = [&] {
         clean.keys().take(Qt::Key_Escape);
-        QTest::qWait(50);
+        EXPECT_TRUE(test::waitUntilQuiet());
         return window.presentation().isOn();
     };
     EXPECT_TRUE(talksOnAfterEscape());
@@ -175,7 +180,7 @@ TEST_F(WindowOpening, WhilePresentingEscapeStopsWhatTakesLongAndDoesNotEndTheTal
     list.setBusy(&who, false);
     EXPECT_FALSE(line->isVisible());
     EXPECT_TRUE(talksOnAfterEscape()) << "meant for what has just ended";
-    QTest::qWait(1100);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !clean.findChild<TalkWork*>()->hasJustEnded(); }));
     EXPECT_FALSE(talksOnAfterEscape());
 }
 

@@ -16,6 +16,7 @@
 #include "app/panels/buffer_view.h"
 #include "app/panels/error_list.h"
 #include "app/view3d/view3d_panel.h"
+#include "tests/app/quiet.h"
 #include "tests/app/window_fixture.h"
 
 namespace app {
@@ -71,7 +72,7 @@ TEST_F(WindowSession, AStateShownAgainIsTheSameState) {
     window.files().showState(*far, {}, SceneChanges::Given);
     EXPECT_TRUE(waitForFrame());
     waitForState();
-    QTest::qWait(100);
+    EXPECT_TRUE(test::waitUntilQuiet());
     const auto again = window.shown().now();
     ASSERT_TRUE(again);
     EXPECT_EQ(toToml(*again), toToml(*far));
@@ -122,7 +123,7 @@ TEST_F(WindowSession, AStateIsCopiedAndPastedAsTextInAnyWindow) {
     other.close();
     window.windowLayout().showStart();
     QApplication::setActiveWindow(&window);
-    QTest::qWait(50);
+    EXPECT_TRUE(test::waitUntilQuiet());
     press("Ctrl+V");
     EXPECT_TRUE(QTest::qWaitFor([&] { return window.shown().now().has_value(); }, 5000)) << "by its key, too";
     document().history().stack()->setClean();

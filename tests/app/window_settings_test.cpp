@@ -13,6 +13,7 @@
 #include "app/panels/segmented.h"
 #include "app/panels/settings_panel.h"
 #include "app/panels/value_slider.h"
+#include "tests/app/quiet.h"
 #include "tests/app/window_fixture.h"
 
 namespace app {
@@ -37,7 +38,7 @@ protected:
             if (tree->item(row)->text() == item)
                 QTest::mouseClick(tree->viewport(), Qt::LeftButton, Qt::NoModifier,
                                   tree->visualItemRect(tree->item(row)).center());
-        QTest::qWait(20);  // the other controls are built
+        EXPECT_TRUE(test::waitUntilQuiet());  // the other controls are built
     }
 };
 
@@ -83,11 +84,11 @@ TEST_F(WindowSettings, NumbersAreNotCutInLargeLetters) {
             window.resize(size);
             for (auto* dock : window.findChildren<QDockWidget*>())
                 if (dock->objectName() == "settings" && dock->isHidden()) dock->toggleViewAction()->trigger();
-            QTest::qWait(50);
+            EXPECT_TRUE(test::waitUntilQuiet());
             auto* tabs = panel->findChild<QTabBar*>();
             for (int tab = tabs->count() - 1; tab >= 0; --tab) {
                 tabs->setCurrentIndex(tab);
-                QTest::qWait(20);
+                EXPECT_TRUE(test::waitUntilQuiet());
                 EXPECT_LE(scroll->widget()->width(), scroll->viewport()->width())
                     << "tab " << tab << " at " << scale << ", " << size.width();
             }

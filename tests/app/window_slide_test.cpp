@@ -23,6 +23,7 @@
 #include "app/panels/buffer_view.h"
 #include "app/panels/film_dialog.h"
 #include "app/view3d/view3d_panel.h"
+#include "tests/app/quiet.h"
 #include "tests/app/window_fixture.h"
 
 namespace app {
@@ -159,14 +160,14 @@ TEST_F(WindowSlide, AComparisonIsPicturedAsItIsSeen) {
     ASSERT_TRUE(QTest::qWaitFor(
         [&] { return !view.compare().difference().showing().busy() && !document().frames().busy(); }, 10000));
     view.compare().setMode(CompareMode::A);
-    QTest::qWait(50);
+    EXPECT_TRUE(test::waitUntilQuiet());
     EXPECT_EQ(picture(request), a) << "A alone is seen";
     view.compare().setMode(CompareMode::B);
-    QTest::qWait(50);
+    EXPECT_TRUE(test::waitUntilQuiet());
     const QImage b = picture(request);
     EXPECT_NE(b, a);
     view.compare().setMode(CompareMode::Wipe);
-    QTest::qWait(50);
+    EXPECT_TRUE(test::waitUntilQuiet());
     const QImage both = picture(request);
     const QRect left(0, 100, 380, 400), right(420, 100, 380, 400);
     EXPECT_EQ(both.copy(left), a.copy(left));

@@ -19,6 +19,7 @@
 #include "app/view3d/view3d_panel.h"
 #include "pipeline/formats/scene_reader.h"
 #include "pipeline/plan/needs.h"
+#include "tests/app/quiet.h"
 #include "tests/app/window_fixture.h"
 #include "tests/support/scenes.h"
 
@@ -120,7 +121,7 @@ TEST_F(WindowViews, AMenuOfEachViewSaysWhatCanBeDone) {
     EXPECT_FALSE(action("Close this view")->isEnabled());
     EXPECT_EQ(action("Close this view")->toolTip(), "It is the only view.");
     window.resize(1024, 640);
-    QTest::qWait(50);
+    EXPECT_TRUE(test::waitUntilQuiet());
     for (int i = 0; i < 2; ++i) action("Split below")->trigger();
     EXPECT_FALSE(action("Split below")->isEnabled()) << "640 pixels have no room for three";
     EXPECT_TRUE(action("Split below")->toolTip().contains("no room"));
@@ -137,8 +138,7 @@ TEST_F(WindowViews, WithoutRoomTheLastViewsComeBackWithIt) {
     EXPECT_TRUE(missing->isVisible());
     EXPECT_EQ(missing->text(), "1 view has no room here.");
     window.resize(2000, 1500);
-    QTest::qWait(50);
-    EXPECT_TRUE(frameOf(space(0))->isVisible());
+    EXPECT_TRUE(QTest::qWaitFor([&] { return frameOf(space(0))->isVisible(); }));
     EXPECT_FALSE(missing->isVisible());
     EXPECT_GE(placeOf(space(0)).height(), 222);
 }
@@ -147,7 +147,7 @@ TEST_F(WindowViews, SizesComeBackToThePixel) {
     canvas()->setFocus();
     press("Ctrl+Alt+R");
     press("Ctrl+Alt+B");
-    QTest::qWait(50);
+    EXPECT_TRUE(test::waitUntilQuiet());
     auto* row = views().findChild<EvenSplitter*>();
     ASSERT_EQ(row->count(), 3);
     // 37 pixels to the left, where neither a half nor a third is.
@@ -167,7 +167,7 @@ TEST_F(WindowViews, SizesComeBackToThePixel) {
     EXPECT_LT(before[0].width(), before[1].width());
     press("Ctrl+Shift+5");
     window.files().showState(*state, {}, SceneChanges::Given);
-    QTest::qWait(50);
+    EXPECT_TRUE(test::waitUntilQuiet());
     EXPECT_EQ(places(), before);
     EXPECT_EQ(toToml(*window.shown().now()), toToml(*state));
     press("Ctrl+Alt+E");
@@ -272,7 +272,7 @@ TEST_F(WindowViews, A3dViewThatIsNotOnShowTakesNoFrameAndThenTheNewest) {
 
 TEST_F(WindowViews, LinkedViewsZoomAndMoveTogether) {
     press("Ctrl+Shift+3");
-    QTest::qWait(50);
+    EXPECT_TRUE(test::waitUntilQuiet());
     BufferCanvas *a = views().first().canvas(), *b = views().second().canvas();
     EXPECT_TRUE(views().links().isOn()) << "they are there to be compared";
     EXPECT_EQ(a->look().focus, b->look().focus) << "and fit the same";
@@ -358,7 +358,7 @@ TEST_F(WindowViews, NumbersKeepTheirTypefaceInAnotherLayout) {
     const auto* low = views().first().findChild<QLabel*>("rangeLow");
     for (const char* layout : {"Ctrl+Shift+3", "Ctrl+Shift+6", "Ctrl+Shift+4", "Ctrl+Shift+1"}) {
         press(layout);
-        QTest::qWait(50);
+        EXPECT_TRUE(test::waitUntilQuiet());
         if (!low->isVisible()) continue;
         EXPECT_EQ(low->font().family(), Theme::current().mono(12).family()) << layout;
     }
