@@ -94,7 +94,7 @@ void Exports::exportActive() {
 void Exports::exportFigure() {
     const BufferView& view = m_views.activeBuffer();
     FigureOrder order{.buffer = view.buffer()};
-    const QRect seen = view.canvas()->visiblePart(), all(QPoint(0, 0), view.canvas()->content().size);
+    const QRect seen = view.canvas()->placing().visiblePart(), all(QPoint(0, 0), view.canvas()->content().size);
     if (!seen.isEmpty() && seen != all)
         order.part = pipeline::Figure::Part{{seen.left(), seen.top()}, {seen.right(), seen.bottom()}};
     if (const auto range = view.state().range) order.range = pipeline::PaletteRange{(*range)[0], (*range)[1]};

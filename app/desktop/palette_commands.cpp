@@ -173,7 +173,7 @@ void PaletteCommands::addViewCommands(std::vector<PaletteEntry>& all) {
         all.push_back({tr(overlay.name),
                        tr("Overlay"),
                        {},
-                       whyNoOverlay(overlay.id, info, view.canvas()->isFlipped()),
+                       whyNoOverlay(overlay.id, info, view.canvas()->placing().isFlipped()),
                        [&overlays, id = overlay.id] { overlays.set(id, !overlays.isOn(id)); },
                        tr("overlays")});
     delete m_compareMenu;

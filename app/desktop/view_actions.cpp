@@ -76,7 +76,7 @@ void addMoving(Actions& actions, ViewArea& views) {
                  .text = "One to one",
                  .keys = "Ctrl+0",
                  .tip = "Show the active buffer view's picture a pixel of the screen each.",
-                 .run = [&views] { views.activeBuffer().canvas()->setZoom(1); },
+                 .run = [&views] { views.activeBuffer().canvas()->placing().setZoom(1); },
                  .inTalk = true});
     actions.add({.id = A::NextView,
                  .menu = "View/Views",

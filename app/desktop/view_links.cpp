@@ -18,9 +18,9 @@ ViewLinks::ViewLinks(const ViewGrid& grid, const ActiveView& active) : m_grid(gr
 
 void ViewLinks::add(BufferView& view) {
     connect(&view, &BufferView::bufferChanged, this, [this, &view] { join(view); });
-    connect(view.canvas(), &BufferCanvas::moved, this, [this, &view] { lead(view); });
-    connect(view.canvas(), &BufferCanvas::zoomChanged, this, &ViewLinks::agreeSoon);
-    connect(view.canvas(), &BufferCanvas::resized, this, [this, &view] { join(view); });
+    connect(&view.canvas()->placing(), &CanvasPlacing::moved, this, [this, &view] { lead(view); });
+    connect(&view.canvas()->placing(), &CanvasPlacing::zoomChanged, this, &ViewLinks::agreeSoon);
+    connect(&view.canvas()->placing(), &CanvasPlacing::resized, this, [this, &view] { join(view); });
 }
 
 bool ViewLinks::isOn() const { return areLinked(m_grid.tree(), m_chosen); }
@@ -41,14 +41,14 @@ void ViewLinks::lead(BufferView& view) {
     if (!isOn()) return;
     for (const auto& [number, other] : m_grid.views().buffers())
         if (other != &view && moveTogether(pictureIn(*other), pictureIn(view)))
-            other->canvas()->follow(view.canvas()->look());
+            other->canvas()->placing().follow(view.canvas()->placing().look());
 }
 
 void ViewLinks::join(BufferView& view) {
     if (!isOn()) return;
     for (const auto& [number, other] : m_grid.views().buffers())
         if (other != &view && moveTogether(pictureIn(*other), pictureIn(view)))
-            return view.canvas()->follow(other->canvas()->look());
+            return view.canvas()->placing().follow(other->canvas()->placing().look());
 }
 
 // Once the views have their new sizes.
@@ -65,14 +65,14 @@ void ViewLinks::agreeSoon() {
     QTimer::singleShot(0, this, [this] {
         m_agreesSoon = false;
         const BufferCanvas& leading = *m_active.buffer().canvas();
-        const auto asked = leading.part();
+        const auto asked = leading.placing().part();
         if (!isOn() || !asked) return;
         for (const auto& [number, other] : m_grid.views().buffers()) {
-            const auto its = other->canvas()->part();
+            const auto its = other->canvas()->placing().part();
             const bool isSame = its && its->factor == asked->factor && its->center == asked->center;
-            if (isSame && other->canvas()->zoom() != leading.zoom() &&
+            if (isSame && other->canvas()->placing().zoom() != leading.placing().zoom() &&
                 moveTogether(pictureIn(*other), pictureIn(m_active.buffer())))
-                other->canvas()->follow(leading.look());
+                other->canvas()->placing().follow(leading.placing().look());
         }
     });
 }

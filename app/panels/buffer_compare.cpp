@@ -25,7 +25,7 @@ BufferCompare::BufferCompare(Document& document, BufferCanvas* canvas, QWidget* 
       m_difference(this) {
     m_bar->hide();
     connect(&m_sides, &SideSwitch::turned, this, [this] { m_canvas->setWipe(wipe()); });
-    connect(m_canvas, &BufferCanvas::wiped, &m_sides, &SideSwitch::setShare);
+    connect(&m_canvas->input(), &CanvasInput::wiped, &m_sides, &SideSwitch::setShare);
     connect(m_bar, &CompareBar::offerTaken, this, [this] {
         DifferenceJob& job = m_difference.job();
         job.wasCancelled() ? job.retry() : job.cancel();

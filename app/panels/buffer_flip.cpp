@@ -19,18 +19,18 @@ FlipToggle::FlipToggle(BufferView& view) : BufferFeature(view) {
 
 void FlipToggle::set(bool flipped) {
     m_action->setChecked(flipped);
-    view().canvas()->setFlipped(flipped);
+    view().canvas()->placing().setFlipped(flipped);
     view().header().setFlipped(flipped);
     view().place();
 }
 
 bool FlipToggle::press(const QKeyEvent& key) {
     if (key.key() != Qt::Key_Y) return false;
-    set(!view().canvas()->isFlipped());
+    set(!view().canvas()->placing().isFlipped());
     return true;
 }
 
-void FlipToggle::write(lessons::BufferShown& state) const { state.flipped = view().canvas()->isFlipped(); }
+void FlipToggle::write(lessons::BufferShown& state) const { state.flipped = view().canvas()->placing().isFlipped(); }
 
 pipeline::Errors FlipToggle::read(const lessons::BufferShown& state) {
     set(state.flipped);

@@ -43,7 +43,8 @@ void OverlayChoice::set(OverlayId overlay, bool shown) {
 
 void OverlayChoice::fillMenu(QMenu& menu) {
     const pipeline::BufferInfo& info = bufferInfo(view().buffer().id);
-    fillOverlayMenu(menu, m_on, info, view().canvas()->isFlipped(), [this](OverlayId id, bool on) { set(id, on); });
+    fillOverlayMenu(menu, m_on, info, view().canvas()->placing().isFlipped(),
+                    [this](OverlayId id, bool on) { set(id, on); });
     m_shadows->fillMenu(menu, whyNoOverlays(info));
 }
 

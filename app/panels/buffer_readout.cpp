@@ -27,11 +27,11 @@ std::optional<glm::ivec2> toVector(std::optional<QPoint> p) {
 PixelReadout::PixelReadout(BufferView& view, const BufferCompare& compare)
     : BufferFeature(view), m_compare(compare), m_label(labelOver(view.canvas())) {
     Document& document = view.document();
-    connect(view.canvas(), &BufferCanvas::picked, this, [this, &document](QPoint pixel) {
+    connect(&view.canvas()->input(), &CanvasInput::picked, this, [this, &document](QPoint pixel) {
         if (this->view().isOfPixels()) document.pointing().pick(toVector(pixel));
     });
-    connect(view.canvas(), &BufferCanvas::nudged, this, &PixelReadout::nudge);
-    connect(view.canvas(), &BufferCanvas::hovered, this, &PixelReadout::hover);
+    connect(&view.canvas()->input(), &CanvasInput::nudged, this, &PixelReadout::nudge);
+    connect(&view.canvas()->input(), &CanvasInput::hovered, this, &PixelReadout::hover);
     const auto follow = [this] {
         show();
         this->view().place();
@@ -81,7 +81,7 @@ void PixelReadout::place(CanvasRoom& room) {
         m_label->setText(m_label->text().replace("   ", "\n"));
     m_label->adjustSize();
     // Above "0, 0", where the canvas marks it.
-    const int origin = view().canvas()->isFlipped() ? QFontMetrics(theme.mono(12)).height() + 4 : 0;
+    const int origin = view().canvas()->placing().isFlipped() ? QFontMetrics(theme.mono(12)).height() + 4 : 0;
     m_label->move(CanvasRoom::kMargin, room.bottom - m_label->height() - CanvasRoom::kMargin - origin);
     if (m_label->isVisibleTo(view().canvas())) room.bottom = m_label->y();
 }

@@ -13,7 +13,7 @@ namespace app {
 
 RegionMark::RegionMark(BufferView& view) : BufferFeature(view), m_panel(new RegionPanel(view.canvas())) {
     view.header().menu()->addAction(tr("Statistics of what is visible\tM"), this, &RegionMark::measure);
-    connect(view.canvas(), &BufferCanvas::regionDragged, this, [this](QRect region) {
+    connect(&view.canvas()->input(), &CanvasInput::regionDragged, this, [this](QRect region) {
         const QPoint a = region.topLeft(), b = region.bottomRight();
         set(Region{{a.x(), a.y()}, {b.x(), b.y()}});
     });
@@ -32,7 +32,7 @@ void RegionMark::measure() {
     if (!view().shown()) return;
     const PinnedPixels& pins = view().document().pointing().pins();
     if (const auto a = pins.pin(1), b = pins.pin(2); a && b && view().isOfPixels()) return set(Region{*a, *b});
-    const QRect seen = view().canvas()->visiblePart();
+    const QRect seen = view().canvas()->placing().visiblePart();
     set(Region{{seen.left(), seen.top()}, {seen.right(), seen.bottom()}});
 }
 
@@ -64,8 +64,8 @@ void RegionMark::place(CanvasRoom& room) {
     const int x = room.size.width() - m_panel->width() - CanvasRoom::kMargin;
     const bool isTight = room.left && *room.left > x - CanvasRoom::kMargin;
     const auto& region = canvas.content().region;
-    const bool isLow = region && canvas.visiblePart().center().y() < region->center().y();
-    const bool onTop = isTight || isLow != canvas.isFlipped();
+    const bool isLow = region && canvas.placing().visiblePart().center().y() < region->center().y();
+    const bool onTop = isTight || isLow != canvas.placing().isFlipped();
     m_panel->move(x, onTop ? CanvasRoom::kMargin : room.size.height() - m_panel->height() - CanvasRoom::kMargin);
 }
 

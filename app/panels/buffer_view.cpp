@@ -65,7 +65,7 @@ void BufferView::build() {
 
 void BufferView::observe() {
     connect(m_header->chooser(), &BufferChooser::chosen, this, &BufferView::setBuffer);
-    connect(m_canvas, &BufferCanvas::menuAsked, m_header, &BufferHeader::openMoreMenu);
+    connect(&m_canvas->input(), &CanvasInput::menuAsked, m_header, &BufferHeader::openMoreMenu);
     // Where views change places the canvas may get its size long after the view.
     connect(m_canvas, &BufferCanvas::sizeChanged, this, &BufferView::place);
     connect(m_page, &BufferPage::offerTaken, m_features.source, &BufferSource::takeOffer);

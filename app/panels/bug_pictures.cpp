@@ -23,13 +23,13 @@ using Phase = BugRound::Phase;
 BugPictures::BugPictures(BugRound& round, QWidget* parent) : QSplitter(Qt::Horizontal, parent), m_round(round) {
     setChildrenCollapsible(false);
     m_picture = makeCanvas(tr("The wrong picture"), "bugPicture");
-    connect(m_picture, &BufferCanvas::picked, this, &BugPictures::look);
+    connect(&m_picture->input(), &CanvasInput::picked, this, &BugPictures::look);
     addWidget(surface(m_picture, this));
     addWidget(surface(makeOpened(), this));
     setStretchFactor(0, 3);
     setStretchFactor(1, 2);
     for (BufferCanvas* one : {m_picture, m_opened})
-        connect(one, &BufferCanvas::wiped, this, [this](double share) { moveWipe(share - m_share); });
+        connect(&one->input(), &CanvasInput::wiped, this, [this](double share) { moveWipe(share - m_share); });
     connect(&round, &BugRound::begun, this, &BugPictures::begin);
     connect(&round, &BugRound::bufferOpened, this, [this] { showBuffer(*m_round.turn().opened); });
     connect(&round, &BugRound::pixelLookedAt, this, &BugPictures::showPixel);
@@ -44,7 +44,7 @@ BufferCanvas* BugPictures::makeCanvas(const QString& name, const char* object) {
     made->setObjectName(object);
     made->setAccessibleName(name);
     made->setFocusPolicy(Qt::StrongFocus);
-    connect(made, &BufferCanvas::nudged, this, &BugPictures::moveCursor);
+    connect(&made->input(), &CanvasInput::nudged, this, &BugPictures::moveCursor);
     return made;
 }
 
@@ -60,7 +60,7 @@ QWidget* BugPictures::makeOpened() {
         if (name) m_round.look(*name);
     });
     m_opened = makeCanvas(tr("The buffer that was opened"), "bugOpened");
-    connect(m_opened, &BufferCanvas::picked, this, [this](QPoint at) {
+    connect(&m_opened->input(), &CanvasInput::picked, this, [this](QPoint at) {
         const auto& opened = m_round.turn().opened;
         if (opened && bufferInfo(opened->id).domain == pipeline::Domain::Pixel) look(at);
     });

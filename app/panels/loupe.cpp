@@ -41,10 +41,11 @@ void Loupe::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     const QRect inner = rect().adjusted(1, 1, -1, -1);
     if (centre) {
-        const QPointF middle = m_canvas->toShown(QPointF(*centre) + QPointF(0.5, 0.5));
+        const QPointF middle = m_canvas->placing().toShown(QPointF(*centre) + QPointF(0.5, 0.5));
         const Placement placement{QPointF(inner.center()) + QPointF(0.5, 0.5) - middle * kZoom, kZoom};
         painter.setClipRect(inner);
-        m_base.draw(painter, m_canvas->seen(), {placement, size(), devicePixelRatio(), true, m_canvas->isFlipped()});
+        m_base.draw(painter, m_canvas->seen(),
+                    {placement, size(), devicePixelRatio(), true, m_canvas->placing().isFlipped()});
         painter.setClipping(false);
         const QRectF frame(placement.toWidget(middle - QPointF(0.5, 0.5)), QSizeF(kZoom, kZoom));
         painter.setPen(QPen(Qt::black, 4));

@@ -61,7 +61,10 @@ struct BufferMarksTest : testing::Test {
     }
     QPoint widgetAt(QPoint pixel) {
         const BufferCanvas& canvas = *view.canvas();
-        return canvas.placement().toWidget(canvas.toShown(QPointF(pixel) + QPointF(0.5, 0.5))).toPoint();
+        return canvas.placing()
+            .placement()
+            .toWidget(canvas.placing().toShown(QPointF(pixel) + QPointF(0.5, 0.5)))
+            .toPoint();
     }
 };
 
@@ -211,22 +214,22 @@ TEST_F(BufferMarksTest, TurnedOverThePictureKeepsItsNumbers) {
     const QImage upright = view.canvas()->content().image;
     QTest::keyClick(&view, Qt::Key_Y);
     BufferCanvas& canvas = *view.canvas();
-    ASSERT_TRUE(canvas.isFlipped());
+    ASSERT_TRUE(canvas.placing().isFlipped());
     const app::CanvasContent painted = canvas.painted(canvas.content());
     EXPECT_EQ(painted.image.pixel(268, 479 - 281), upright.pixel(268, 281));
     EXPECT_EQ(painted.text(268, 479 - 281), canvas.content().text(268, 281));
     QTest::mouseClick(&canvas, Qt::LeftButton, {}, widgetAt({268, 281}));
     EXPECT_EQ(document.pointing().pixel(), kOnPolygon2) << "a click picks the pixel that is seen";
-    EXPECT_EQ(canvas.pixelAt(widgetAt({268, 281})), QPoint(268, 281));
+    EXPECT_EQ(canvas.placing().pixelAt(widgetAt({268, 281})), QPoint(268, 281));
     // At 1:1 a click falls on a border between rows: it is of the row below it, as it is painted.
-    canvas.setZoom(1);
+    canvas.placing().setZoom(1);
     for (int y = 100; y < 110; ++y) {
-        const auto pixel = canvas.pixelAt(QPointF(canvas.width() / 2.0, y));
-        const auto next = canvas.pixelAt(QPointF(canvas.width() / 2.0, y + 0.5));
+        const auto pixel = canvas.placing().pixelAt(QPointF(canvas.width() / 2.0, y));
+        const auto next = canvas.placing().pixelAt(QPointF(canvas.width() / 2.0, y + 0.5));
         ASSERT_TRUE(pixel && next);
         EXPECT_EQ(*pixel, *next) << y;
     }
-    canvas.fit(false);
+    canvas.placing().fit(false);
     QTest::keyClick(&canvas, Qt::Key_Up);
     EXPECT_EQ(document.pointing().pixel(), glm::ivec2(268, 282)) << "up on the screen is the next row";
     const app::CanvasContent twice = app::upsideDown(app::upsideDown(canvas.content()));
@@ -272,12 +275,12 @@ TEST_F(BufferMarksTest, APolygonInAPictureHoldsNoMemoryOfItsOwn) {
 
 TEST_F(BufferMarksTest, TurnedOverItFitsTheSamePart) {
     BufferCanvas& canvas = *view.canvas();
-    canvas.fit(true);
+    canvas.placing().fit(true);
     view.features().flip->set(true);
-    canvas.toggleFit();
+    canvas.placing().toggleFit();
     const QRectF focus = canvas.content().focus;
     ASSERT_FALSE(focus.isEmpty());
-    const QRectF part = canvas.look().focus;  // by the rows' own numbers
+    const QRectF part = canvas.placing().look().focus;  // by the rows' own numbers
     EXPECT_NEAR(part.top(), focus.top(), 1e-9);
     EXPECT_NEAR(part.bottom(), focus.bottom(), 1e-9);
 }

@@ -54,7 +54,7 @@ struct BufferViewTest : testing::Test {
     const QImage& image() { return canvas().content().image; }
     pipeline::AnyBuffer buffer() { return *document.frames().shown()->buffer(view.buffer()); }
     QPoint widgetAt(QPoint pixel) {
-        return canvas().placement().toWidget(QPointF(pixel) + QPointF(0.5, 0.5)).toPoint();
+        return canvas().placing().placement().toWidget(QPointF(pixel) + QPointF(0.5, 0.5)).toPoint();
     }
 };
 
@@ -130,7 +130,7 @@ TEST_F(BufferViewTest, ArrowKeysMoveThePickedPixelByOneAndWithShiftByTen) {
 }
 
 TEST_F(BufferViewTest, DraggingMovesThePictureAndPicksNothing) {
-    const QPointF before = canvas().placement().origin;
+    const QPointF before = canvas().placing().placement().origin;
     QTest::mousePress(&canvas(), Qt::LeftButton, {}, QPoint(200, 200));
     for (int i = 1; i <= 4; ++i) {
         QMouseEvent move(QEvent::MouseMove, QPointF(200 + 10 * i, 200),
@@ -139,7 +139,7 @@ TEST_F(BufferViewTest, DraggingMovesThePictureAndPicksNothing) {
         QApplication::sendEvent(&canvas(), &move);
     }
     QTest::mouseRelease(&canvas(), Qt::LeftButton, {}, QPoint(240, 200));
-    EXPECT_EQ(canvas().placement().origin - before, QPointF(40, 0));
+    EXPECT_EQ(canvas().placing().placement().origin - before, QPointF(40, 0));
     EXPECT_FALSE(document.pointing().pixel());
 }
 
@@ -148,17 +148,17 @@ TEST_F(BufferViewTest, TheWheelZoomsToTheCursorInWholeSteps) {
     for (int i = 0; i < 6; ++i) {
         QWheelEvent wheel(at, canvas().mapToGlobal(QPointF(at)), {}, {0, 120}, {}, {}, Qt::NoScrollPhase, false);
         QApplication::sendEvent(&canvas(), &wheel);
-        EXPECT_EQ(canvas().zoom(), std::floor(canvas().zoom()));
-        ASSERT_EQ(canvas().pixelAt(at), kOnPolygon2) << "zoom " << canvas().zoom();
+        EXPECT_EQ(canvas().placing().zoom(), std::floor(canvas().placing().zoom()));
+        ASSERT_EQ(canvas().placing().pixelAt(at), kOnPolygon2) << "zoom " << canvas().placing().zoom();
     }
-    EXPECT_GE(canvas().zoom(), 10);
+    EXPECT_GE(canvas().placing().zoom(), 10);
 }
 
 TEST(BufferCanvas, ZoomStepsAreWholeFromTwoUpAndReversible) {
     double zoom = 0.1;
-    for (double next; (next = BufferCanvas::nextZoom(zoom, 1)) != zoom; zoom = next) {
+    for (double next; (next = app::CanvasPlacing::nextZoom(zoom, 1)) != zoom; zoom = next) {
         EXPECT_GT(next, zoom);
-        EXPECT_DOUBLE_EQ(BufferCanvas::nextZoom(next, -1), zoom);
+        EXPECT_DOUBLE_EQ(app::CanvasPlacing::nextZoom(next, -1), zoom);
         if (next >= 2) {
             EXPECT_EQ(next, std::floor(next));
         }
@@ -167,13 +167,13 @@ TEST(BufferCanvas, ZoomStepsAreWholeFromTwoUpAndReversible) {
 }
 
 TEST_F(BufferViewTest, FittingShowsWhatIsDrawnAndThenTheWholePicture) {
-    const QRectF seen(canvas().placement().toPicture({0, 0}),
-                      canvas().placement().toPicture(QPointF(canvas().width(), canvas().height())));
-    EXPECT_GE(canvas().zoom(), 2);  // the pyramid is about 84 pixels wide
+    const QRectF seen(canvas().placing().placement().toPicture({0, 0}),
+                      canvas().placing().placement().toPicture(QPointF(canvas().width(), canvas().height())));
+    EXPECT_GE(canvas().placing().zoom(), 2);  // the pyramid is about 84 pixels wide
     for (const QPolygonF& edge : canvas().content().edges(QRectF(0, 0, 640, 480)))
         EXPECT_TRUE(seen.contains(edge.boundingRect()));
-    canvas().toggleFit();
-    EXPECT_LT(canvas().zoom(), 1.01);  // 640 pixels in 640
+    canvas().placing().toggleFit();
+    EXPECT_LT(canvas().placing().zoom(), 1.01);  // 640 pixels in 640
 }
 
 // A picture of a million polygons that is magnified shows few of them.
@@ -194,9 +194,9 @@ TEST_F(BufferViewTest, LargePixelsCarryTheirValues) {
     EXPECT_NEAR(lines[0].toDouble(), buffer().value(268, 281), 5e-5);
     EXPECT_EQ(lines[1], "p2");  // polygon 2 "Right" of the lecture; one fragment
     EXPECT_EQ(canvas().content().text(kBackground.x(), kBackground.y()), QStringList("no value"));
-    canvas().setZoom(72, widgetAt(kOnPolygon2));
+    canvas().placing().setZoom(72, widgetAt(kOnPolygon2));
     const QImage written = canvas().grab().toImage();
-    const QPointF corner = canvas().placement().toWidget(kOnPolygon2);
+    const QPointF corner = canvas().placing().placement().toWidget(kOnPolygon2);
     int dark = 0;  // the letters, within the cell's frame
     for (int y = 20; y < 52; ++y)
         for (int x = 6; x < 66; ++x)
@@ -335,7 +335,7 @@ TEST_F(BufferViewTest, FlipAndRegionAreKeptInItsState) {
     view.features().region->set({});
     EXPECT_TRUE(view.lookAt(state).empty());
     EXPECT_EQ(view.state(), state);
-    EXPECT_TRUE(canvas().isFlipped());
+    EXPECT_TRUE(canvas().placing().isFlipped());
 }
 
 // Played by polygons from the beginning: at the moment that the search finds, and no further; played on, past it.

@@ -116,7 +116,7 @@ TEST_F(WindowCommands, AllValuesOfASettingStandSideBySide) {
     for (BufferView* view : window.views().shownBuffers()) {
         EXPECT_TRUE(QTest::qWaitFor([&] { return view->compare().difference().found().has_value(); }, 20000));
         names << view->canvas()->wipe().nameB;
-        EXPECT_EQ(view->canvas()->zoom(), window.views().first().canvas()->zoom());
+        EXPECT_EQ(view->canvas()->placing().zoom(), window.views().first().canvas()->placing().zoom());
         EXPECT_EQ(view->canvas()->height(), window.views().first().canvas()->height()) << "at the same height";
     }
     EXPECT_TRUE(names[0].contains("flat") && names[1].contains("gouraud") && names[2].contains("phong"))

@@ -47,7 +47,7 @@ protected:
         settle();
         document().stepper().goTo(*pipeline::parsePlace("z-buffer/polygon=2"));
         settle();
-        window.views().first().canvas()->setZoom(8, QPointF(50, 60));
+        window.views().first().canvas()->placing().setZoom(8, QPointF(50, 60));
         press("Ctrl+B");
         // Given to the talk: not what was changed in the scene is asked for.
         document().history().stack()->setClean();
@@ -281,7 +281,7 @@ TEST_F(WindowCues, PresentingShowsTheViewsAsTheyStandForthAndBack) {
     for (const std::string& arrangement : arrangements) {
         ASSERT_TRUE(window.views().setArrangement(arrangement));
         settle();
-        if (arrangement == "compare") window.views().first().canvas()->setZoom(6, QPointF(50, 60));
+        if (arrangement == "compare") window.views().first().canvas()->placing().setZoom(6, QPointF(50, 60));
         press("Ctrl+B");
     }
     press("Ctrl+F11");
@@ -322,7 +322,7 @@ TEST_F(WindowCues, PresentingShowsTheViewsAsTheyStandForthAndBack) {
     EXPECT_EQ(first[0].size(), 3u);
     // Views that are there to be compared move together, here too.
     EXPECT_TRUE(view.views().links().isOn());
-    EXPECT_EQ(view.views().second().canvas()->zoom(), view.views().first().canvas()->zoom());
+    EXPECT_EQ(view.views().second().canvas()->placing().zoom(), view.views().first().canvas()->placing().zoom());
     for (int cue = 1; cue >= 0; --cue) {
         QTest::keyClick(&view, Qt::Key_PageUp);
         EXPECT_EQ(seen(cue), first[std::size_t(cue)]) << cue;

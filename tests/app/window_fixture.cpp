@@ -83,7 +83,7 @@ BufferCanvas* WindowTest::canvas() { return window.views().first().canvas(); }
 QImage WindowTest::pictureOnScreen() { return window.views().first().grab().toImage(); }
 
 QPoint WindowTest::onCanvas(glm::ivec2 pixel) {
-    return canvas()->placement().toWidget(QPointF(pixel.x + 0.5, pixel.y + 0.5)).toPoint();
+    return canvas()->placing().placement().toWidget(QPointF(pixel.x + 0.5, pixel.y + 0.5)).toPoint();
 }
 
 QColor WindowTest::shownColor(const QImage& canvasPicture, glm::ivec2 pixel) {

@@ -68,7 +68,7 @@ TEST_F(WindowOpen, TheFirstCardOpensFourAlignedPictures) {
     for (BufferView* view : views) {
         EXPECT_TRUE(QTest::qWaitFor([&] { return view->compare().difference().found().has_value(); }, 20000));
         EXPECT_EQ(view->canvas()->height(), views[0]->canvas()->height());
-        EXPECT_EQ(view->canvas()->zoom(), views[0]->canvas()->zoom());
+        EXPECT_EQ(view->canvas()->placing().zoom(), views[0]->canvas()->placing().zoom());
         names += view->canvas()->wipe().nameB;
     }
     EXPECT_TRUE(names[0].contains("No hidden surface removal") && names[1].contains("Back-face culling") &&

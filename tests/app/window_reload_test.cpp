@@ -40,7 +40,7 @@ protected:
         document().pointing().pick(glm::ivec2(30, 20));
         window.views().setSecond(true);
         window.views().first().setBuffer({pipeline::BufferId::ZView});
-        window.views().first().canvas()->setZoom(8, QPointF(100, 100));
+        window.views().first().canvas()->placing().setZoom(8, QPointF(100, 100));
     }
     // What the window shows, but for its scene.
     std::string place() {

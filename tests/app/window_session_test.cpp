@@ -38,7 +38,7 @@ protected:
         first.setBuffer({pipeline::BufferId::ZView});
         first.features().range->set({700, 600});
         first.features().overlays->set(OverlayId::Edges, true);
-        first.canvas()->setZoom(8, QPointF(100, 100));
+        first.canvas()->placing().setZoom(8, QPointF(100, 100));
         OrbitCamera camera = window.views().view3d().view().camera().now();
         orbit(camera, 31, 7);
         window.views().view3d().view().camera().set(camera);

@@ -78,7 +78,7 @@ TEST_F(WindowSlide, KeepsTheColoursOfTheBuffer) {
 
 // At 4 screen pixels each there is no grid on the screen; 14 pixels each in a larger picture make none either.
 TEST_F(WindowSlide, IsTheViewLargerAndNothingElse) {
-    window.views().first().canvas()->setZoom(4);
+    window.views().first().canvas()->placing().setZoom(4);
     const QImage image = picture({What::Buffer, {1920, 1080}, true, false, false});
     std::set<QRgb> colors;
     for (int y = 0; y < image.height(); ++y)
@@ -126,7 +126,7 @@ TEST_F(WindowSlide, TheFileOpensTheSceneAndTheState) {
     document().stepper().goTo(*pipeline::parsePlace("z-buffer/polygon=2"));
     settle();
     window.views().first().setBuffer({pipeline::BufferId::ZView});
-    window.views().first().canvas()->setZoom(8, QPointF(50, 60));
+    window.views().first().canvas()->placing().setZoom(8, QPointF(50, 60));
     const auto shown = window.shown().now();
     SlideDialog dialog(document(), window.views(), *shown);
     dialog.show();

@@ -154,9 +154,9 @@ int main(int argc, char** argv) {
     act("a light is dragged", [&] { changeLive(document, "light.0.x"); });
     act("the 3D view is turned", [&] { drag(&view3d, Qt::LeftButton, {}); });
     act("the 3D view is pointed at", [&] { drag(&view3d, Qt::NoButton, {}); });
-    act("the picture is magnified 16 times", [&] { canvas->setZoom(16); });
+    act("the picture is magnified 16 times", [&] { canvas->placing().setZoom(16); });
     act("the picture is moved at 16 times", [&] { drag(canvas, Qt::LeftButton, {}); });
-    act("the picture is shown whole", [&] { canvas->fit(true); });
+    act("the picture is shown whole", [&] { canvas->placing().fit(true); });
     act("the picture is moved", [&] { drag(canvas, Qt::LeftButton, {}); });
     using Kind = lessons::Selection::Kind;
     act("a polygon is selected", [&] { document.pointing().select(lessons::Selection{Kind::Polygon, 1000}); });

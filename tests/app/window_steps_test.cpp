@@ -125,9 +125,9 @@ TEST_F(WindowSteps, BookmarksHaveKeys) {
     press("Ctrl+1");
     EXPECT_EQ(text(*stepper().place()), "z-buffer/polygon=2");
     EXPECT_FALSE(window.actions()[ActionId::Bookmark2]->isEnabled());
-    EXPECT_NE(canvas()->zoom(), 1);
+    EXPECT_NE(canvas()->placing().zoom(), 1);
     press("Ctrl+0");
-    EXPECT_EQ(canvas()->zoom(), 1) << "1:1 is no bookmark";
+    EXPECT_EQ(canvas()->placing().zoom(), 1) << "1:1 is no bookmark";
 }
 
 TEST_F(WindowSteps, ADoubleClickOnACardEndsTheStageAndLaterOnesAreNotYet) {

@@ -145,7 +145,7 @@ TEST_F(WindowTalk, ACueOfAnotherScaleIsFittedToItsOwnFrame) {
     window.files().showState(state, {}, SceneChanges::Given);
     window.presentation().lookAt(state);
     EXPECT_TRUE(waitForFrame());
-    const auto isFitted = [&] { return shown.canvas()->look().focus == shown.canvas()->content().focus; };
+    const auto isFitted = [&] { return shown.canvas()->placing().look().focus == shown.canvas()->content().focus; };
     EXPECT_TRUE(QTest::qWaitFor(
         [&] { return shown.shown() && isFitted() && shown.canvas()->content().focus.width() > 150; }, 10000))
         << "drawn are some 90 columns at scale 1";

@@ -275,38 +275,38 @@ TEST_F(WindowViews, LinkedViewsZoomAndMoveTogether) {
     EXPECT_TRUE(test::waitUntilQuiet());
     BufferCanvas *a = views().first().canvas(), *b = views().second().canvas();
     EXPECT_TRUE(views().links().isOn()) << "they are there to be compared";
-    EXPECT_EQ(a->look().focus, b->look().focus) << "and fit the same";
-    a->setZoom(8, QPointF(30, 40));
-    EXPECT_EQ(b->zoom(), 8);
+    EXPECT_EQ(a->placing().look().focus, b->placing().look().focus) << "and fit the same";
+    a->placing().setZoom(8, QPointF(30, 40));
+    EXPECT_EQ(b->placing().zoom(), 8);
     // The places are whole pixels of the screen.
-    EXPECT_NEAR(b->look().center.x(), a->look().center.x(), 1.0 / 8);
-    EXPECT_NEAR(b->look().center.y(), a->look().center.y(), 1.0 / 8);
-    const QPointF before = a->look().center;
+    EXPECT_NEAR(b->placing().look().center.x(), a->placing().look().center.x(), 1.0 / 8);
+    EXPECT_NEAR(b->placing().look().center.y(), a->placing().look().center.y(), 1.0 / 8);
+    const QPointF before = a->placing().look().center;
     QTest::mousePress(b, Qt::LeftButton, {}, QPoint(100, 100));
     QTest::mouseMove(b, QPoint(140, 180));
     QTest::mouseRelease(b, Qt::LeftButton, {}, QPoint(140, 180));
-    EXPECT_NEAR(a->look().center.x(), before.x() - 5, 0.25) << "40 pixels at 8 a pixel";
-    EXPECT_NEAR(a->look().center.y(), before.y() - 10, 0.25);
+    EXPECT_NEAR(a->placing().look().center.x(), before.x() - 5, 0.25) << "40 pixels at 8 a pixel";
+    EXPECT_NEAR(a->placing().look().center.y(), before.y() - 10, 0.25);
     press("Ctrl+L");
     EXPECT_FALSE(views().links().isOn());
-    a->setZoom(2, QPointF(30, 40));
-    EXPECT_EQ(b->zoom(), 8);
+    a->placing().setZoom(2, QPointF(30, 40));
+    EXPECT_EQ(b->placing().zoom(), 8);
     const auto state = window.shown().now();
     EXPECT_EQ(state->linked, std::optional(false)) << "a session keeps it";
     press("Ctrl+L");
-    EXPECT_EQ(a->zoom(), b->zoom()) << "they stand together again";
+    EXPECT_EQ(a->placing().zoom(), b->placing().zoom()) << "they stand together again";
 }
 
 TEST_F(WindowViews, AShadowBufferMovesAlone) {
     press("Ctrl+Shift+3");
     views().second().setBuffer({BufferId::ShadowBuffer, 0});
     ASSERT_TRUE(waitForFrame());
-    const double zoom = views().second().canvas()->zoom();
-    canvas()->setZoom(16, QPointF(30, 40));
-    EXPECT_EQ(views().second().canvas()->zoom(), zoom);
+    const double zoom = views().second().canvas()->placing().zoom();
+    canvas()->placing().setZoom(16, QPointF(30, 40));
+    EXPECT_EQ(views().second().canvas()->placing().zoom(), zoom);
     views().second().setBuffer({BufferId::ZView});
     ASSERT_TRUE(waitForFrame());
-    EXPECT_EQ(views().second().canvas()->zoom(), 16) << "a buffer of the frame joins";
+    EXPECT_EQ(views().second().canvas()->placing().zoom(), 16) << "a buffer of the frame joins";
 }
 
 // Pins, what is selected, and a comparison in each of its ways.

@@ -29,7 +29,6 @@ const std::map<std::string, ClassSize>& largerThanMost() {
         {"app/core/stepper.h Stepper", {42, 16}},
         {"app/desktop/notes_window.h NotesWindow", {19, 19}},
         {"app/desktop/slide_dialog.h SlideDialog", {12, 19}},
-        {"app/panels/buffer_canvas.h BufferCanvas", {69, 17}},
         {"app/panels/buffer_header.h BufferHeader", {20, 16}},
         {"app/panels/buffer_view.h BufferView", {33, 15}},
         {"app/panels/check_panel.h CheckPanel", {24, 23}},
