@@ -1,11 +1,10 @@
 #include "app/view3d/label_places.h"
 
-#include <QFontMetricsF>
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
-#include "app/core/text.h"
+#include "app/view3d/label_words.h"
 #include "app/view3d/obstacles.h"
 
 namespace app {
@@ -68,14 +67,6 @@ glm::dvec2 inside(glm::dvec2 at, QSizeF size, glm::dvec2 view) {
     const glm::dvec2 half{size.width() / 2 + 8, size.height() / 2 + 4};
     return {std::clamp(at.x, half.x, std::max(half.x, view.x - half.x)),
             std::clamp(at.y, half.y, std::max(half.y, view.y - half.y))};
-}
-
-QSizeF sizeOf(const Label& label) {
-    const QFontMetricsF metrics(fontOf(label.kind));
-    const QString text = toQString(label.text);
-    if (label.kind == Label::Kind::Letter || label.kind == Label::Kind::Axis)
-        return metrics.tightBoundingRect(text).size();
-    return {metrics.horizontalAdvance(text), metrics.height()};
 }
 
 double overlap(const QRectF& a, const QRectF& b) {
@@ -186,8 +177,8 @@ std::vector<Place> planePlaces(const PlacedLabel& plane, double scale) {
 std::vector<Place> anglePlaces(const PlacedLabel& angle, double scale) {
     const glm::dvec2 step{angle.size.width() / 2 + 6 * scale, 0.8 * angle.size.height()};
     std::vector<Place> places;
-    for (const double y : {0.0, -0.5, 0.5, -1.0, 1.0, -2.0, 2.0})
-        for (const double x : {0.0, -0.25, 0.25, -0.5, 0.5, -1.0, 1.0})
+    for (const double y : {0.0, -0.5, 0.5, -1.0, 1.0, -1.5, 1.5, -2.0, 2.0, -3.0, 3.0})
+        for (const double x : {0.0, -0.25, 0.25, -0.5, 0.5, -1.0, 1.0, -1.5, 1.5})
             places.push_back({angle.mark + step * glm::dvec2(x, y), 15 * (x * x + y * y)});
     return places;
 }
@@ -239,22 +230,25 @@ public:
     }
 
 private:
+    // Words that an arrow or an arc runs through are harder to read than words on a face.
+    static constexpr double kOnLine = 5;
+
     // Lines too short to be seen as such, of which some stand in hundreds, are in nobody's way.
     void see(const Obstacle& obstacle) {
         constexpr double kShortest = 8;
         const auto outline = outlineOf(obstacle, m_view);
         if (outline && std::max(outline->bounds.width(), outline->bounds.height()) > 2 * kShortest * m_view.scale &&
             outline->bounds.intersects(QRectF(0, 0, m_view.size.x, m_view.size.y)))
-            m_outlines.push_back(*outline);
+            m_outlines.push_back({*outline, obstacle.size() == 2 ? kOnLine : 1});
     }
     // What lies under a box, as far as it is below `limit`; words on words are worse than words on a picture.
     double weight(const QRectF& box, double limit) const {
         constexpr double kWords = 10;
         double sum = 0;
         for (const QRectF& other : m_taken) sum += kWords * overlap(box, other);
-        for (const Outline& outline : m_outlines) {
+        for (const auto& [outline, cost] : m_outlines) {
             if (sum >= limit) break;
-            sum += covered(outline, box);
+            sum += cost * covered(outline, box);
         }
         return sum;
     }
@@ -270,7 +264,11 @@ private:
     const ViewFrame& m_view;
     const std::vector<PlacedLabel>& m_before;
     std::vector<QRectF> m_taken;
-    std::vector<Outline> m_outlines;
+    struct Seen {
+        Outline outline;
+        double cost;  // of a square pixel of it
+    };
+    std::vector<Seen> m_outlines;
 };
 
 void placeWords(std::vector<PlacedLabel>& labels, const std::vector<glm::dvec2>& tips, const ViewFrame& view,
@@ -297,28 +295,6 @@ void placeWords(std::vector<PlacedLabel>& labels, const std::vector<glm::dvec2>&
 }
 
 }  // namespace
-
-QFont fontOf(Label::Kind kind) {
-    const Theme& theme = Theme::current();
-    switch (kind) {
-        case Label::Kind::Letter: {
-            QFont font = theme.formula(21);
-            font.setBold(true);
-            font.setItalic(true);
-            return font;
-        }
-        case Label::Kind::Axis: {
-            QFont font = theme.formula(16);
-            font.setItalic(true);
-            return font;
-        }
-        case Label::Kind::Note:
-        case Label::Kind::Angle:
-        case Label::Kind::Plane: return theme.mono(12);
-        case Label::Kind::Caption: break;
-    }
-    return theme.text(12);
-}
 
 QRectF boxOf(const PlacedLabel& placed) {
     return {toPoint(placed.at) - QPointF(placed.size.width(), placed.size.height()) / 2, placed.size};

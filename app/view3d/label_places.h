@@ -1,5 +1,4 @@
 #pragma once
-#include <QFont>
 #include <QRectF>
 #include <vector>
 
@@ -30,6 +29,5 @@ std::vector<PlacedLabel> placeLabels(const Drawing& drawing, const ViewFrame& vi
 // The space that a label takes.
 QRectF boxOf(const PlacedLabel& placed);
 glm::dvec2 nearest(const QRectF& box, glm::dvec2 point);  // of its points
-QFont fontOf(Label::Kind kind);
 
 }  // namespace app

@@ -1,7 +1,6 @@
 #include "app/view3d/overlay.h"
 
 #include <QCoreApplication>
-#include <QFontMetricsF>
 #include <QPainterPath>
 #include <QPixmapCache>
 #include <QThread>
@@ -9,6 +8,7 @@
 #include <cmath>
 
 #include "app/core/text.h"
+#include "app/view3d/label_words.h"
 
 namespace app {
 
@@ -17,9 +17,9 @@ namespace {
 constexpr double kTextHalo = 5;  // pixels of the design
 
 // Text with a halo in the view's colour, so that it reads on any picture; its middle is the origin.
-void paintHaloedText(QPainter& painter, const QString& text, const QFont& font, const QColor& ink, double halo) {
-    QPainterPath path;
-    path.addText(-QFontMetricsF(font).tightBoundingRect(text).center(), font, text);
+void paintHaloedText(QPainter& painter, const Label& label, const QColor& ink, double halo) {
+    QPainterPath path = pathOf(label);
+    path.translate(-path.boundingRect().center());
     QColor back = Theme::current().colors().view;
     back.setAlphaF(0.88f);
     painter.setRenderHint(QPainter::Antialiasing);
@@ -29,20 +29,20 @@ void paintHaloedText(QPainter& painter, const QString& text, const QFont& font, 
 
 // The same around `at`. Stroking outlines took an eighth of the window's time while a hand drags: the few words of a
 // view are stroked once and kept as pictures.
-void paintText(QPainter& painter, glm::dvec2 at, const QString& text, const QFont& font, const QColor& ink,
-               double halo) {
+void paintText(QPainter& painter, glm::dvec2 at, const Label& label, const QColor& ink, double halo) {
     // A picture would be scaled; and only the window's thread has pictures to keep.
     const bool isWindow = QThread::currentThread() == QCoreApplication::instance()->thread();
     if (!isWindow || painter.transform().type() > QTransform::TxTranslate) {
         painter.save();
         painter.translate(toPoint(at));
-        paintHaloedText(painter, text, font, ink, halo);
+        paintHaloedText(painter, label, ink, halo);
         painter.restore();
         return;
     }
     const double ratio = painter.device()->devicePixelRatio();
-    const QString key = QStringList{text,
-                                    font.key(),
+    const QString key = QStringList{toQString(label.text),
+                                    fontOf(label.kind).key(),
+                                    QString::number(int(label.kind)),
                                     ink.name(QColor::HexArgb),
                                     Theme::current().colors().view.name(),
                                     QString::number(ratio),
@@ -50,13 +50,13 @@ void paintText(QPainter& painter, glm::dvec2 at, const QString& text, const QFon
                             .join('\n');
     QPixmap picture;
     if (!QPixmapCache::find(key, &picture)) {
-        const QSizeF box = QFontMetricsF(font).tightBoundingRect(text).size() + QSizeF(2 * halo, 2 * halo);
+        const QSizeF box = pathOf(label).boundingRect().size() + QSizeF(2 * halo, 2 * halo);
         picture = QPixmap(int(std::ceil(box.width() * ratio)), int(std::ceil(box.height() * ratio)));
         picture.setDevicePixelRatio(ratio);
         picture.fill(Qt::transparent);
         QPainter words(&picture);
         words.translate(QPointF(picture.width(), picture.height()) / (2 * ratio));
-        paintHaloedText(words, text, font, ink, halo);
+        paintHaloedText(words, label, ink, halo);
         QPixmapCache::insert(key, picture);
     }
     // On whole pixels of the screen, so that letters stay sharp.
@@ -126,7 +126,7 @@ void paintOverlay(QPainter& painter, const Drawing& drawing, const ViewFrame& vi
         if (placed.led) paintLeader(painter, placed, colors.text2, view.scale);
         if (placed.atBorder) paintBorderMark(painter, placed, view.scale);
         const bool quiet = kind == Label::Kind::Caption;
-        paintText(painter, placed.at, toQString(placed.label.text), fontOf(kind),
+        paintText(painter, placed.at, placed.label,
                   mixed(quiet ? colors.text2 : colorOf(placed.label.ink, colors), colors.view, placed.label.strength),
                   kTextHalo * view.scale);
     };

@@ -63,7 +63,10 @@ public:
         const VectorArrow *N = shown(VectorCode::N), *L = shown(VectorCode::L), *V = shown(VectorCode::V),
                           *R = shown(VectorCode::R), *H = shown(VectorCode::H);
         if (N && L) angle(N->direction, L->direction, "NL", 0.52);
-        if (R && V) angle(R->direction, V->direction, "RV", 0.82);
+        const bool isOfH = std::ranges::any_of(
+            m_content.lobes, [](const SpecularLobe& lobe) { return lobe.main && lobe.code == VectorCode::H; });
+        if (isOfH && N && H) angle(N->direction, H->direction, "NH", 0.82);
+        if (!isOfH && R && V) angle(R->direction, V->direction, "RV", 0.82);
         if (R && L) {
             dotted(L->direction, R->direction, Ink::R);
         } else if (H && L && V) {
@@ -141,6 +144,9 @@ private:
         const auto at = [&](double a) { return radius * (std::cos(a) * from + std::sin(a) * aside); };
         constexpr int kPieces = 32;
         for (int i = 0; i < kPieces; ++i) line(at(whole * i / kPieces), at(whole * (i + 1) / kPieces), Ink::Text);
+        constexpr int kChords = 4;  // long enough each to be in the way of words
+        for (int i = 0; i < kChords; ++i)
+            m_drawing.obstacles.push_back({at(whole * i / kChords), at(whole * (i + 1) / kChords)});
         m_drawing.labels.push_back(
             {.kind = Label::Kind::Angle,
              .at = (1 + 0.09 / radius) * at(whole / 2),
@@ -202,6 +208,7 @@ private:
         const double step = 10 * unit;
         if (!(length > 0) || !(step > length / 2000)) return;
         const Vec3d along = (to - from) / length;
+        m_drawing.obstacles.push_back({from, to});
         for (double s = 0; s < length; s += step)
             m_drawing.solids.push_back(
                 {ink, tube(from + s * along, from + std::min(s + 0.6 * step, length) * along, 0.9 * unit, 8), unit});
@@ -209,6 +216,7 @@ private:
 
     void strong(Vec3d from, Vec3d to, Ink ink) {
         const double unit = m_view.unitsPerMarkPixel();
+        m_drawing.obstacles.push_back({from, to});
         if (glm::length(to - from) > 0) m_drawing.solids.push_back({ink, tube(from, to, 3.4 * unit, 10), unit});
     }
 
@@ -216,6 +224,7 @@ private:
         const double step = 5 * m_view.unitsPerMarkPixel(), length = glm::length(to - from);
         if (!(length > 0) || !(step > length / 2000)) return;
         const Vec3d along = (to - from) / length;
+        m_drawing.obstacles.push_back({from, to});
         for (double s = 0; s < length; s += step)
             line(from + s * along, from + std::min(s + 0.4 * step, length) * along, ink);
     }

@@ -263,6 +263,7 @@ private:
         const double length = glm::length(to - from), step = 6 * m_unit;
         if (!(length > 0)) return;
         const Vec3d along = (to - from) / length;
+        m_drawing.obstacles.push_back({from, to});
         for (int i = 0; i < kMost && i * step < length; ++i)
             m_drawing.lines.push_back(
                 {from + i * step * along, from + std::min((i + 0.3) * step, length) * along, Ink::V, 1, 1});

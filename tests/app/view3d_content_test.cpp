@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/view3d/label_places.h"
 #include "app/view3d/normal_arrows.h"
+#include "app/view3d/obstacles.h"
 #include "app/view3d/overlay.h"
 #include "app/view3d/point_drawing.h"
 #include "app/view3d/view_content.h"
@@ -288,6 +290,49 @@ TEST(View3dPoint, TheHemisphereHasNUpAndTheEquationsAngles) {
     for (const app::Label& label : app::drawPoint(*point, {}, view).labels)
         if (label.kind == app::Label::Kind::Angle) angles.push_back(label.text);
     EXPECT_EQ(angles, (std::vector<std::string>{"NL 39.2°", "RV 66.6°"}));
+}
+
+// The dots of a line are too short each to be seen as one; the words keep off it all the same.
+TEST(View3dDrawing, TheEyesCaptionKeepsOffItsRay) {
+    const ViewContent content = contentOf(test::pyramid(), kRightFace);
+    ASSERT_TRUE(content.foot);
+    for (const glm::dvec2 size : {glm::dvec2(640, 480), glm::dvec2(400, 500), glm::dvec2(900, 420)})
+        for (int degrees = 0; degrees < 360; degrees += 15) {
+            app::OrbitCamera camera = app::presetCamera(app::ViewPreset::Everything, content, {}, size, false);
+            app::orbit(camera, degrees, 0);
+            const app::ViewFrame view{camera, size};
+            for (const app::PlacedLabel& placed : app::placeLabels(app::drawWorld(content, {}, view), view)) {
+                if (placed.label.text != "eye" || placed.atBorder) continue;
+                const auto from = app::project(camera, size, *content.foot);
+                if (!from.inFront) continue;
+                const double crossed = app::covered(app::lineOutline(from.at, placed.mark, 1), app::boxOf(placed));
+                EXPECT_EQ(crossed, 0) << size.x << ", " << degrees;
+            }
+        }
+}
+
+// Nor on an arrow, a shaft from the point to its tip, where the view has room.
+TEST(View3dPoint, AnglesKeepOffArcsAndArrows) {
+    const auto point = app::pointContent(contentOf(test::pyramid(), kRightFace));
+    ASSERT_TRUE(point);
+    for (const glm::dvec2 size : {glm::dvec2(500, 400), glm::dvec2(640, 480), glm::dvec2(820, 500)}) {
+        const app::ViewFrame view{app::pointCamera(app::ViewPreset::Iso, *point, {}, size, false), size};
+        const app::Drawing drawing = app::drawPoint(*point, {}, view);
+        for (const app::PlacedLabel& placed : app::placeLabels(drawing, view)) {
+            if (placed.label.kind != app::Label::Kind::Angle) continue;
+            double crossed = 0;
+            const auto cross = [&](Vec3d a, Vec3d b) {
+                crossed += app::covered(
+                    app::lineOutline(app::project(view.camera, size, a).at, app::project(view.camera, size, b).at, 1),
+                    app::boxOf(placed));
+            };
+            for (const app::InkedLine& line : drawing.lines)
+                if (line.ink == app::Ink::Text) cross(line.a, line.b);
+            for (const VectorArrow& v : point->vectors) cross(Vec3d(0.0), v.direction);
+            // What runs through it is longer than it is high; a corner may be touched.
+            EXPECT_LT(crossed, 0.7 * placed.size.height()) << placed.label.text << ", " << size.x;
+        }
+    }
 }
 
 TEST(View3dPoint, NoPixelHasNoHemisphere) {

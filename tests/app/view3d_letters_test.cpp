@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "app/core/theme.h"
+#include "app/view3d/label_words.h"
 #include "app/view3d/obstacles.h"
 #include "app/view3d/overlay.h"
 
@@ -230,6 +231,31 @@ TEST(View3dLabels, AnObstacleCoversWhatItLooksLike) {
     app::ViewFrame near = view;
     near.camera.orthographic = false;
     EXPECT_FALSE(outlineOf({app::Vec3d(0.0), app::Vec3d(0, -20, 0)}, near));
+}
+
+// As in the equation: a vector's letter is bold and leans, a word and a number do neither, an exponent is small and high,
+// an index small and low. Where the text has no letter of a vector it is what its font draws.
+TEST(View3dLabels, FormulasAreSetLikeTheEquation) {
+    const auto label = [](app::Label::Kind kind, const char* text) {
+        return app::Label{.kind = kind, .at = {}, .foot = {}, .text = text, .distance = {}};
+    };
+    const QFont upright = app::Theme::current().formula(15);
+    QFont leaning = upright;
+    leaning.setItalic(true), leaning.setBold(true);
+    const auto drawn = [](const QFont& font, const char* text) {
+        QPainterPath path;
+        path.addText(0, 0, font, text);
+        return path;
+    };
+    using Kind = app::Label::Kind;
+    EXPECT_EQ(pathOf(label(Kind::Plane, "near 45.2")), drawn(upright, "near 45.2"));
+    EXPECT_EQ(pathOf(label(Kind::Angle, "NL")), drawn(leaning, "NL"));
+    EXPECT_NE(drawn(leaning, "NL"), drawn(upright, "NL"));
+    const QRectF power = pathOf(label(Kind::Plane, "V^8")).boundingRect(), base = drawn(leaning, "V").boundingRect();
+    EXPECT_LT(power.top(), base.top()) << "above the letter";
+    EXPECT_GT(power.right(), base.right());
+    const QRectF index = pathOf(label(Kind::Letter, "L₁")).boundingRect();
+    EXPECT_GT(index.bottom(), pathOf(label(Kind::Letter, "L")).boundingRect().bottom() + 2) << "below the line";
 }
 
 // Wherever its mark is on a cube or beside it: there is room within 60 pixels for a caption that is 45 wide and 15 high.
