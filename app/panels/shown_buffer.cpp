@@ -36,10 +36,8 @@ struct Findings {
 Findings look(const AnyBuffer& buffer, const std::vector<bool>& drawn, lessons::ShownChannel channel) {
     Findings found;
     const auto channels = std::size_t(buffer.channels());
-    if (isColorPicture(*buffer.info, channel) && buffer.info->element == Element::UInt8) {
-        found.drawn = buffer.count() / channels;  // bytes are numbers, and nobody counts colours
-        return found;
-    }
+    // Bytes are numbers, and nobody counts colours.
+    if (isColorPicture(*buffer.info, channel) && buffer.info->element == Element::UInt8) return found;
     const auto c = std::size_t(firstOf(channel));
     std::vector<double> values;  // the distinct ones, sorted
     std::visit(
@@ -107,6 +105,15 @@ QRectF drawnRectangle(const std::vector<bool>& drawn, QSize size) {
     return focusOn(QRectF(found), size);
 }
 
+// The number of pixels that show a surface, opaque or translucent; 0 if it is not known.
+std::size_t coveredPixels(const std::optional<AnyBuffer>& polygons, const std::optional<AnyBuffer>& layers) {
+    if (!polygons) return 0;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < polygons->count(); ++i)
+        count += polygons->flat(i) >= 0 || (layers && layers->flat(i) > 0);
+    return count;
+}
+
 QString descriptionOf(const AnyBuffer& buffer, const QSize& size, const Findings& found) {
     QString text = QString("%1, %2 by %3").arg(toQString(buffer.name.text())).arg(size.width()).arg(size.height());
     if (buffer.info->domain != Domain::Pixel || found.drawn == 0) return text;
@@ -149,9 +156,12 @@ PaletteBar::Scale scaleOf(const AnyBuffer& buffer, const BufferLook& shown, Pale
 }
 
 ElementCounts countsOf(const AnyBuffer& buffer, QSize size, lessons::ShownChannel channel,
-                       const std::optional<PaletteBar::Scale>& scale, const std::vector<bool>& drawn) {
+                       const std::optional<PaletteBar::Scale>& scale, const std::vector<bool>& drawn,
+                       std::size_t covered) {
     const BufferInfo& info = *buffer.info;
-    const Findings found = look(buffer, drawn, channel);
+    Findings found = look(buffer, drawn, channel);
+    // A picture in colours has values also where nothing was drawn.
+    if (isColorPicture(info, channel)) found.drawn = covered;
     const bool isScalar = info.channels == 1 || channel != lessons::ShownChannel::All;
     const bool countsDistinct = isScalar && info.element == Element::Real && !standsOnShapes(info);
     constexpr int kBins = 64;
@@ -237,7 +247,12 @@ ShownBuffer showBuffer(const Frame& frame, const AnyBuffer& buffer, const std::v
     if (isNothing || isGroundAlone(frame, buffer, polygons)) shown.empty = whyNothing(frame);
     std::optional<PaletteBar::Scale> scale;
     if (hasRange(info, channel)) scale = scaleOf(buffer, shown.look, whole);
-    if (!counts) counts = std::make_shared<const ElementCounts>(countsOf(buffer, content.size, channel, scale, drawn));
+    if (!counts) {
+        const bool isPicture = isColorPicture(info, channel) && info.domain == Domain::Pixel;
+        const std::size_t covered =
+            isPicture ? coveredPixels(polygonsUnder(frame, info), frame.buffer({BufferId::Layers})) : 0;
+        counts = std::make_shared<const ElementCounts>(countsOf(buffer, content.size, channel, scale, drawn, covered));
+    }
     shown.notice = counts->notice;
     if (scale) {
         shown.scale = *scale;

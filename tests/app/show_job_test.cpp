@@ -50,6 +50,21 @@ TEST(ShowJob, LittleIsMadeAtOnce) {
     EXPECT_EQ(job.answer(depthOf(frame)), answer) << "asking the same again costs nothing";
 }
 
+// Of one frame every buffer of the picture covers as much: the pixels that show a polygon.
+TEST(ShowJob, ADescriptionTellsHowMuchIsDrawn) {
+    const auto frame = test::frameOf(test::pyramid());
+    const auto covered = [&](BufferId id) {
+        const auto shown = app::showBuffer(*frame, {id}, lessons::ShownChannel::All, {});
+        return shown->counts->description.section(", ", 2, 2);
+    };
+    const auto ids = *frame->buffer({BufferId::PolygonId});
+    std::size_t drawn = 0;
+    for (std::size_t i = 0; i < ids.count(); ++i) drawn += ids.flat(i) >= 0;
+    const QString share = QString::number(100.0 * double(drawn) / double(ids.count()), 'f', 2) + " % covered";
+    for (const BufferId id : {BufferId::ZView, BufferId::Color, BufferId::Intensity, BufferId::Ambient})
+        EXPECT_EQ(covered(id), share) << bufferInfo(id).name;
+}
+
 TEST(ShowJob, TheVeilIsOfTheThemesGround) {
     ShowJob job;
     const auto frame = frameOf(test::pyramid());
