@@ -185,9 +185,8 @@ void paintCanvas(QPainter& painter, const CanvasContent& content, const Placemen
     if (!content.image.isNull() && !pixels.isEmpty()) {
         paintImage(painter, content, placement, pixels);
         if (content.verdicts) {
-            painter.setOpacity(0.6);
-            paintShapes(painter, *content.verdicts, placement.origin, placement.zoom, visible, stop);
-            painter.setOpacity(1);
+            constexpr double kStrength = 0.6;  // of the shapes: the picture below still shows
+            paintShapes(painter, *content.verdicts, placement.origin, placement.zoom, visible, stop, kStrength);
         }
         if (placement.zoom >= kGridZoom) paintGrid(painter, placement, pixels);
         if (placement.zoom >= kGridZoom && placement.zoom < kTextZoom && content.strange)

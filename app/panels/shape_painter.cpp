@@ -149,7 +149,7 @@ struct ShapePainter {
         if (picture.isSmall || std::max(picture.shapes.size(), picture.points.size()) > 200) return;
         const bool writesAll = picture.shapes.size() <= 6;
         const QRectF inside = window.adjusted(2, 2, -2, -2);
-        painter.setFont(Theme::current().mono(12));
+        painter.setFont(Theme::current().mono(13));
         const QFontMetricsF metrics(painter.font());
         std::vector<Chip> chips;
         const auto add = [&](QPointF of, QPointF offset, const QString& text, const QColor& ground, const QColor& ink) {
@@ -182,12 +182,14 @@ struct ShapePainter {
 }  // namespace
 
 void paintShapes(QPainter& painter, const ShapePicture& picture, QPointF origin, double zoom, QRectF window,
-                 const std::stop_token& stop) {
+                 const std::stop_token& stop, double strength) {
     painter.save();
     ShapePainter shapes{painter, picture, origin, zoom, window, stop};
+    painter.setOpacity(strength);
     shapes.fill();
     shapes.drawOutlines();
     shapes.drawPoints();
+    painter.setOpacity(1);
     shapes.write();
     painter.restore();
 }

@@ -107,11 +107,15 @@ void ThumbnailStrip::paintItem(QPainter& painter, const Item& item, const QRect&
     }
     QRect picture = rect.adjusted(3, 3, -3, -theme.px(21));
     if (!item.picture.isNull()) {
-        QRect target(QPoint(), item.picture.deviceIndependentSize().toSize());
+        // One that was drawn for a larger strip stays inside its place until the next one comes.
+        const QSize own = item.picture.deviceIndependentSize().toSize();
+        const bool fits = own.width() <= picture.width() && own.height() <= picture.height();
+        QRect target(QPoint(), fits ? own : own.scaled(picture.size(), Qt::KeepAspectRatio));
         target.moveCenter(picture.center());
         painter.fillRect(picture, c.view);
         paintChecker(painter, target);
-        painter.drawImage(target.topLeft(), item.picture);
+        painter.setRenderHint(QPainter::SmoothPixmapTransform, !fits);
+        painter.drawImage(target, item.picture);
     } else {
         QPainterPath clip;
         clip.addRect(picture);

@@ -43,6 +43,29 @@ TEST(ThumbnailStrip, APictureHasThePixelsOfTheScreen) {
     }
 }
 
+// Until pictures of the new size are drawn the old ones are there: they may not cover the names below them.
+TEST(ThumbnailStrip, PicturesOfALargerStripCoverNoNames) {
+    Document document;
+    app::ThumbnailStrip strip(document);
+    const int low = strip.sizeHint().height();
+    strip.resize(900, 4 * low);
+    strip.show();
+    document.setScene(test::pyramid());
+    const auto names = [&] {
+        const int line = app::Theme::current().px(20);  // of the names, at the bottom
+        return strip.grab().toImage().copy(0, low - line - 4, 900, line);
+    };
+    const auto pictures = [&] { return strip.grab().toImage().copy(0, 0, 900, strip.height() / 2); };
+    const QImage hatched = pictures();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return pictures() != hatched; }, 10000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !document.frames().busy(); }, 10000));
+    strip.resize(900, low);
+    const QImage first = names();
+    ASSERT_TRUE(
+        QTest::qWaitFor([&, before = strip.grab().toImage()] { return strip.grab().toImage() != before; }, 10000));
+    EXPECT_EQ(names(), first);
+}
+
 TEST(ThumbnailStrip, ShowsADerivedBufferWhileSomebodyLooksAtIt) {
     Document document;
     app::ThumbnailStrip strip(document);
