@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/core/equation_symbols.h"
 #include "app/core/shown_name.h"
 #include "app/core/stage_buffer.h"
 #include "app/core/text.h"
@@ -74,8 +75,10 @@ QString nameOf(const OtherSource& source) {
 
 QString captionOf(const SettingRef& setting, double value) {
     const auto text = toQString(formatSetting(setting, value));
-    return setting.setting->kind == SettingKind::Choice ? text.left(1).toUpper() + text.mid(1)
-                                                        : toQString(setting.setting->label) + ' ' + text;
+    if (setting.setting->kind == SettingKind::Choice) return text.left(1).toUpper() + text.mid(1);
+    const QString label = labelOf(setting), symbol = symbolOf(setting);
+    const bool hasSymbol = symbol != label || symbol.size() == 1 || symbol.contains('_');
+    return hasSymbol ? symbol + " = " + text : label + ' ' + text;
 }
 
 std::string keyOf(const OtherSource& source) {

@@ -136,7 +136,7 @@ QWidget* SlideDialog::makeFields() {
     };
     m_transparent = check(tr("Transparent background"), true);
     m_caption = check(tr("Caption"), false);
-    m_marks = check(tr("The picked pixel"), true);
+    m_marks = check(tr("Picked pixel, pins, selection and region"), true);
     connect(m_what, &QComboBox::currentIndexChanged, this, &SlideDialog::preview);
     auto* pixels = new QHBoxLayout;
     pixels->addWidget(m_width);

@@ -21,7 +21,7 @@ struct SlideRequest {
     QSize size{1920, 1080};
     bool transparent = true;
     bool caption = false;  // stage and a sentence below
-    bool marks = true;     // the picked pixel
+    bool marks = true;     // the picked pixel, pins, the selection and the region
     std::size_t view = 0;  // which of the buffer views on show, in their order
 };
 
