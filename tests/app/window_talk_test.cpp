@@ -26,10 +26,12 @@
 #include "app/panels/buffer_compare.h"
 #include "app/panels/buffer_page.h"
 #include "app/panels/buffer_view.h"
+#include "app/panels/compare_bar.h"
 #include "app/panels/condition_bar.h"
 #include "app/panels/cue_panel.h"
 #include "app/panels/math_view.h"
 #include "app/panels/segmented.h"
+#include "app/panels/thumbnail_strip.h"
 #include "app/panels/value_slider.h"
 #include "app/view3d/view3d_panel.h"
 #include "tests/app/window_fixture.h"
@@ -259,6 +261,45 @@ TEST_F(WindowTalk, AHallSeesNoCountsAndNothingToPress) {
     EXPECT_FALSE(page->findChild<QPushButton*>()->isVisible());
     EXPECT_EQ(page->findChild<QLabel*>()->text(), "shadow_buffer.0");
     EXPECT_TRUE(page->findChild<QLabel*>()->isVisible());
+}
+
+namespace {
+
+// Counts how often a hall would see what belongs to the desk.
+class Flashes : public QObject {
+public:
+    Flashes() { qApp->installEventFilter(this); }
+    int count = 0;
+    bool eventFilter(QObject* object, QEvent* event) override {
+        const bool isOfDesk = qobject_cast<CompareBar*>(object) || qobject_cast<ThumbnailStrip*>(object);
+        if (event->type() == QEvent::Paint && isOfDesk)
+            count += qobject_cast<CleanView*>(static_cast<QWidget*>(object)->window()) != nullptr;
+        return false;
+    }
+};
+
+}  // namespace
+
+TEST_F(WindowTalk, BarsOfComparisonsAndThumbnailsNeverFlash) {
+    const QString file = folder.filePath("talk.cues");
+    QFile cues(file);
+    ASSERT_TRUE(cues.open(QFile::WriteOnly));
+    const char* compared =
+        "arrangement = \"compare\"\n[[cue.view]]\nbuffer = \"color\"\n"
+        "against = \"setting ambient.intensity=0\"\ncompare = \"b\"\n[[cue.view]]\nbuffer = \"color\"\n";
+    for (const char* name : {"One", "Two", "Three"}) {
+        cues.write(QByteArray("[[cue]]\nname = \"") + name + "\"\nscene = \"pyramid\"\n");
+        if (name != std::string_view("Two")) cues.write(compared);
+    }
+    cues.close();
+    ASSERT_TRUE(window.cues().open(file));
+    const Flashes flashes;
+    present();
+    for (const char* key : {"PgDown", "PgDown", "PgUp", "PgUp"}) {
+        press(key);
+        ASSERT_TRUE(waitForFrame());
+    }
+    EXPECT_EQ(flashes.count, 0);
 }
 
 // A presenter moves it with the mouse; a clicker's keys go on turning the cues.
