@@ -153,7 +153,7 @@ TEST_F(TablesPanelTest, ALowPanelHasItsFactsBesideTheTabs) {
     panel.resize(900, 180);
     EXPECT_TRUE(test::waitUntilQuiet());
     EXPECT_TRUE(facts->isVisible());
-    EXPECT_EQ(facts->text(), "polygons = 5");
+    EXPECT_EQ(facts->text(), "polygons = 5   polygons that are not lit: culled, or seen in no pixel = 2");
     EXPECT_LT(facts->geometry().right(), panel.width());
     EXPECT_EQ(facts->geometry().center().y(), panel.tabBar()->geometry().center().y());
     EXPECT_GT(polygons().view().viewport()->height(), rows - 120) << "120 lower, and a line less above the rows";
