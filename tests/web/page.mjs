@@ -294,6 +294,18 @@ try {
       }
       await n.close();
     }
+  // On a phone the picture stands beside a question that is answered by a click into it, however far the page is scrolled.
+  const diffuse = write('diffuse.html', 'lesson', 'export', 'diffuse');
+  for (const [width, height] of [[320, 640], [390, 844]]) {
+    const n = await browser.open('file://' + diffuse, { width, height, mobile: true });
+    for (let page = 0; page < 9 && !(await n.run('document.querySelector("#question.clicked") !== null')); ++page)
+      await n.run(`openPage(${page})`);
+    await n.run('document.querySelector("#asked").scrollIntoView({ block: "end" })');
+    const [top, bottom, asked] = await n.run('(() => { const of = s => document.querySelector(s).getBoundingClientRect(); return [of(".pictures").top, of(".pictures").bottom, of("#asked").bottom]; })()');
+    expect(`the picture to click into is in sight at ${width}`, top >= -1 && bottom < height && asked <= height, [top, bottom, asked]);
+    expect(`and leaves room for the question at ${width}`, height - bottom > height * 0.3, [bottom, height]);
+    await n.close();
+  }
   const without = await browser.open('file://' + pyramid, { scripts: false });
   let nodeId = 0;
   for (let tries = 0; tries < 500 && nodeId === 0; ++tries) {  // until the file is read

@@ -22,6 +22,7 @@ function drawQuestion() {
   box.hidden = !question;
   if (!question) return;
   box.className = 'question ' + question.state.replace(' ', '-');
+  box.classList.toggle('clicked', question.kind === 'click' && !question.settled);
   fillHtml(one('#asked'), question.text);
   drawAnswer(question);
   const said = one('#said');
