@@ -91,6 +91,7 @@ QTabBar::tab:hover { color: @text; }
 QTabWidget::pane { border: 0; border-top: 1px solid @line; }
 
 QAbstractScrollArea { background: @surface; border: 0; }
+QScrollArea[kind="fields"] { background: @bg; }
 QAbstractItemView { background: @surface; color: @text; border: 2px solid transparent; alternate-background-color: @surface;
   selection-background-color: @tint; selection-color: @text; }
 QAbstractItemView::item { min-height: 24u; }

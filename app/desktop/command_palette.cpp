@@ -107,8 +107,6 @@ CommandPalette::CommandPalette(QWidget* window)
     column->addWidget(hint);
     followTheme(this, [this, column, hint] {
         const Theme& theme = Theme::current();
-        setFixedWidth(theme.px(640));
-        setFixedHeight(theme.px(420));
         column->setContentsMargins(theme.px(1), theme.px(12), theme.px(1), theme.px(8));
         for (QLabel* label : {m_count, hint}) {
             label->setFont(theme.text(12));
@@ -117,6 +115,7 @@ CommandPalette::CommandPalette(QWidget* window)
         m_field->setFont(theme.text(15));
         m_field->setMinimumHeight(theme.px(30));
         static_cast<QHBoxLayout*>(column->itemAt(0)->layout())->setContentsMargins(theme.px(12), 0, 0, 0);
+        if (isVisible()) place();
     });
     connect(m_field, &QLineEdit::textChanged, this, &CommandPalette::filter);
     connect(m_list, &QListWidget::itemClicked, this, &CommandPalette::run);
@@ -129,6 +128,8 @@ CommandPalette::CommandPalette(QWidget* window)
         m_field->setAccessibleDescription(words.join(QStringLiteral(", ")));
     });
 }
+
+QSize CommandPalette::sizeHint() const { return {Theme::current().px(640), Theme::current().px(420)}; }
 
 void CommandPalette::open(std::vector<PaletteEntry> commands) {
     m_commands = std::move(commands);

@@ -33,6 +33,7 @@ public:
     explicit CommandPalette(QWidget* window);
 
     void open(std::vector<PaletteEntry> commands);
+    QSize sizeHint() const override;
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

@@ -20,8 +20,9 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
 
+    void place();  // its size hint, where the window has room for it
+
 private:
-    void place();
     QPointer<QWidget> m_before;
     FocusWatch m_focus;
 };

@@ -52,7 +52,9 @@ QString sampleText(const NumberFormat& format) {
 PreferencesDialog::PreferencesDialog(QWidget* parent) : QDialog(parent) {
     setObjectName("preferences");
     setWindowTitle(tr("Preferences"));
-    auto* form = new QFormLayout;
+    auto* fields = new QWidget(this);
+    auto* form = new QFormLayout(fields);
+    form->setContentsMargins(0, 0, 0, 0);
     form->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
     addLook(*form);
     addNumbers(*form);
@@ -73,8 +75,7 @@ PreferencesDialog::PreferencesDialog(QWidget* parent) : QDialog(parent) {
     row->addStretch(1);
     row->addWidget(close);
     auto* column = new QVBoxLayout(this);
-    column->addLayout(form);
-    column->addStretch(1);
+    column->addWidget(new FieldsArea(fields, this), 1);
     column->addLayout(row);
     followTheme(this, [this, column, form] {
         const Theme& theme = Theme::current();
@@ -82,8 +83,8 @@ PreferencesDialog::PreferencesDialog(QWidget* parent) : QDialog(parent) {
         form->setHorizontalSpacing(theme.px(16));
         form->setVerticalSpacing(theme.px(8));
         m_sample->setFont(theme.mono(12));
-        resize(onScreen(*this, theme.px(620), 0));
         showValues();
+        resize(wholeOnScreen(*this, theme.px(620)));
     });
 }
 

@@ -23,6 +23,7 @@
 #include "app/panels/buffer_painter.h"
 #include "app/panels/buffer_view.h"
 #include "app/panels/follow_theme.h"
+#include "app/panels/on_screen.h"
 #include "app/panels/save_dialog.h"
 #include "app/view3d/view3d_panel.h"
 
@@ -41,14 +42,15 @@ SlideDialog::SlideDialog(const Document& document, ViewArea& views, lessons::Win
     setWindowTitle(tr("Picture for a slide"));
     m_picture = new QLabel(this);
     m_picture->setAlignment(Qt::AlignCenter);
-    m_picture->setMinimumSize(320, 240);
+    m_picture->setMinimumSize(160, 120);
+    m_picture->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Ignored);  // its pixmap asks for no room
     m_picture->setAccessibleName(tr("Preview"));
     m_message = new QLabel(this);
     m_message->setWordWrap(true);
     m_message->setObjectName("slideMessage");
     auto* halves = new QHBoxLayout;
     halves->addWidget(m_picture, 1);
-    halves->addWidget(makeFields());
+    halves->addWidget(new FieldsArea(makeFields(), this));
     m_progress = new QProgressBar(this);
     m_progress->setAccessibleName(tr("Progress"));
     m_progress->setTextVisible(false);
@@ -80,7 +82,7 @@ SlideDialog::SlideDialog(const Document& document, ViewArea& views, lessons::Win
         const Theme& theme = Theme::current();
         column->setContentsMargins(theme.px(16), theme.px(12), theme.px(16), theme.px(12));
         m_progress->setFixedHeight(theme.px(6));
-        resize(theme.px(900), theme.px(480));
+        resize(onScreen(*this, theme.px(900), theme.px(480)));
     });
     m_ready = true;
     preview();

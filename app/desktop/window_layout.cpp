@@ -42,9 +42,11 @@ WindowLayout::WindowLayout(QMainWindow& window, Document& document, const Window
       m_docks(docks),
       m_presentation(presentation) {
     followAlgorithm();
-    for (PanelDock* dock : m_docks.left())
+    for (PanelDock* dock : m_docks.all())
         connect(dock->toggleViewAction(), &QAction::triggered, this, [this, dock](bool shown) {
-            if (shown) showOneLeftDock(dock);
+            if (!shown || !showsViews()) return;
+            if (m_docks.left().contains(dock)) showOneLeftDock(dock);
+            giveRoomTo(dock);
         });
 }
 
@@ -188,6 +190,15 @@ void WindowLayout::giveViewsRoom() {
             dock->hide();
             QCoreApplication::sendPostedEvents(&m_window, QEvent::LayoutRequest);
         }
+}
+
+// A window that its panels do not fit into would grow beyond its screen: the others go, those that were there first.
+void WindowLayout::giveRoomTo(const PanelDock* shown) {
+    for (PanelDock* dock : m_docks.all()) {
+        const QSize least = m_window.minimumSizeHint();
+        if (least.width() <= m_window.width() && least.height() <= m_window.height()) return;
+        if (dock != shown && !dock->isFloating() && dock->isVisible()) dock->hide();
+    }
 }
 
 // From the rail the left panels open one at a time.

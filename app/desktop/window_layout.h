@@ -61,6 +61,7 @@ private:
     void sizePanels();
     void followAlgorithm();
     void showOneLeftDock(PanelDock* shown);
+    void giveRoomTo(const PanelDock* shown);
 
     QMainWindow& m_window;
     Document& m_document;

@@ -48,7 +48,7 @@ ExportDialog::ExportDialog(Document& document, QWidget* parent)
     left->addWidget(m_choices);
     left->addWidget(m_buffers, 1);
     halves->addLayout(left, 5);
-    halves->addWidget(makeFields(), 5);
+    halves->addWidget(new FieldsArea(makeFields(), this), 5);
     auto* column = new QVBoxLayout(this);
     column->addLayout(halves, 1);
     column->addWidget(&foot());

@@ -39,6 +39,7 @@ FigureDialog::FigureDialog(Document& document, const FigureOrder& first, QWidget
         });
     auto* halves = new QHBoxLayout;
     QScrollArea* fields = scrolling(m_fields, this);
+    fields->setProperty("kind", "fields");
     halves->addWidget(fields);
     halves->addWidget(m_preview, 1);
     auto* column = new QVBoxLayout(this);

@@ -32,8 +32,7 @@ FilmDialog::FilmDialog(Document& document, const pipeline::BufferName& buffer, Q
     setObjectName("filmDialog");
     setWindowTitle(tr("Step film"));
     auto* column = new QVBoxLayout(this);
-    column->addWidget(makeFields(buffer));
-    column->addStretch(1);
+    column->addWidget(new FieldsArea(makeFields(buffer), this), 1);
     column->addWidget(&foot());
     followTheme(this, [this, column] {
         const Theme& theme = Theme::current();

@@ -9,6 +9,7 @@
 #include "app/core/lesson_run.h"
 #include "app/core/text.h"
 #include "app/core/theme.h"
+#include "app/panels/on_screen.h"
 #include "app/panels/question_card.h"
 #include "lessons/misconceptions.h"
 
@@ -70,7 +71,7 @@ LessonResultsDialog::LessonResultsDialog(const LessonShelf& shelf, const LessonR
     column->addWidget(table, 1);
     column->addWidget(words);
     column->addWidget(buttons);
-    resize(Theme::current().px(760), Theme::current().px(420));
+    resize(onScreen(*this, Theme::current().px(760), Theme::current().px(420)));
 }
 
 }  // namespace app

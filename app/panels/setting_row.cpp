@@ -84,9 +84,13 @@ SettingRow::SettingRow(Document& document, pipeline::SettingRef setting, QGridLa
 }
 
 int SettingRow::widthBeside() const {
-    int width = Theme::current().px(kLabelWidth);
+    return Theme::current().px(kLabelWidth) + m_form.horizontalSpacing() + widthStacked();
+}
+
+int SettingRow::widthStacked() const {
+    int width = int(m_controls.size() - 1) * m_form.horizontalSpacing();
     for (const QWidget* control : m_controls)
-        width += m_form.horizontalSpacing() + std::max(control->minimumWidth(), control->minimumSizeHint().width());
+        width += std::max(control->minimumWidth(), control->minimumSizeHint().width());
     return width;
 }
 

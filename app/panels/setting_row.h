@@ -18,6 +18,7 @@ public:
     SettingRow(Document& document, pipeline::SettingRef setting, QGridLayout& form, int row, QWidget* parent);
 
     int widthBeside() const;        // the room that label and controls need beside each other
+    int widthStacked() const;       // with the label above
     void setStacked(bool stacked);  // the label on a line of its own, above
     bool isIdle() const { return !m_idle.isEmpty(); }
     void setShown(bool shown);

@@ -155,9 +155,15 @@ void SettingsPanel::build() {
 void SettingsPanel::arrange() {
     if (!m_scroll->widget()) return;
     const QMargins margins = m_scroll->widget()->layout()->contentsMargins();
-    const int room = width() - m_scroll->verticalScrollBar()->sizeHint().width() - margins.left() - margins.right();
+    const int around = m_scroll->verticalScrollBar()->sizeHint().width() + margins.left() + margins.right();
+    const int room = width() - around;
     const bool stacked = std::ranges::any_of(m_rows, [&](const SettingRow* row) { return row->widthBeside() > room; });
-    for (SettingRow* row : m_rows) row->setStacked(stacked);
+    int least = 0;
+    for (SettingRow* row : m_rows) {
+        row->setStacked(stacked);
+        least = std::max(least, row->widthStacked());
+    }
+    m_scroll->setMinimumWidth(least + around);
 }
 
 void SettingsPanel::resizeEvent(QResizeEvent* event) {

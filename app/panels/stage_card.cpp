@@ -206,12 +206,12 @@ int StageCard::paintState(QPainter& painter, const QRect& line) const {
 
 void StageCard::paintTitle(QPainter& painter, QRect line) const {
     const Theme& theme = Theme::current();
-    const ThemeColors& c = theme.colors();
-    write(painter, line, QString::number(index(m_stage) + 1), theme.text(titleSize(), 500), c.text3);
+    write(painter, line, QString::number(index(m_stage) + 1), theme.text(titleSize(), 500), theme.colors().text3);
     line.setLeft(line.left() + theme.px(8));
-    // Rather an end left out than letters that nobody reads from the last row.
-    const int least = std::max(12, theme.px(0.75 * titleSize()));
-    write(painter, line, text(), fittingFont(theme.text(titleSize(), 600), labels(), line.width(), least), c.text);
+    const int least = std::max(12, theme.px(0.75 * titleSize()));  // smaller letters are not read from the last row
+    const QFont font = fittingFont(theme.text(titleSize(), 600), labels(), line.width(), least);
+    const bool fits = QFontMetrics(font).horizontalAdvance(text()) <= line.width();
+    write(painter, line, fits ? text() : text().section(' ', 0, 0), font, theme.colors().text);
 }
 
 void StageCard::paintNumbers(QPainter& painter, const QRect& line) const {

@@ -110,7 +110,10 @@ bool CardGrid::choose(const std::function<bool(const StartCard& card)>& isWanted
     return !m_shown.isEmpty();
 }
 
-int CardGrid::columns(int width) const { return std::clamp(width / Theme::current().px(210), 2, m_most); }
+int CardGrid::columns(int width) const {
+    const Theme& theme = Theme::current();
+    return std::clamp(width / theme.px(210), width < theme.px(280) ? 1 : 2, m_most);
+}
 
 void CardGrid::setMostColumns(int most) {
     m_most = most;

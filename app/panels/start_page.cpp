@@ -7,6 +7,7 @@
 #include <QScrollArea>
 #include <QTimer>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "app/core/recent_files.h"
 #include "app/core/shown_name.h"
@@ -14,6 +15,7 @@
 #include "app/panels/drop_field.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/segmented.h"
+#include "app/panels/surface.h"
 
 namespace app {
 
@@ -58,10 +60,15 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
 }
 
 QWidget* StartPage::makeLeft() {
-    auto* left = new QFrame(this);
-    m_left = left;
-    left->setObjectName("startLeft");
-    auto* column = new QVBoxLayout(left);
+    auto* frame = new QFrame(this);
+    m_left = frame;
+    frame->setObjectName("startLeft");
+    auto* left = new QWidget(frame);
+    left->setProperty("kind", "page");
+    auto* column = m_column = new QVBoxLayout(left);
+    auto* around = new QVBoxLayout(frame);
+    around->setContentsMargins(0, 0, 1, 0);  // the line at its right
+    around->addWidget(scrolling(left, frame));
     column->addWidget(makeLabel(QStringLiteral("Shadescope"), 34, 600, 1, left));
     column->addWidget(makeLabel(tr("See how polygons become a picture, one step at a time."), 16, 400, 2, left));
     auto* open = new QPushButton(tr("Open a file"), left);
@@ -91,7 +98,7 @@ QWidget* StartPage::makeLeft() {
     theme->setAccessibleName(tr("Theme"));
     connect(theme, &Segmented::chosen, this, [](int id) { Theme::current().set(ThemeId(id)); });
     auto* themeRow = new QHBoxLayout;
-    auto* themeLabel = makeLabel(tr("Theme"), 13, 400, 2, left);
+    auto* themeLabel = m_themeLabel = makeLabel(tr("Theme"), 13, 400, 2, left);
     themeLabel->setWordWrap(false);
     themeRow->addWidget(themeLabel);
     themeRow->addWidget(theme, 1);
@@ -106,10 +113,9 @@ QWidget* StartPage::makeLeft() {
     version->setWordWrap(false);
     foot->addWidget(version);
     column->addLayout(foot);
-    followTheme(left, [this, left, column, theme, open] {
+    followTheme(frame, [this, frame, column, theme, open] {
         const Theme& t = Theme::current();
         fitLeft();
-        column->setContentsMargins(t.px(40), t.px(48), t.px(40), t.px(24));
         column->setSpacing(t.px(8));
         open->setFont(t.text(13, 500));
         open->setMinimumHeight(t.px(32));
@@ -117,11 +123,11 @@ QWidget* StartPage::makeLeft() {
         m_drop->setMargin(t.px(16));
         m_drop->setMinimumHeight(t.px(48));
         theme->setCurrent(int(t.id()));
-        left->setStyleSheet(
+        frame->setStyleSheet(
             QStringLiteral("QFrame#startLeft { background: %1; border: 0; border-right: 1px solid %2; }")
                 .arg(t.colors().surface.name(), t.colors().line.name()));
     });
-    return left;
+    return frame;
 }
 
 QWidget* StartPage::makeRight() {
@@ -181,7 +187,12 @@ void StartPage::setDropHint(bool over) { m_drop->setOver(over); }
 // Narrow windows leave the room to the pictures.
 void StartPage::fitLeft() {
     const Theme& theme = Theme::current();
-    m_left->setFixedWidth(theme.px(width() < theme.px(1560) ? 352 : 440));
+    const int wish = theme.px(width() < theme.px(1560) ? 352 : 440);
+    m_left->setFixedWidth(std::min(wish, width() * 2 / 5));
+    const int side = std::min(theme.px(40), m_left->width() / 12);
+    m_column->setContentsMargins(side, theme.px(48), side, theme.px(24));
+    const int themes = Segmented::widthFor({tr("Dark"), tr("Light"), tr("Projector")});
+    m_themeLabel->setVisible(themes + theme.px(70) <= m_left->width() - 2 * side);
 }
 
 void StartPage::resizeEvent(QResizeEvent* event) {

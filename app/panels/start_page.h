@@ -3,6 +3,7 @@
 
 #include "app/panels/start_shelf.h"
 
+class QLabel;
 class QVBoxLayout;
 
 namespace app {
@@ -39,7 +40,8 @@ private:
     void fitLeft();
 
     QWidget* m_left = nullptr;
-    QVBoxLayout* m_recent = nullptr;
+    QVBoxLayout *m_column = nullptr, *m_recent = nullptr;  // of the left side
+    QLabel* m_themeLabel = nullptr;
     StartShelf* m_shelf = nullptr;
     class DropField* m_drop = nullptr;
 };

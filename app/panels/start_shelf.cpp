@@ -78,6 +78,7 @@ StartShelf::StartShelf(QWidget* parent)
 
 StartShelf::Group StartShelf::makeGroup(const QString& title, QWidget* parent) {
     auto* heading = startLabel(title, 12, 500, 2, parent);
+    heading->setWordWrap(true);
     auto* cards = new CardGrid(parent);
     parent->layout()->addWidget(heading);
     parent->layout()->addWidget(cards);

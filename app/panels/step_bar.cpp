@@ -55,6 +55,17 @@ void StepBar::setCompact(bool compact) {
     update();
 }
 
+int StepBar::widthForNames() const {
+    QFont font = Theme::current().text(12, 600);
+    font.setPixelSize(std::max(12, font.pixelSize() * 3 / 4));
+    int widest = 0;
+    for (const StageId stage : pipeline::kStages)
+        widest = std::max(widest,
+                          QFontMetrics(font).horizontalAdvance(toQString(stageInfo(stage).label).section(' ', 0, 0)));
+    const auto parts = int(pipeline::kStageCount);
+    return parts * (widest + 1) + (parts - 1) * Theme::current().px(3) + int(std::ceil(2 * margin()));
+}
+
 void StepBar::describe() {
     const QString words = m_stepper.isInside() ? m_stepper.words() : tr("the whole frame");
     setAccessibleDescription(tr("%1. The arrow keys step, a drag goes anywhere.").arg(words));

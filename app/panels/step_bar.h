@@ -24,6 +24,7 @@ public:
     // The stage on show, where the handle stands while the window shows the whole frame.
     void setStage(pipeline::StageId stage);
     void setCompact(bool compact);  // shorter names
+    int widthForNames() const;      // that names need in letters of three quarters of the usual size
     // From the left edge of the widget, pixels; where the handle stands.
     std::optional<double> handleX() const;
     double xOf(pipeline::Moment moment) const;

@@ -10,6 +10,7 @@
 #include "app/core/numbers.h"
 #include "app/core/spoken.h"
 #include "app/core/text.h"
+#include "app/panels/fitting_font.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/segmented.h"
 #include "app/panels/step_bar.h"
@@ -87,7 +88,6 @@ Timeline::Timeline(Document& document, const Transport& transport, QWidget* pare
         row->setContentsMargins(theme.px(4), 0, theme.px(4), 0);
         row->setSpacing(theme.px(6));
         m_by->setFont(theme.text(12));
-        m_words->setFont(theme.mono(12));
         for (QToolButton* button : m_buttons) button->setIconSize(QSize(1, 1) * theme.px(16));
         for (QComboBox* list : {m_speed, m_levelList}) list->setFont(theme.text(12));
         setCompact(m_compact);
@@ -115,9 +115,34 @@ void Timeline::setCompact(bool compact) {
     m_by->setVisible(!compact);
     m_levelList->setVisible(compact);
     m_bar->setCompact(compact);
-    // The longest words, so that the track does not move under the hand.
-    m_words->setFixedWidth(
-        QFontMetrics(m_words->font()).horizontalAdvance(QString(compact ? 25 : 29, QLatin1Char('0'))));
+    fitWords();
+    show();
+}
+
+// Room for the longest words, so that the track does not move under the hand. In large letters the names of the stages
+// go before: both ends, which the menu and keys have too, then letters give way.
+void Timeline::fitWords() {
+    const Theme& theme = Theme::current();
+    const QFont mono = theme.mono(12);
+    const QString longest(m_compact ? 25 : 29, QLatin1Char('0'));
+    const auto widthIn = [&](const QFont& font) { return QFontMetrics(font).horizontalAdvance(longest); };
+    const auto roomWith = [&](bool ends) {
+        m_buttons.front()->setVisible(ends), m_buttons.back()->setVisible(ends);
+        int room = width() - m_bar->widthForNames() - 2 * theme.px(4) - theme.px(6);
+        for (int i = 0; i < layout()->count(); ++i)
+            if (QWidget* part = layout()->itemAt(i)->widget(); part != m_bar && part != m_words && !part->isHidden())
+                room -= part->sizeHint().width() + theme.px(6);
+        return room;
+    };
+    int room = roomWith(true);
+    if (room < widthIn(mono)) room = roomWith(false);
+    m_words->setFont(fittingFont(mono, {longest}, room, std::max(12, theme.px(9))));
+    m_words->setFixedWidth(widthIn(m_words->font()));
+}
+
+void Timeline::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    fitWords();
     show();
 }
 

@@ -29,7 +29,11 @@ public:
     StepBar& bar() { return *m_bar; }
     QString words() const;  // where the frame stands
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
+    void fitWords();
     void show();
     QToolButton* addButton(QAction* action, const char* name, const char* icon);
 

@@ -1,0 +1,162 @@
+// Large letters and small screens: nothing that is needed is out of reach.
+#include <QDockWidget>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QScreen>
+#include <QScrollArea>
+#include <QTest>
+
+#include "app/core/theme.h"
+#include "app/desktop/actions.h"
+#include "app/desktop/command_palette.h"
+#include "app/desktop/panel_table.h"
+#include "app/desktop/preferences_dialog.h"
+#include "app/desktop/slide_dialog.h"
+#include "app/desktop/view_area.h"
+#include "app/panels/export_dialog.h"
+#include "app/panels/film_dialog.h"
+#include "app/panels/number_field.h"
+#include "app/panels/start_page.h"
+#include "app/panels/step_bar.h"
+#include "tests/app/window_fixture.h"
+
+namespace app {
+namespace {
+
+class WindowSmall : public WindowTest {
+protected:
+    ~WindowSmall() override { Theme::current().setScale(1); }
+    // Of the light theme, in a window of a small laptop.
+    void beSmall(double scale, QSize size = {1366, 768}) {
+        window.resize(size);
+        Theme::current().setScale(scale);
+        settle();
+    }
+    void settle() {
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
+        QCoreApplication::processEvents();
+    }
+    // From side to side: what is below the edge can be scrolled to.
+    static void expectInside(const QWidget& part, const QWidget& around, const char* what) {
+        const int left = part.mapTo(&around, QPoint()).x();
+        EXPECT_GE(left, 0) << what;
+        EXPECT_LE(left + part.width(), around.width()) << what;
+    }
+};
+
+TEST_F(WindowSmall, ThePaletteStandsInTheWindow) {
+    openPyramid();
+    for (const double scale : {1.0, 2.0, 3.0}) {
+        beSmall(scale);
+        window.actions()[ActionId::RunCommand]->trigger();
+        settle();
+        auto* palette = window.findChild<CommandPalette*>();
+        ASSERT_TRUE(palette->isVisible());
+        EXPECT_TRUE(window.rect().contains(palette->geometry())) << scale;
+        auto* field = find<QLineEdit>("commandField");
+        EXPECT_TRUE(window.rect().contains(QRect(field->mapTo(&window, QPoint()), field->size()))) << scale;
+        palette->close();
+    }
+}
+
+// A window without a window manager grows to what its panels need; one with it cuts them.
+TEST_F(WindowSmall, APanelThatOpensNeverMakesTheWindowLarger) {
+    openPyramid();
+    for (const double scale : {1.5, 2.0}) {
+        for (const PanelId id : {PanelId::Inspector, PanelId::Settings, PanelId::Algorithm, PanelId::Lesson,
+                                 PanelId::Tables, PanelId::Settings}) {
+            beSmall(scale);
+            const PanelDock& dock = window.docks()[id];
+            if (dock.isInFront()) dock.toggleViewAction()->trigger();
+            dock.toggleViewAction()->trigger();
+            settle();
+            EXPECT_EQ(window.size(), QSize(1366, 768)) << scale << ", " << dock.row().name;
+            EXPECT_TRUE(dock.isInFront()) << scale << ", " << dock.row().name;
+            expectInside(dock, window, dock.row().name);
+        }
+    }
+}
+
+TEST_F(WindowSmall, SettingsKeepTheirFieldsInTheirPanel) {
+    openPyramid();
+    for (const double scale : {1.0, 1.5, 2.0}) {
+        beSmall(scale);
+        const PanelDock& dock = window.docks()[PanelId::Settings];
+        if (!dock.isInFront()) dock.toggleViewAction()->trigger();
+        window.docks()[PanelId::Inspector].toggleViewAction()->trigger();
+        settle();
+        if (!dock.isInFront()) continue;  // the inspector has taken its room
+        const auto fields = dock.findChildren<NumberField*>();
+        EXPECT_FALSE(fields.isEmpty());
+        for (const NumberField* field : fields)
+            if (field->isVisible()) expectInside(*field, dock, "a number");
+    }
+}
+
+TEST_F(WindowSmall, TheStartPageIsNotCut) {
+    auto* page = window.findChild<StartPage*>();
+    for (const QSize size : {QSize(1280, 720), QSize(1366, 768)}) {
+        for (const double scale : {1.0, 1.5, 2.0}) {
+            beSmall(scale, size);
+            SCOPED_TRACE(testing::Message() << size.width() << " wide, text " << scale);
+            EXPECT_EQ(window.size(), size);
+            for (const QWidget* part : page->findChildren<QWidget*>())
+                if (part->isVisible() && !qobject_cast<const QScrollArea*>(part))
+                    expectInside(*part, *page, qPrintable(part->metaObject()->className() + part->objectName()));
+            for (const QLabel* label : page->findChildren<QLabel*>())
+                if (label->isVisible() && label->wordWrap() && !label->text().isEmpty()) {
+                    EXPECT_GE(label->height(), label->heightForWidth(label->width())) << label->text().toStdString();
+                }
+        }
+    }
+}
+
+TEST_F(WindowSmall, NoNameIsCutInTheTimeline) {
+    openPyramid();
+    for (const QSize size : {QSize(1280, 720), QSize(1366, 768), QSize(1600, 900)}) {
+        for (const double scale : {1.0, 1.5, 2.0}) {
+            beSmall(scale, size);
+            const auto* bar = window.findChild<StepBar*>();
+            const Theme& theme = Theme::current();
+            const StageNames names((bar->width() - 2 * theme.px(8) - 5 * theme.px(3)) / 6);
+            for (const QString& name : names.texts)
+                EXPECT_FALSE(name.contains(QChar(0x2026))) << name.toStdString() << ", text " << scale;
+            auto* words = find<QLabel>("stepWords");
+            EXPECT_EQ(words->text(), "whole frame") << size.width() << ", text " << scale;
+            EXPECT_LE(words->mapTo(&window, QPoint(words->width(), 0)).x(), window.width());
+        }
+    }
+}
+
+// Whatever the letters: the dialog stands on its screen, and each of its buttons stands in the dialog or is scrolled to.
+TEST_F(WindowSmall, DialogsStandOnTheirScreenWithTheirButtonsInReach) {
+    openPyramid();
+    const QSize room = window.screen()->availableSize();
+    for (const double scale : {1.0, 2.0, 3.0}) {
+        Theme::current().setScale(scale);
+        PreferencesDialog preferences(&window);
+        SlideDialog slide(document(), window.views(), *window.shown().now(), &window);
+        ExportDialog exports(document(), &window);
+        FilmDialog film(document(), {pipeline::BufferId::Color}, &window);
+        for (QDialog* dialog : std::initializer_list<QDialog*>{&preferences, &slide, &exports, &film}) {
+            dialog->show();
+            settle();
+            SCOPED_TRACE(testing::Message() << dialog->objectName().toStdString() << ", text " << scale);
+            EXPECT_LE(dialog->width(), room.width());
+            EXPECT_LE(dialog->height(), room.height());
+            for (const QPushButton* button : dialog->findChildren<QPushButton*>()) {
+                bool scrolls = false;
+                for (const QWidget* up = button->parentWidget(); up != dialog; up = up->parentWidget())
+                    scrolls |= qobject_cast<const QScrollArea*>(up) != nullptr;
+                if (scrolls || !button->isVisible()) continue;
+                EXPECT_TRUE(dialog->rect().contains(QRect(button->mapTo(dialog, QPoint()), button->size())))
+                    << button->text().toStdString();
+            }
+            dialog->hide();
+        }
+    }
+}
+
+}  // namespace
+}  // namespace app
