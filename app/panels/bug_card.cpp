@@ -1,5 +1,6 @@
 #include "app/panels/bug_card.h"
 
+#include <QAbstractTextDocumentLayout>
 #include <QAccessible>
 #include <QLabel>
 #include <QLineEdit>
@@ -7,12 +8,17 @@
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QTextBlock>
 #include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
 
 #include "app/core/text.h"
 #include "app/panels/bug_parts.h"
 #include "app/panels/bug_round.h"
 #include "app/panels/follow_theme.h"
+#include "app/panels/kept_in_sight.h"
+#include "app/panels/surface.h"
 
 namespace app {
 
@@ -62,18 +68,21 @@ void BugCard::makeFields() {
 
 void BugCard::layOut() {
     auto* scrolled = new QWidget(this);
+    scrolled->setProperty("kind", "page");
     auto* column = new QVBoxLayout(scrolled);
     for (QWidget* part : std::initializer_list<QWidget*>{m_heading, m_what, m_stage, m_causes, m_end, m_hint, m_count,
                                                          m_looks, m_pixel, m_text})
         column->addWidget(part);
-    auto* scroll = new QScrollArea(this);
-    scroll->setWidget(scrolled);
-    scroll->setWidgetResizable(true);
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll->setFocusPolicy(Qt::NoFocus);
+    m_scroll = scrolling(scrolled, this);
+    m_scroll->setFrameShape(QFrame::NoFrame);
+    m_sight = new KeptInSight(*m_scroll);
+    // The card alone scrolls: its text is as high as its lines.
+    m_text->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_looks->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    connect(m_text->document()->documentLayout(), &QAbstractTextDocumentLayout::documentSizeChanged, this,
+            &BugCard::fitText);
     auto* rows = new QVBoxLayout(this);
-    rows->addWidget(scroll, 1);
+    rows->addWidget(m_scroll, 1);
     rows->addWidget(m_foot);
     rows->addWidget(m_seed);
     followTheme(this, [this, column, rows] {
@@ -84,10 +93,18 @@ void BugCard::layOut() {
         rows->setSpacing(theme.px(6));
         setMinimumWidth(theme.px(280));
         m_looks->setFont(theme.mono(12));
-        m_looks->setFixedHeight(theme.px(84));
         m_text->setFont(theme.mono(12));
-        m_text->setMinimumHeight(theme.px(120));
+        fitText();
     });
+}
+
+// As its lines are laid out.
+void BugCard::fitText() {
+    const QTextDocument& text = *m_text->document();
+    double height = 2 * text.documentMargin();
+    for (QTextBlock block = text.begin(); block.isValid(); block = block.next())
+        height += std::max<double>(block.layout()->boundingRect().height(), m_text->fontMetrics().height());
+    m_text->setFixedHeight(int(std::ceil(height)) + m_text->height() - m_text->viewport()->height());
 }
 
 void BugCard::begin() {
@@ -100,6 +117,7 @@ void BugCard::begin() {
 
 void BugCard::say(const QString& text) {
     m_text->setPlainText(text);
+    m_sight->keep(m_text);
     QAccessibleEvent alert(m_text, QAccessible::Alert);
     QAccessible::updateAccessibility(&alert);
 }
@@ -112,7 +130,8 @@ void BugCard::showState() {
     const lessons::WrongPicture* game = m_round.game();
     const BugRound::Turn& turn = m_round.turn();
     const BugRound::Score& score = m_round.score();
-    for (QWidget* part : std::initializer_list<QWidget*>{m_count, m_looks, m_text}) part->setVisible(game);
+    for (QWidget* part : std::initializer_list<QWidget*>{m_count, m_text}) part->setVisible(game);
+    m_looks->hide();
     for (QWidget* part : std::initializer_list<QWidget*>{m_hint, m_pixel})
         part->setVisible(game && !m_round.isIn(Phase::Over));
     if (!game) {
@@ -144,7 +163,8 @@ void BugCard::showLooks() {
     m_looks->clear();
     for (std::size_t i = 0; i < looks.size(); ++i)
         m_looks->addItem(QStringLiteral("%1  %2").arg(i + 1).arg(toQString(looks[i])));
-    m_looks->scrollToBottom();
+    m_looks->setVisible(!looks.empty());
+    m_looks->setFixedHeight(int(looks.size()) * std::max(1, m_looks->sizeHintForRow(0)) + 2 * m_looks->frameWidth());
 }
 
 }  // namespace app

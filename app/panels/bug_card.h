@@ -7,6 +7,7 @@ class QLineEdit;
 class QListWidget;
 class QPlainTextEdit;
 class QPushButton;
+class QScrollArea;
 
 namespace app {
 
@@ -33,6 +34,7 @@ private:
     void showState();
     void showLooks();
     void say(const QString& text);
+    void fitText();
     void begin();  // with the seed that was typed
 
     BugRound& m_round;
@@ -42,6 +44,8 @@ private:
     QLabel *m_heading, *m_what, *m_count, *m_foot;
     QListWidget* m_looks;
     QPlainTextEdit* m_text;
+    QScrollArea* m_scroll;
+    class KeptInSight* m_sight;
     QLineEdit *m_pixel, *m_seed;
     QPushButton* m_hint;
 };

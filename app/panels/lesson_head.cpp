@@ -58,6 +58,7 @@ LessonHead::LessonHead(const LessonRun& run, QWidget* parent)
       m_run(run),
       m_all(new QPushButton(tr("All lessons"), this)),
       m_title(new ElidedLabel(this)),
+      m_whole(new QLabel(this)),
       m_place(new QLabel(this)),
       m_points(new QLabel(this)),
       m_only(new QToolButton(this)),
@@ -87,27 +88,46 @@ LessonHead::LessonHead(const LessonRun& run, QWidget* parent)
     below->addWidget(m_points);
     auto* column = new QVBoxLayout(this);
     column->addLayout(top);
+    column->addWidget(m_whole);
     column->addWidget(m_segments);
     column->addLayout(below);
+    m_whole->setObjectName("lessonWholeTitle");
+    m_whole->setWordWrap(true);
+    m_whole->setTextFormat(Qt::PlainText);
     connect(m_all, &QPushButton::clicked, this, &LessonHead::leaveAsked);
     connect(m_close, &QToolButton::clicked, this, &LessonHead::leaveAsked);
     followTheme(this, [this, top, column] {
         const Theme& theme = Theme::current();
-        m_title->setFont(theme.text(13, 600));
+        for (QLabel* label : {m_title, m_whole}) label->setFont(theme.text(13, 600));
         for (QLabel* label : {m_place, m_points}) label->setFont(theme.text(12));
         m_only->setFont(theme.text(12));
         m_all->setMinimumWidth(m_all->fontMetrics().horizontalAdvance(m_all->text()) + theme.px(12));
         top->setSpacing(theme.px(6));
         column->setContentsMargins(theme.px(14), theme.px(6), theme.px(10), theme.px(6));
         column->setSpacing(theme.px(4));
+        fitTitle();
     });
+}
+
+// Below the buttons, on lines of its own, where there is no room between them.
+void LessonHead::fitTitle() {
+    const bool fits = m_title->fontMetrics().horizontalAdvance(m_whole->text()) <= m_title->width();
+    m_title->setText(fits ? m_whole->text() : QString());
+    m_whole->setVisible(!fits);
+}
+
+void LessonHead::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    layout()->activate();
+    fitTitle();
 }
 
 void LessonHead::showRun() {
     if (!m_run.lesson()) return;
     const lessons::Lesson& lesson = *m_run.lesson();
     const int returning = int(returningPages(lesson)), pages = m_run.pageCount() - returning;
-    m_title->setText(toQString(lesson.title));
+    m_whole->setText(toQString(lesson.title));
+    fitTitle();
     m_place->setText(m_run.isAtEnd()        ? tr("%1 pages").arg(pages)
                      : m_run.current().from ? tr("Question %1 of %2 that returns").arg(m_run.page() + 1).arg(returning)
                                             : tr("Page %1 of %2").arg(m_run.page() + 1 - returning).arg(pages));

@@ -35,10 +35,15 @@ public:
 signals:
     void leaveAsked();  // to all lessons, or to one's own scene
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
+    void fitTitle();
+
     const LessonRun& m_run;
     QPushButton* m_all;
-    QLabel *m_title, *m_place, *m_points;
+    QLabel *m_title, *m_whole, *m_place, *m_points;
     QToolButton *m_only, *m_close;
     PageSegments* m_segments;
 };

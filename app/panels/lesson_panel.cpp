@@ -19,11 +19,13 @@
 #include "app/panels/fitting_stack.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/handout_button.h"
+#include "app/panels/kept_in_sight.h"
 #include "app/panels/lesson_end.h"
 #include "app/panels/lesson_head.h"
 #include "app/panels/lesson_page.h"
 #include "app/panels/lesson_results_dialog.h"
 #include "app/panels/question_card.h"
+#include "app/panels/surface.h"
 
 namespace app {
 
@@ -83,12 +85,7 @@ QWidget* LessonPanel::makeList() {
 QWidget* LessonPanel::makeLesson() {
     auto* all = new QWidget(this);
     m_head = new LessonHead(m_run, all);
-    m_scroll = new QScrollArea(all);
-    m_scroll->setWidgetResizable(true);
-    m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    m_scroll->setFrameShape(QFrame::NoFrame);
-    m_scroll->setFocusPolicy(Qt::NoFocus);
-    auto* content = new QWidget(m_scroll);
+    auto* content = new QWidget(all);
     auto* column = new QVBoxLayout(content);
     column->setContentsMargins(0, 0, 0, 0);
     m_page = new LessonPage(m_run, m_document, content);
@@ -100,7 +97,8 @@ QWidget* LessonPanel::makeLesson() {
     below->addWidget(handout);
     below->addStretch(1);
     column->addLayout(below);
-    m_scroll->setWidget(content);
+    m_scroll = scrolling(content, all);
+    m_scroll->setFrameShape(QFrame::NoFrame);
     content->setAutoFillBackground(false);  // the dock's surface shows through
     m_foot = new LessonFoot(m_run, all);
     auto* rows = new QVBoxLayout(all);
@@ -118,9 +116,8 @@ QWidget* LessonPanel::makeLesson() {
     QuestionCard& card = m_page->card();
     connect(&card, &QuestionCard::settled, this, &LessonPanel::settle);
     connect(&card, &QuestionCard::said, &m_document, &Document::said);
-    // What is said to an answer stands below it, and has its place once it is laid out.
-    const auto showNote = [this, &card] { m_scroll->ensureWidgetVisible(&card.note()); };
-    connect(&card, &QuestionCard::said, this, showNote, Qt::QueuedConnection);
+    m_sight = new KeptInSight(*m_scroll);  // what is said to an answer stands below it
+    connect(&card, &QuestionCard::said, m_sight, [this, &card] { m_sight->keep(&card.note()); });
     connect(&card, &QuestionCard::failed, m_errors, &ErrorList::report);
     connect(&card, &QuestionCard::adviceChanged, this, [this, &card] {
         if (!card.advice().isEmpty()) emit m_document.said(card.advice());
@@ -210,6 +207,7 @@ void LessonPanel::showPage() {
         m_page->setVisible(!atEnd);
         m_end->setVisible(atEnd);
         atEnd ? m_end->showRun() : m_page->showPage();
+        m_sight->keep(nullptr);
         m_scroll->verticalScrollBar()->setValue(0);
         m_head->showRun();
         m_foot->showRun();

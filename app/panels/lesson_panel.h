@@ -76,6 +76,7 @@ private:
     LessonEnd* m_end = nullptr;
     LessonFoot* m_foot = nullptr;
     HandoutButton* m_handout = nullptr;
+    class KeptInSight* m_sight;
     bool m_keysWait = false;  // for the page that opens
 };
 

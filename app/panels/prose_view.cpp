@@ -83,7 +83,8 @@ void ProseView::typeset() {
         format.setTopMargin(0);
         format.setNonBreakableLines(false);  // lines of code wrap as well: the column does not scroll sideways
         const bool inList = block.textList() && block.next().textList();
-        format.setBottomMargin(block.next().isValid() ? theme.px(inList ? 2 : 8) : 0);
+        const bool inCode = isCode(block) && isCode(block.next());
+        format.setBottomMargin(block.next().isValid() ? theme.px(inCode ? 0 : inList ? 2 : 8) : 0);
         QTextCursor(block).setBlockFormat(format);
     }
     markVectors();

@@ -81,6 +81,7 @@ QWidget* RendererPanel::makeParts() {
     QVBoxLayout* column = tightColumn(all);
     column->addWidget(head);
     column->addWidget(body, 1);
+    column->addStretch(0);  // below the head while there is nothing to say yet
     connect(head, &RendererHead::folderAsked, this, &RendererPanel::folderAsked);
     connect(body, &RendererBody::lessonAsked, this, &RendererPanel::lessonAsked);
     return all;

@@ -4,7 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
+#include <QListWidget>
+#include <QPlainTextEdit>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QTest>
 #include <algorithm>
 
@@ -51,6 +54,22 @@ protected:
 TEST_F(BugPanelTest, TheSameSeedGivesThePicturesOfTheCommand) {
     EXPECT_EQ(panel.round().game()->riddle().defect, lessons::makeRiddle(kSeed, 0)->defect);
     EXPECT_EQ(panel.round().game()->riddle().causes, lessons::makeRiddle(kSeed, 0)->causes);
+}
+
+// The card scrolls as a whole: nothing in it has a scroll bar of its own.
+TEST_F(BugPanelTest, NothingScrollsInsideOfTheCard) {
+    panel.resize(1280, 720);
+    auto* text = panel.findChild<QPlainTextEdit*>("bugText");
+    auto* looks = panel.findChild<QListWidget*>("bugLooks");
+    EXPECT_FALSE(looks->isVisible()) << "there is none yet";
+    for (const BufferId id : {BufferId::Normal, BufferId::Depth, BufferId::ObjectId, BufferId::Overdraw}) {
+        panel.round().look(pipeline::BufferName{id});
+        ASSERT_TRUE(wait());
+        QCoreApplication::processEvents();
+        EXPECT_EQ(text->verticalScrollBar()->maximum(), 0) << text->toPlainText().toStdString();
+        EXPECT_TRUE(looks->isVisible());
+        EXPECT_EQ(looks->verticalScrollBar()->maximum(), 0) << looks->count();
+    }
 }
 
 TEST_F(BugPanelTest, ThePictureIsFreeAndABufferIsALookOnce) {

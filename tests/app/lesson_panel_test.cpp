@@ -13,6 +13,7 @@
 #include <QLineEdit>
 #include <QListView>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QSettings>
 #include <QSignalSpy>
 #include <QTemporaryDir>
@@ -117,6 +118,41 @@ TEST_F(LessonPanelTest, AnswersAreCheckedAgainstThePagesOwnFrame) {
     EXPECT_FALSE(document.history().stack()->canUndo()) << "a page is no step of undo";
     answer("310");
     EXPECT_TRUE(comment().contains("is 310.673")) << comment().toStdString();
+}
+
+// In a low panel too, and below a long page: what is said to an answer is seen without scrolling.
+TEST_F(LessonPanelTest, WhatIsSaidToAnAnswerIsInSight) {
+    ASSERT_TRUE(panel->open("pyramid"));
+    for (const int height : {700, 400, 300}) {
+        panel->resize(420, height);
+        goTo(1);
+        auto* area = panel->findChild<QScrollArea*>();
+        answer(qPrintable(QString::number(height)));
+        ASSERT_TRUE(QTest::qWaitFor([&] { return !comment().isEmpty(); }, 10000));
+        const QTextBrowser& said = part<QTextBrowser>("comment");
+        const auto isInSight = [&] {
+            const int top = said.mapTo(area->viewport(), QPoint()).y();
+            return top >= 0 &&
+                   top + std::min(said.height(), area->viewport()->height() / 2) <= area->viewport()->height();
+        };
+        EXPECT_TRUE(QTest::qWaitFor(isInSight, 2000)) << height << " high";
+    }
+}
+
+// Large letters: the name of the lesson stands whole, on lines of its own.
+TEST_F(LessonPanelTest, TheTitleIsNotCut) {
+    ASSERT_TRUE(panel->open("pyramid"));
+    for (const double scale : {1.0, 1.5, 2.0}) {
+        app::Theme::current().setScale(scale);
+        QCoreApplication::processEvents();
+        const QLabel& whole = part<QLabel>("lessonWholeTitle");
+        if (!whole.isVisible()) continue;  // it fits between the buttons
+        EXPECT_EQ(whole.text(), "The pyramid from its file to its last pixel");
+        EXPECT_GE(whole.height(), whole.heightForWidth(whole.width())) << scale;
+        EXPECT_LE(whole.mapTo(panel.get(), QPoint(whole.width(), 0)).x(), panel->width()) << scale;
+    }
+    EXPECT_TRUE(part<QLabel>("lessonWholeTitle").isVisible()) << "at 200 % it does not fit between the buttons";
+    app::Theme::current().setScale(1);
 }
 
 TEST_F(LessonPanelTest, TheHintIsFilledInAndCosts) {
