@@ -1,5 +1,8 @@
 #pragma once
+#include <QPainter>
 #include <QStyledItemDelegate>
+
+#include "app/core/theme.h"
 
 namespace app {
 
@@ -8,6 +11,16 @@ namespace app {
 class AiryCells : public QStyledItemDelegate {
 public:
     using QStyledItemDelegate::QStyledItemDelegate;
+
+    // A selected row keeps its colours, as that of a verdict: a style sheet's would take their place.
+    void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+        QStyleOptionViewItem plain = option;
+        if (option.state.testFlag(QStyle::State_Selected)) {
+            painter->fillRect(option.rect, Theme::current().colors().tint);
+            plain.state &= ~(QStyle::State_Selected | QStyle::State_MouseOver | QStyle::State_HasFocus);
+        }
+        QStyledItemDelegate::paint(painter, plain, index);
+    }
 
 protected:
     void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override {

@@ -2,6 +2,7 @@
 
 #include <QHeaderView>
 #include <QKeyEvent>
+#include <QScrollBar>
 #include <QSignalBlocker>
 #include <algorithm>
 #include <array>
@@ -47,6 +48,8 @@ CheckCases::CheckCases(QWidget* parent) : QTableWidget(0, kColumns, parent) {
     followTheme(this, [this] {
         verticalHeader()->setDefaultSectionSize(Theme::current().px(26));
         horizontalHeader()->setMinimumSectionSize(Theme::current().px(48));
+        // Case, naive, verdict, and titles of sixteen letters.
+        setMinimumWidth(Theme::current().px(52 + 168 + 88 + 136) + verticalScrollBar()->sizeHint().width());
         layOut();
     });
     connect(this, &QTableWidget::currentCellChanged, this, [this](int row) {
@@ -59,13 +62,13 @@ CheckCases::CheckCases(QWidget* parent) : QTableWidget(0, kColumns, parent) {
 // contents would be found anew for every cell. Where there is little room, what the details say as well goes first.
 void CheckCases::layOut() {
     const Theme& theme = Theme::current();
-    constexpr std::array kWidths{std::pair(Id, 52),    std::pair(Naive, 168), std::pair(Ours, 112),
-                                 std::pair(Bound, 88), std::pair(EndsIn, 68), std::pair(Verdict, 88)};
+    constexpr std::array kWidths{std::pair(Id, 52),    std::pair(Naive, 168), std::pair(Verdict, 88),
+                                 std::pair(Bound, 88), std::pair(EndsIn, 68), std::pair(Ours, 112)};
     int left = viewport()->width() - theme.px(200);  // for the titles
     for (const auto& [column, width] : kWidths) left -= theme.px(width);
     for (const auto& [column, width] : kWidths) {
         setColumnWidth(column, theme.px(width));
-        const bool goes = left < 0 && (column == Bound || column == EndsIn);
+        const bool goes = left < 0 && (column == Bound || column == EndsIn || column == Ours);
         if (goes) left += theme.px(width);
         setColumnHidden(column, goes);
     }

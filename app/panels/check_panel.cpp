@@ -1,12 +1,10 @@
 #include "app/panels/check_panel.h"
 
-#include <QApplication>
-#include <QClipboard>
+#include <QComboBox>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QSplitter>
 #include <QVBoxLayout>
 #include <algorithm>
 
@@ -14,9 +12,9 @@
 #include "app/panels/check_details.h"
 #include "app/panels/check_knob.h"
 #include "app/panels/check_pictures.h"
+#include "app/panels/folding_panes.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/segmented.h"
-#include "app/panels/surface.h"
 
 namespace app {
 
@@ -34,18 +32,15 @@ CheckPanel::CheckPanel(Document& document, QWidget* parent)
     m_selected =
         std::size_t(std::ranges::find_if(caseTable(), [](const Case& one) { return !one.knob.label.empty(); }) -
                     caseTable().begin());
-    auto* splitter = new QSplitter(Qt::Horizontal, this);
-    splitter->addWidget(makeLeft());
-    splitter->addWidget(makeRight());
-    splitter->setChildrenCollapsible(false);
-    splitter->setSizes({Theme::current().px(860), Theme::current().px(820)});
+    const QList<QWidget*> parts{makeLeft(), makeRight()};
+    auto* panes = new FoldingPanes(parts, {tr("Cases"), tr("Details")}, this);
+    panes->setWishes({860, 820});
     auto* column = new QVBoxLayout(this);
-    column->addWidget(splitter);
+    column->addWidget(panes);
     connect(&document, &Document::sceneOpened, this, [this] { m_open.reset(); });
-    followTheme(this, [this, column, splitter] {
+    followTheme(this, [this, column] {
         const Theme& theme = Theme::current();
         column->setContentsMargins(theme.px(8), theme.px(8), theme.px(8), theme.px(8));
-        splitter->setHandleWidth(theme.px(8));
         setStyleSheet(QStringLiteral("#checkPanel { background: %1; }").arg(theme.colors().bg.name()));
         setGroup(m_group);  // the table's colours and fonts
     });
@@ -53,91 +48,6 @@ CheckPanel::CheckPanel(Document& document, QWidget* parent)
 }
 
 CheckPanel::~CheckPanel() = default;
-
-QWidget* CheckPanel::makeLeft() {
-    auto* content = new QWidget(this);
-    m_head = new QLabel(content);
-    m_head->setObjectName("checkHead");
-    m_bar = new QProgressBar(content);
-    m_bar->setTextVisible(false);
-    m_bar->setAccessibleName(tr("Cases that have run"));
-    m_groups = new Segmented(
-        {tr("All"), tr("Geometry"), tr("Camera"), tr("Raster"), tr("Depth"), tr("Shading"), tr("Shadow"), tr("Limits")},
-        content);
-    m_groups->setAccessibleName(tr("Group of cases"));
-    m_groups->setCurrent(0);
-    m_cases = new CheckCases(content);
-    m_runAll = new QPushButton(tr("Run all again"), content);
-    m_runAll->setObjectName("checkRunAll");
-    m_runAll->setProperty("kind", "primary");
-    m_runOne = new QPushButton(tr("Run this case"), content);
-    m_runOne->setObjectName("checkRunOne");
-    m_copy = new QPushButton(tr("Copy"), content);
-    m_copy->setObjectName("checkCopy");
-    m_command = new QLabel(content);
-    m_command->setObjectName("checkCommand");
-    m_command->setProperty("tone", 2);
-    m_command->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    m_command->setMinimumWidth(1);  // its words are no reason for a wide window
-    auto* foot = new QHBoxLayout;
-    for (QPushButton* button : {m_runAll, m_runOne, m_copy}) foot->addWidget(button);
-    m_command->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    foot->addWidget(m_command, 1);
-    auto* column = new QVBoxLayout(content);
-    column->addWidget(m_head);
-    column->addWidget(m_bar);
-    column->addWidget(m_groups);
-    column->addWidget(m_cases, 1);
-    column->addLayout(foot);
-    connect(m_groups, &Segmented::chosen, this,
-            [this](int choice) { setGroup(choice == 0 ? std::nullopt : std::optional(Group(choice - 1))); });
-    connect(m_cases, &CheckCases::chosen, this, &CheckPanel::select);
-    connect(m_cases, &CheckCases::openAsked, this, &CheckPanel::openAsScene);
-    connect(m_runAll, &QPushButton::clicked, this, [this] { run({}); });
-    connect(m_runOne, &QPushButton::clicked, this, [this] { run({{std::string(chosenCase().id)}, {}}); });
-    connect(m_copy, &QPushButton::clicked, this, [this] { QApplication::clipboard()->setText(report()); });
-    followTheme(content, [this, column, foot] {
-        const Theme& theme = Theme::current();
-        column->setContentsMargins(theme.px(12), theme.px(10), theme.px(12), theme.px(12));
-        column->setSpacing(theme.px(8));
-        foot->setSpacing(theme.px(8));
-        m_head->setFont(theme.text(15, 600));
-        m_bar->setFixedHeight(theme.px(4));
-        m_command->setFont(theme.mono(12));
-    });
-    return surface(content, this);
-}
-
-QWidget* CheckPanel::makeRight() {
-    auto* content = new QWidget(this);
-    m_details = new CheckDetails(content);
-    m_message = new QLabel(content);
-    m_message->setObjectName("checkMessage");
-    m_message->setWordWrap(true);
-    m_message->hide();
-    m_pictures = new CheckPictures(content);
-    m_knob = new CheckKnob(content);
-    m_noKnob = new QLabel(tr("Nothing in this case can be turned: it is as stiff as it is."), content);
-    m_noKnob->setAlignment(Qt::AlignCenter);
-    m_noKnob->setProperty("tone", 2);
-    auto* column = new QVBoxLayout(content);
-    column->addWidget(m_details);
-    column->addWidget(m_message);
-    column->addWidget(m_pictures, 2);
-    column->addWidget(m_knob, 2);
-    column->addWidget(m_noKnob);
-    column->addStretch(0);
-    connect(m_details, &CheckDetails::openAsked, this, &CheckPanel::openAsScene);
-    connect(m_knob, &CheckKnob::changed, this, &CheckPanel::turnKnob);
-    followTheme(content, [this, column] {
-        const int margin = Theme::current().px(12);
-        column->setContentsMargins(0, 0, 0, 0);
-        m_message->setContentsMargins(margin, 0, margin, 0);
-    });
-    auto* area = scrolling(content, this);
-    followTheme(area, [area, content] { area->setMinimumWidth(content->minimumSizeHint().width()); });
-    return surface(area, this);
-}
 
 const Case& CheckPanel::chosenCase() const { return caseTable()[m_selected]; }
 
@@ -174,9 +84,12 @@ void CheckPanel::finish(double seconds, bool cancelled) {
     showState();
 }
 
+void CheckPanel::chooseGroup(int choice) { setGroup(choice == 0 ? std::nullopt : std::optional(Group(choice - 1))); }
+
 void CheckPanel::setGroup(std::optional<Group> group) {
     m_group = group;
     m_groups->setCurrent(group ? int(*group) + 1 : 0);
+    m_groupList->setCurrentIndex(m_groups->current());
     m_cases->setCases(m_results, group);
     if (!m_cases->contains(m_selected)) {
         const auto table = caseTable();

@@ -7,6 +7,7 @@
 #include "app/core/document.h"
 #include "app/panels/check_cases.h"
 
+class QComboBox;
 class QLabel;
 class QProgressBar;
 class QPushButton;
@@ -42,11 +43,14 @@ protected:
     void showEvent(QShowEvent* event) override;
     void closeEvent(QCloseEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     QWidget* makeLeft();
     QWidget* makeRight();
     const pipeline::check::Case& chosenCase() const;
+    void chooseGroup(int choice);  // 0: all
+    void fitGroups();
     void take(const pipeline::check::CaseResult& result);
     void finish(double seconds, bool cancelled);
     void showSelected();
@@ -70,6 +74,7 @@ private:
     QProgressBar* m_bar;
     QPushButton *m_runAll, *m_runOne, *m_copy;
     Segmented* m_groups;
+    QComboBox* m_groupList;  // the same where there is no room for it
     CheckCases* m_cases;
     CheckDetails* m_details;
     CheckKnob* m_knob;

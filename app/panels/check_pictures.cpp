@@ -48,11 +48,16 @@ CheckPictures::CheckPictures(QWidget* parent) : QWidget(parent) {
 CheckPictures::~CheckPictures() = default;
 
 void CheckPictures::setScene(const pipeline::check::Case& which, std::shared_ptr<const Scene> scene) {
-    setVisible(scene != nullptr);
     m_tickets = {};
     m_shown = {};
     m_difference->clear();
+    const auto naive = scene ? withNaiveForm(which, *scene) : std::nullopt;
+    setVisible(scene != nullptr);
+    // One picture alone compares nothing, and the plot has use for its room.
+    for (PictureFrame* frame : m_frames) frame->setVisible(naive.has_value());
     if (!scene) return;
+    if (!naive)
+        return m_difference->setText(tr("No setting of the stages is the naive form: its numbers stand above."));
     const auto ask = [this](Form form, std::shared_ptr<const Scene> wanted) {
         pipeline::FrameRequest request;
         request.wanted = pipeline::setOf({BufferId::Color});
@@ -60,12 +65,7 @@ void CheckPictures::setScene(const pipeline::check::Case& which, std::shared_ptr
         m_tickets[form] = m_workers[form]->request(std::move(wanted), request, FrameWorker::Running::Finish);
     };
     m_captions = {tr("Naive: %1").arg(toQString(which.naiveWith)), tr("Ours")};
-    const auto naive = withNaiveForm(which, *scene);
-    m_frames[Naive]->setVisible(naive.has_value());
-    if (naive)
-        ask(Naive, std::make_shared<const Scene>(*naive));
-    else
-        m_difference->setText(tr("No setting of the stages is the naive form: its numbers stand above."));
+    ask(Naive, std::make_shared<const Scene>(*naive));
     ask(Ours, std::move(scene));
 }
 

@@ -63,19 +63,21 @@ void BlameBars::paintEvent(QPaintEvent*) {
 }
 
 StudyDetails::StudyDetails(QWidget* parent) : QWidget(parent) {
-    const auto label = [this](int tone) {
-        auto* made = new QLabel(this);
+    m_blamePart = new QWidget(this), m_errorPart = new QWidget(this);
+    for (QWidget* part : {m_blamePart, m_errorPart}) part->setProperty("kind", "page");
+    const auto label = [](QWidget* part, int tone) {
+        auto* made = new QLabel(part);
         made->setWordWrap(true);
         if (tone > 1) made->setProperty("tone", tone);
         return made;
     };
-    m_blameTitle = label(1);
-    m_blameText = label(2);
-    m_errorTitle = label(1);
+    m_blameTitle = label(m_blamePart, 1);
+    m_blameText = label(m_blamePart, 2);
+    m_errorTitle = label(m_errorPart, 1);
     m_blameTitle->setText(tr("Which stage is to blame"));
     m_errorTitle->setText(tr("Every buffer of the selected point"));
-    m_blame = new BlameBars(this);
-    m_errors = new QTableWidget(this);
+    m_blame = new BlameBars(m_blamePart);
+    m_errors = new QTableWidget(m_errorPart);
     m_errors->setObjectName("studyErrors");
     m_errors->setAccessibleName(m_errorTitle->text());
     m_errors->setTabKeyNavigation(false);
@@ -90,21 +92,37 @@ StudyDetails::StudyDetails(QWidget* parent) : QWidget(parent) {
     m_errors->horizontalHeader()->setHighlightSections(false);
     m_errors->setColumnCount(5);
     m_errors->setHorizontalHeaderLabels({tr("Buffer"), tr("Measure"), tr("Model"), tr("Arithmetic"), tr("Storage")});
+    auto* blame = new QVBoxLayout(m_blamePart);
+    for (QWidget* part :
+         {static_cast<QWidget*>(m_blameTitle), static_cast<QWidget*>(m_blameText), static_cast<QWidget*>(m_blame)})
+        blame->addWidget(part);
+    blame->addStretch(1);
+    auto* errors = new QVBoxLayout(m_errorPart);
+    errors->addWidget(m_errorTitle);
+    errors->addWidget(m_errors, 1);
     auto* column = new QVBoxLayout(this);
-    for (QWidget* part : {static_cast<QWidget*>(m_blameTitle), static_cast<QWidget*>(m_blameText),
-                          static_cast<QWidget*>(m_blame), static_cast<QWidget*>(m_errorTitle)})
-        column->addWidget(part);
-    column->addWidget(m_errors, 1);
-    followTheme(this, [this, column] {
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    unite();
+    followTheme(this, [this, blame, errors] {
         const Theme& theme = Theme::current();
         m_blameTitle->setFont(theme.text(13, 600));
         m_errorTitle->setFont(theme.text(13, 600));
         m_blameText->setFont(theme.text(12));
         m_errors->verticalHeader()->setDefaultSectionSize(theme.px(28));
-        column->setContentsMargins(theme.px(12), theme.px(8), theme.px(12), theme.px(8));
-        column->setSpacing(theme.px(6));
+        for (QVBoxLayout* part : {blame, errors}) {
+            part->setContentsMargins(theme.px(12), theme.px(8), theme.px(12), theme.px(8));
+            part->setSpacing(theme.px(6));
+        }
     });
     setPoint(nullptr, {});
+}
+
+void StudyDetails::unite() {
+    auto* column = static_cast<QVBoxLayout*>(layout());
+    column->addWidget(m_blamePart);
+    column->addWidget(m_errorPart, 1);
+    m_blamePart->show(), m_errorPart->show();
 }
 
 void StudyDetails::setPoint(const pipeline::StudyPoint* point, const std::string& label) {

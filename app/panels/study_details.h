@@ -31,8 +31,13 @@ public:
 
     // null: nothing is chosen.
     void setPoint(const pipeline::StudyPoint* point, const std::string& label);
+    // What it shows, to stand elsewhere one at a time; unite() takes both back.
+    QWidget& blame() { return *m_blamePart; }
+    QWidget& errors() { return *m_errorPart; }
+    void unite();
 
 private:
+    QWidget *m_blamePart, *m_errorPart;
     QLabel *m_blameTitle, *m_blameText, *m_errorTitle;
     BlameBars* m_blame;
     QTableWidget* m_errors;

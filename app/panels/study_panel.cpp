@@ -3,10 +3,10 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QPushButton>
-#include <QSplitter>
 #include <QVBoxLayout>
 
 #include "app/core/text.h"
+#include "app/panels/folding_panes.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/study_choice.h"
 #include "app/panels/study_details.h"
@@ -16,7 +16,6 @@
 #include "app/panels/study_run.h"
 #include "app/panels/study_sweep.h"
 #include "app/panels/study_words.h"
-#include "app/panels/surface.h"
 #include "pipeline/study/analysis_text.h"
 
 namespace app {
@@ -27,16 +26,11 @@ using pipeline::StudyReport;
 StudyPanel::StudyPanel(Document& document, QWidget* parent) : QWidget(parent), m_document(document) {
     setObjectName("studyPanel");
     setWindowTitle(tr("Error against run time"));
-    auto* splitter = new QSplitter(Qt::Horizontal, this);
-    splitter->addWidget(makeLeft());
-    splitter->addWidget(makeMiddle());
-    splitter->addWidget(makeRight());
-    splitter->setStretchFactor(1, 1);
-    splitter->setChildrenCollapsible(false);
-    const Theme& now = Theme::current();
-    splitter->setSizes({now.px(300), now.px(840), now.px(540)});
+    const QList<QWidget*> parts{makeLeft(), makeMiddle(), makeRight()};
+    auto* panes = new FoldingPanes(parts, {tr("Set up"), tr("Plot"), tr("Points")}, this);
+    panes->setWishes({300, 780, 600});
     auto* column = new QVBoxLayout(this);
-    column->addWidget(splitter);
+    column->addWidget(panes);
     connect(m_sweep, &StudySweep::changed, this, [this] { m_run->setSweep(m_sweep->sweep()); });
     connect(m_run, &StudyRun::reported, this, &StudyPanel::setReport);
     connect(m_choice, &StudyChoice::changed, this, &StudyPanel::analyse);
@@ -45,10 +39,10 @@ StudyPanel::StudyPanel(Document& document, QWidget* parent) : QWidget(parent), m
     connect(m_pictures, &StudyPicturesView::useAsked, this, &StudyPanel::use);
     connect(&m_images, &StudyImages::ready, m_pictures, &StudyPicturesView::setPictures);
     connect(&document, &Document::sceneChanged, this, &StudyPanel::showSelected);
-    followTheme(this, [this, column, splitter] {
+    followTheme(this, [this, column] {
         const Theme& theme = Theme::current();
         column->setContentsMargins(theme.px(8), theme.px(8), theme.px(8), theme.px(8));
-        splitter->setHandleWidth(theme.px(8));
+        placePictures();
         setStyleSheet(QStringLiteral("#studyPanel { background: %1; }").arg(theme.colors().bg.name()));
         analyse();
     });
@@ -67,68 +61,6 @@ void StudyPanel::keyPressEvent(QKeyEvent* event) {
         m_run->cancel();
     else
         close();
-}
-
-QWidget* StudyPanel::makeLeft() {
-    auto* content = new QWidget;
-    content->setProperty("kind", "page");
-    auto* column = new QVBoxLayout(content);
-    m_sweep = new StudySweep(m_document, content);
-    m_run = new StudyRun(m_document, content);
-    m_choice = new StudyChoice(content);
-    m_words = new StudyWords(content);
-    m_message = new QLabel(content);
-    m_message->setObjectName("studyMessage");
-    m_message->setWordWrap(true);
-    m_message->hide();
-    auto* open = new QPushButton(tr("Open a study"), content);
-    open->setToolTip(tr("Shows a study.json that the window or the command study wrote."));
-    m_export = new QPushButton(tr("Export"), content);
-    m_export->setObjectName("studyExport");
-    auto* files = new QHBoxLayout;
-    files->addWidget(open);
-    files->addWidget(m_export);
-    for (QWidget* part :
-         {static_cast<QWidget*>(m_sweep), static_cast<QWidget*>(m_run), static_cast<QWidget*>(m_choice)})
-        column->addWidget(part);
-    column->addLayout(files);
-    column->addWidget(m_message);
-    column->addWidget(m_words);
-    column->addStretch(1);
-    connect(open, &QPushButton::clicked, this, &StudyPanel::openFile);
-    connect(m_export, &QPushButton::clicked, this, &StudyPanel::exportFiles);
-    auto* area = scrolling(content, this);
-    followTheme(content, [column, area] {
-        const Theme& theme = Theme::current();
-        column->setContentsMargins(theme.px(12), theme.px(12), theme.px(12), theme.px(12));
-        column->setSpacing(theme.px(16));
-        area->setMinimumWidth(theme.px(296));
-    });
-    return surface(area, this);
-}
-
-QWidget* StudyPanel::makeMiddle() {
-    auto* splitter = new QSplitter(Qt::Vertical, this);
-    m_plot = new StudyPlot(splitter);
-    m_pictures = new StudyPicturesView(splitter);
-    splitter->addWidget(surface(m_plot, splitter));
-    splitter->addWidget(surface(m_pictures, splitter));
-    splitter->setStretchFactor(0, 2);
-    splitter->setStretchFactor(1, 1);
-    splitter->setChildrenCollapsible(false);
-    return splitter;
-}
-
-QWidget* StudyPanel::makeRight() {
-    auto* splitter = new QSplitter(Qt::Vertical, this);
-    m_points = new StudyPoints(splitter);
-    m_details = new StudyDetails;
-    splitter->addWidget(surface(m_points, splitter));
-    splitter->addWidget(surface(scrolling(m_details, splitter), splitter));
-    splitter->setChildrenCollapsible(false);
-    // With the left side and the plot it fits a screen of 1280 by 720 in the projector's letters.
-    followTheme(splitter, [splitter] { splitter->setMinimumWidth(Theme::current().px(300)); });
-    return splitter;
 }
 
 void StudyPanel::setReport(StudyReport report) {

@@ -8,6 +8,7 @@
 class QLabel;
 class QPushButton;
 class QSplitter;
+class QTabWidget;
 
 namespace app {
 
@@ -40,11 +41,13 @@ protected:
     void showEvent(QShowEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void hideEvent(QHideEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     QWidget* makeLeft();
     QWidget* makeMiddle();
     QWidget* makeRight();
+    void placePictures();
     void analyse();
     void showSelected();
     void tell(const QString& words);
@@ -65,6 +68,9 @@ private:
     StudyPicturesView* m_pictures;
     StudyPoints* m_points;
     StudyDetails* m_details;
+    QSplitter* m_middle;
+    QTabWidget* m_tabs;  // below the points
+    QWidget* m_picturesFrame;
     QLabel* m_message;
     QPushButton* m_export;
 };

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "app/core/numbers.h"
+#include "app/panels/elided_label.h"
 #include "app/panels/follow_theme.h"
 
 namespace app {
@@ -48,15 +49,18 @@ void PictureFrame::paintEvent(QPaintEvent*) {
 }
 
 StudyPicturesView::StudyPicturesView(QWidget* parent) : QWidget(parent) {
-    m_title = new QLabel(this);
-    m_numbers = new QLabel(this);
+    m_title = new ElidedLabel(this);
+    m_numbers = new ElidedLabel(this);
     m_numbers->setProperty("tone", 2);
     m_use = new QPushButton(tr("Use these settings"), this);
     m_use->setObjectName("useSettings");
     connect(m_use, &QPushButton::clicked, this, &StudyPicturesView::useAsked);
     auto* head = new QHBoxLayout;
-    head->addWidget(m_title);
-    head->addWidget(m_numbers, 1);
+    auto* words = new QVBoxLayout;
+    words->setSpacing(0);
+    words->addWidget(m_title);
+    words->addWidget(m_numbers);
+    head->addLayout(words, 1);
     head->addWidget(m_use);
     auto* row = new QHBoxLayout;
     for (PictureFrame*& frame : m_frames) {

@@ -51,8 +51,10 @@ void StudyPoints::setStudy(const pipeline::StudyReport& report, const pipeline::
     clear();
     QStringList head;
     for (const pipeline::SweepAxis& axis : report.axes) head << toQString(axis.label);
+    m_giveWay = {int(head.size()) + 1};
     head << tr("ms") << tr("95 % interval") << toQString(analysis.choice.measure);
     const bool withLeftOut = leavesOutPixels(analysis);
+    if (withLeftOut) m_giveWay.push_back(int(head.size()));
     if (withLeftOut) head << toQString(pipeline::kLeftOut);
     head << tr("Beaten by");
     setColumnCount(int(head.size()));
@@ -77,8 +79,32 @@ void StudyPoints::setStudy(const pipeline::StudyReport& report, const pipeline::
         setItem(row, column, standing);
         item(row, 0)->setData(kPoint, qulonglong(i));
     }
+    horizontalHeader()->setStretchLastSection(false);
+    for (int column = 0; column < columnCount(); ++column) setColumnHidden(column, false);
     resizeColumnsToContents();
+    m_widths.clear();
+    for (int column = 0; column < columnCount(); ++column) m_widths.push_back(columnWidth(column));
+    // The words of the last column take what is left; their tooltip has the whole.
+    m_widths.back() = Theme::current().px(60);
+    setColumnWidth(columnCount() - 1, m_widths.back());
     horizontalHeader()->setStretchLastSection(true);
+    fitColumns();
+}
+
+// The plot's tips have what goes.
+void StudyPoints::fitColumns() {
+    int room = viewport()->width();
+    for (const int width : m_widths) room -= width;
+    for (const int column : m_giveWay) {
+        if (column >= columnCount()) return;
+        setColumnHidden(column, room < 0);
+        if (room < 0) room += m_widths[std::size_t(column)];
+    }
+}
+
+void StudyPoints::resizeEvent(QResizeEvent* event) {
+    QTableWidget::resizeEvent(event);
+    fitColumns();
 }
 
 int StudyPoints::rowOf(std::size_t point) const {

@@ -17,8 +17,15 @@ public:
 signals:
     void chosen(std::size_t point);  // into StudyReport::points, by the user
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
+    void fitColumns();
     int rowOf(std::size_t point) const;
+
+    std::vector<int> m_widths;   // of the columns, by what is in them
+    std::vector<int> m_giveWay;  // the columns that go first where there is no room for all
 };
 
 }  // namespace app

@@ -28,7 +28,7 @@ StudyRun::StudyRun(Document& document, QWidget* parent)
     m_threads = number("studyThreads", 1, std::max(1, int(std::thread::hardware_concurrency())), 1,
                        tr("How many threads compute a frame."));
     auto* form = new QFormLayout;
-    form->addRow(tr("Frames a point"), m_repeats);
+    form->addRow(tr("Frames per point"), m_repeats);
     form->addRow(tr("Threads"), m_threads);
     m_begin = new QPushButton(tr("Measure"), this);
     m_begin->setObjectName("studyBegin");

@@ -97,8 +97,11 @@ void drawAxes(PlotLayout& layout) {
         layout.text({area.left - 0.5 * u, area.bottom - layout.zeroRow / 2 + 0.3 * u}, Anchor::End, "0", size,
                     PlotRole::Secondary);
     }
-    layout.text({(area.left + area.right) / 2, area.bottom + 2.75 * u}, Anchor::Middle,
-                elided(layout.plot.xLabel, 0.9 * u, area.right - area.left), 0.9 * u, PlotRole::Text);
+    // Below the axis nothing stands beside it.
+    const double middle = (area.left + area.right) / 2;
+    const double room = 2 * std::min(middle - 0.4 * u, layout.column.right - middle);
+    layout.text({middle, area.bottom + 2.75 * u}, Anchor::Middle, elided(layout.plot.xLabel, 0.9 * u, room), 0.9 * u,
+                PlotRole::Text);
     PlotText& label = layout.drawing.texts.emplace_back();
     label = {{1.3 * u, (area.top + area.bottom) / 2},
              Anchor::Middle,

@@ -7,6 +7,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QTest>
 #include <algorithm>
@@ -17,6 +18,7 @@
 #include "app/panels/check_knob.h"
 #include "app/panels/check_pictures.h"
 #include "app/panels/check_plot.h"
+#include "app/panels/folding_panes.h"
 #include "app/panels/value_slider.h"
 #include "pipeline/export/json.h"
 #include "pipeline/scene/settings_table.h"
@@ -75,6 +77,50 @@ TEST_F(CheckPanelTest, FitsASmallScreenInEveryTheme) {
         EXPECT_EQ(panel.size(), QSize(1280, 720)) << int(theme) << ": the least is " << panel.minimumSizeHint().width()
                                                   << " by " << panel.minimumSizeHint().height();
     }
+}
+
+// Titles keep room for sixteen broad letters; ours and the bound, which the details have too, go before.
+TEST_F(CheckPanelTest, TitlesStayLegibleInLargeLettersAndNothingIsOutOfReach) {
+    panel.setGroup(Group::Geometry);
+    panel.show();
+    for (const double scale : {1.0, 1.25, 1.5, 2.0}) {
+        for (const QSize size : {QSize(1024, 640), QSize(1280, 720), QSize(1366, 768)}) {
+            SCOPED_TRACE(testing::Message() << size.width() << " wide, text " << scale);
+            app::Theme::current().setScale(scale);
+            panel.resize(size);
+            QCoreApplication::processEvents();
+            EXPECT_EQ(panel.size(), size);
+            const QFontMetrics metrics(app::Theme::current().text(13));
+            EXPECT_GE(cases().columnWidth(1), metrics.averageCharWidth() * 16);
+            EXPECT_EQ(cases().horizontalScrollBar()->maximum(), 0);
+            auto& panes = part<app::FoldingPanes>();
+            panes.bringToFront(1);
+            QCoreApplication::processEvents();
+            const auto& open = part<QPushButton>("checkOpen");
+            EXPECT_TRUE(open.isVisible());
+            EXPECT_LE(open.mapTo(&panel, QPoint(open.width(), 0)).x(), panel.width());
+            panes.bringToFront(0);
+        }
+    }
+    app::Theme::current().setScale(1);
+}
+
+// The colour of a verdict says as much as its word: it stays in the selected row.
+TEST_F(CheckPanelTest, ASelectedRowKeepsItsColours) {
+    CheckCases table;
+    app::CheckResults results(caseTable().size());
+    results[0] = resultOf(0, true);
+    table.resize(900, 300);
+    table.setCases(results, {});
+    table.selectRow(table.item(0, 6)->text().contains("holds") ? 0 : 1);
+    table.show();
+    const int row = table.currentRow();
+    const QImage shown = table.viewport()->grab(table.visualItemRect(table.item(row, 6))).toImage();
+    const QColor wanted = app::Theme::current().colors().run;
+    int found = 0;
+    for (int y = 0; y < shown.height(); ++y)
+        for (int x = 0; x < shown.width(); ++x) found += shown.pixelColor(x, y) == wanted;
+    EXPECT_GT(found, 10);
 }
 
 TEST_F(CheckPanelTest, RunsAllCasesWhenItIsFirstShown) {

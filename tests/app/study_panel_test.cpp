@@ -9,11 +9,13 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QTabWidget>
 #include <QTableWidget>
 #include <QTemporaryDir>
 #include <QTest>
 
 #include "app/core/theme.h"
+#include "app/panels/folding_panes.h"
 #include "app/panels/study_choice.h"
 #include "app/panels/study_details.h"
 #include "app/panels/study_pictures.h"
@@ -80,6 +82,70 @@ TEST_F(StudyPanelTest, FitsASmallScreenInEveryTheme) {
         EXPECT_EQ(panel.size(), QSize(1280, 720)) << int(theme) << ": the least is " << panel.minimumSizeHint().width()
                                                   << " by " << panel.minimumSizeHint().height();
     }
+}
+
+// Whatever the letters, and back to its size after a theme that needs more room.
+TEST_F(StudyPanelTest, NothingOfItIsOutOfReachInLargeLetters) {
+    for (const double scale : {1.0, 1.5, 2.0}) {
+        for (const QSize size : {QSize(1024, 640), QSize(1280, 720), QSize(1366, 768)}) {
+            SCOPED_TRACE(testing::Message() << size.width() << " wide, text " << scale);
+            app::Theme::current().setScale(scale);
+            panel.resize(size);
+            QCoreApplication::processEvents();
+            EXPECT_EQ(panel.size(), size);
+            auto& panes = part<app::FoldingPanes>();
+            auto& names = part<QWidget>("paneNames");
+            EXPECT_EQ(names.isVisible(), panes.isFolded());
+            for (int pane = 0; pane < 3; ++pane) {
+                panes.bringToFront(pane);
+                QCoreApplication::processEvents();
+                const char* const what[]{"studyBegin", "", "studyPoints"};
+                const QWidget& there = pane == 1 ? plot() : part<QWidget>(what[pane]);
+                EXPECT_TRUE(there.isVisible()) << pane;
+                EXPECT_LE(there.mapTo(&panel, QPoint(there.width(), 0)).x(), panel.width()) << pane;
+            }
+            panes.bringToFront(0);
+        }
+    }
+    app::Theme::current().setScale(1);
+    panel.resize(1024, 640);
+    for (const app::ThemeId theme : {app::ThemeId::Projector, app::ThemeId::Light}) app::Theme::current().set(theme);
+    QCoreApplication::processEvents();
+    EXPECT_EQ(panel.size(), QSize(1024, 640));
+}
+
+// In a low window they stand below the table, one at a time; the plot has the height.
+TEST_F(StudyPanelTest, ThePicturesFindTheirPlaceByTheHeight) {
+    auto& pictures = part<app::StudyPicturesView>();
+    auto& tabs = part<QTabWidget>("studyTabs");
+    EXPECT_FALSE(tabs.isAncestorOf(&pictures)) << "900 high";
+    for (int time = 0; time < 2; ++time) {
+        panel.resize(1280, 720);
+        QCoreApplication::processEvents();
+        EXPECT_TRUE(tabs.isAncestorOf(&pictures));
+        EXPECT_TRUE(pictures.isVisible());
+        EXPECT_GE(part<app::PictureFrame>().height(), 96);
+        tabs.setCurrentWidget(&part<app::StudyDetails>().errors());
+        EXPECT_TRUE(part<QTableWidget>("studyErrors").isVisible());
+        panel.resize(1500, 900);
+        QCoreApplication::processEvents();
+        EXPECT_FALSE(tabs.isAncestorOf(&pictures));
+        EXPECT_TRUE(pictures.isVisible());
+        EXPECT_TRUE(part<QTableWidget>("studyErrors").isVisible());
+        EXPECT_TRUE(part<QWidget>("blameBars").isVisible());
+    }
+}
+
+// What the table has no room for goes from the interval on; it never scrolls from side to side.
+TEST_F(StudyPanelTest, TheIntervalGivesWayWhereTheTableIsNarrow) {
+    auto& points = part<StudyPoints>();
+    const int interval = points.columnCount() - 3;
+    ASSERT_EQ(points.horizontalHeaderItem(interval)->text(), "95 % interval");
+    points.resize(900, 300);
+    EXPECT_FALSE(points.isColumnHidden(interval));
+    panel.resize(1024, 640);
+    QCoreApplication::processEvents();
+    EXPECT_TRUE(points.isColumnHidden(interval));
 }
 
 // A window of its own, which the keyboard goes through and out of its tables again.

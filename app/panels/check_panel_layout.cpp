@@ -1,0 +1,126 @@
+// What of the cases stands where.
+#include <QApplication>
+#include <QClipboard>
+#include <QComboBox>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "app/core/spoken.h"
+#include "app/core/text.h"
+#include "app/panels/check_details.h"
+#include "app/panels/check_knob.h"
+#include "app/panels/check_panel.h"
+#include "app/panels/check_pictures.h"
+#include "app/panels/follow_theme.h"
+#include "app/panels/segmented.h"
+#include "app/panels/surface.h"
+
+namespace app {
+
+QWidget* CheckPanel::makeLeft() {
+    auto* content = new QWidget(this);
+    m_head = new QLabel(content);
+    m_head->setObjectName("checkHead");
+    m_bar = new QProgressBar(content);
+    m_bar->setTextVisible(false);
+    m_bar->setAccessibleName(tr("Cases that have run"));
+    const QStringList groups{tr("All"),   tr("Geometry"), tr("Camera"), tr("Raster"),
+                             tr("Depth"), tr("Shading"),  tr("Shadow"), tr("Limits")};
+    m_groups = new Segmented(groups, content);
+    m_groups->setAccessibleName(tr("Group of cases"));
+    m_groups->setCurrent(0);
+    m_groupList = new QComboBox(content);
+    m_groupList->setObjectName("checkGroupList");
+    m_groupList->addItems(groups);
+    nameChoice(*m_groupList, tr("Group of cases"));
+    m_cases = new CheckCases(content);
+    m_runAll = new QPushButton(tr("Run all again"), content);
+    m_runAll->setObjectName("checkRunAll");
+    m_runAll->setProperty("kind", "primary");
+    m_runOne = new QPushButton(tr("Run this case"), content);
+    m_runOne->setObjectName("checkRunOne");
+    m_copy = new QPushButton(tr("Copy"), content);
+    m_copy->setObjectName("checkCopy");
+    m_command = new QLabel(content);
+    m_command->setObjectName("checkCommand");
+    m_command->setProperty("tone", 2);
+    m_command->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_command->setMinimumWidth(1);  // its words are no reason for a wide window
+    auto* foot = new QHBoxLayout;
+    for (QPushButton* button : {m_runAll, m_runOne, m_copy}) foot->addWidget(button);
+    m_command->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    foot->addWidget(m_command, 1);
+    auto* column = new QVBoxLayout(content);
+    column->addWidget(m_head);
+    column->addWidget(m_bar);
+    column->addWidget(m_groups);
+    column->addWidget(m_groupList);
+    column->addWidget(m_cases, 1);
+    column->addLayout(foot);
+    connect(m_groups, &Segmented::chosen, this, &CheckPanel::chooseGroup);
+    connect(m_groupList, &QComboBox::activated, this, &CheckPanel::chooseGroup);
+    connect(m_cases, &CheckCases::chosen, this, &CheckPanel::select);
+    connect(m_cases, &CheckCases::openAsked, this, &CheckPanel::openAsScene);
+    connect(m_runAll, &QPushButton::clicked, this, [this] { run({}); });
+    connect(m_runOne, &QPushButton::clicked, this, [this] { run({{std::string(chosenCase().id)}, {}}); });
+    connect(m_copy, &QPushButton::clicked, this, [this] { QApplication::clipboard()->setText(report()); });
+    followTheme(content, [this, column, foot] {
+        const Theme& theme = Theme::current();
+        column->setContentsMargins(theme.px(12), theme.px(10), theme.px(12), theme.px(12));
+        column->setSpacing(theme.px(8));
+        foot->setSpacing(theme.px(8));
+        m_head->setFont(theme.text(15, 600));
+        m_bar->setFixedHeight(theme.px(4));
+        m_command->setFont(theme.mono(12));
+        fitGroups();
+    });
+    return surface(content, this);
+}
+
+QWidget* CheckPanel::makeRight() {
+    auto* content = new QWidget(this);
+    m_details = new CheckDetails(content);
+    m_message = new QLabel(content);
+    m_message->setObjectName("checkMessage");
+    m_message->setWordWrap(true);
+    m_message->hide();
+    m_pictures = new CheckPictures(content);
+    m_knob = new CheckKnob(content);
+    m_noKnob = new QLabel(tr("Nothing in this case can be turned: it is as stiff as it is."), content);
+    m_noKnob->setAlignment(Qt::AlignCenter);
+    m_noKnob->setProperty("tone", 2);
+    auto* column = new QVBoxLayout(content);
+    column->addWidget(m_details);
+    column->addWidget(m_message);
+    column->addWidget(m_pictures, 2);
+    column->addWidget(m_knob, 2);
+    column->addWidget(m_noKnob);
+    column->addStretch(0);
+    connect(m_details, &CheckDetails::openAsked, this, &CheckPanel::openAsScene);
+    connect(m_knob, &CheckKnob::changed, this, &CheckPanel::turnKnob);
+    followTheme(content, [this, column] {
+        const int margin = Theme::current().px(12);
+        column->setContentsMargins(0, 0, 0, 0);
+        m_message->setContentsMargins(margin, 0, margin, 0);
+    });
+    auto* area = scrolling(content, this);
+    followTheme(area, [area, content] { area->setMinimumWidth(content->minimumSizeHint().width()); });
+    return surface(area, this);
+}
+
+// In a narrow window the groups are a list, and the command, which the manual has, goes.
+void CheckPanel::fitGroups() {
+    const bool isNarrow = width() < Theme::current().px(1180);
+    m_groups->setVisible(!isNarrow);
+    m_groupList->setVisible(isNarrow);
+    m_command->setVisible(!isNarrow);
+}
+
+void CheckPanel::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    fitGroups();
+}
+
+}  // namespace app
