@@ -10,6 +10,7 @@
 #include "app/core/shown_name.h"
 #include "app/core/text.h"
 #include "app/core/theme.h"
+#include "app/core/window_look.h"
 #include "app/panels/elided_label.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/state_picture.h"
@@ -131,8 +132,16 @@ QWidget* NotesWindow::makeFoot() {
     return foot;
 }
 
+// Dark whatever the theme: it throws no light into the room, and in the dark it is not what one looks at.
 void NotesWindow::applyTheme() {
     const Theme& theme = Theme::current();
+    WindowLook look;
+    look.theme.id = ThemeId::Dark;
+    {
+        const WornLook dark(look);
+        setPalette(theme.palette());
+        setStyleSheet(theme.styleSheet());
+    }
     layout()->setContentsMargins(theme.px(12), theme.px(10), theme.px(12), theme.px(10));
     layout()->setSpacing(theme.px(8));
     for (QLabel* title : {m_nowTitle, m_nextTitle, m_notesTitle, m_left, m_keys}) title->setFont(theme.text(12));

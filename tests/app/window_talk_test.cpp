@@ -3,6 +3,7 @@
 #include <QLabel>
 #include <QLayout>
 #include <QLineEdit>
+#include <QListView>
 #include <QPushButton>
 #include <QTest>
 #include <QToolButton>
@@ -11,9 +12,11 @@
 #include <map>
 
 #include "app/core/derived_buffers.h"
+#include "app/core/theme.h"
 #include "app/desktop/ask_panel.h"
 #include "app/desktop/caption_line.h"
 #include "app/desktop/clean_view.h"
+#include "app/desktop/notes_window.h"
 #include "app/desktop/panel_dock.h"
 #include "app/desktop/pen_layer.h"
 #include "app/desktop/presentation.h"
@@ -326,6 +329,24 @@ TEST_F(WindowTalk, APinnedSettingIsASliderThatLeavesTheKeysToTheTalk) {
     press("PgDown");
     EXPECT_EQ(window.cues().model().current(), 1);
     EXPECT_TRUE(QTest::qWaitFor([&] { return view.findChild<ValueSlider*>() == nullptr; }));
+}
+
+// On the lecturer's screen: light there would be light in the room.
+TEST_F(WindowTalk, TheNotesWindowIsDarkInEveryTheme) {
+    NotesWindow notes(window.cues().model(), window);
+    notes.resize(1280, 720);
+    notes.show();
+    const ThemeColors& dark = Theme::colors(ThemeId::Dark);
+    for (const ThemeId theme : {ThemeId::Light, ThemeId::Projector, ThemeId::Dark}) {
+        Theme::current().set(theme);
+        QCoreApplication::processEvents();
+        const QImage shown = notes.grab().toImage();
+        EXPECT_EQ(shown.pixelColor(2, 2), dark.bg) << int(theme);
+        // Nothing is as light as the ground of the other themes, but letters and the audience's picture.
+        const auto* list = notes.findChild<QListView*>();
+        const QPoint corner = list->mapTo(&notes, QPoint(list->width() - 6, list->height() - 6));
+        EXPECT_EQ(shown.pixelColor(corner), dark.surface) << int(theme);
+    }
 }
 
 }  // namespace
