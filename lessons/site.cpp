@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <set>
 
 #include "lessons/handout.h"
@@ -69,12 +70,14 @@ public:
 
         add(kCoreFile, "globalThis.sharedCore = '" + pipeline::base64(m_parts.core) + "';\n");
         m_parts.sharedCore = kCoreFile, m_parts.index = kIndexFile;
-        for (const fs::path& file : talks) addTalk(file);
-        for (const Lesson& lesson : library.lessons) addLesson(lesson);
-        for (const pipeline::BuiltInScene& scene : scenes) addScene(scene);
         std::set<std::string> pages;
         for (const fs::path& file : manual) pages.insert(file.stem().string());
-        for (const fs::path& file : manual) addManual(file, pages);
+        takeTurns(talks, [&](const fs::path& file) { addTalk(file); });
+        takeTurns(library.lessons, [&](const Lesson& lesson) { addLesson(lesson); });
+        takeTurns(scenes, [&](const pipeline::BuiltInScene& scene) { addScene(scene); });
+        takeTurns(manual, [&](const fs::path& file) { addManual(file, pages); });
+        std::ranges::stable_sort(m_turns, {}, &Turn::place);
+        for (const Turn& turn : m_turns) turn.make();
         if (m_stop.stop_requested()) return Error{{}, "stopped", {}};
         if (!m_errors.empty()) return m_errors;
         add(kIndexFile, paperPage(m_style, "Shadescope", index()));
@@ -82,6 +85,17 @@ public:
     }
 
 private:
+    // Kinds of pages are spread evenly: a talk takes much longer than a page of the manual, and only a mixture tells from
+    // the time so far how much is left.
+    struct Turn {
+        double place;  // 0 to 1
+        std::function<void()> make;
+    };
+    template <class Things, class Make>
+    void takeTurns(const Things& things, Make make) {
+        for (std::size_t i = 0; i < things.size(); ++i)
+            m_turns.push_back({(double(i) + 0.5) / double(things.size()), [make, &thing = things[i]] { make(thing); }});
+    }
     void add(std::string name, std::string bytes) { m_site.files.emplace_back(std::move(name), std::move(bytes)); }
     // False: stopped.
     bool begin(const std::string& what) {
@@ -199,6 +213,7 @@ private:
     const DrawView& m_draw;
     pipeline::Stop m_stop;
     const SiteProgress& m_progress;
+    std::vector<Turn> m_turns;
     std::size_t m_done = 0, m_all = 0;
     fs::path m_manual;
     std::string m_style, m_talks, m_lessons, m_scenes;
