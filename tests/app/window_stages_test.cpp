@@ -46,8 +46,9 @@ TEST_F(WindowStages, KeysTakeEveryViewToTheEndOfAStage) {
     document().pointing().pick(glm::ivec2(268, 281));
     ASSERT_TRUE(waitForFrame());
     const auto colour = [this] {
-        const auto& faces = window.views().view3d().view().space().content()->mesh->faces;
-        return std::ranges::find(faces, 2, &Face::polygon)->colors[0];
+        const ViewMesh& mesh = *window.views().view3d().view().space().content()->mesh;
+        if (!mesh.polygonColors.empty()) return mesh.polygonColors[2];
+        return mesh.vertexColors[std::ranges::find(mesh.faces, 2, &Face::polygon)->vertices[0]];
     };
     const auto* equation = window.findChild<EquationSection*>();
     const glm::vec3 lit = colour(), plain(document().scene().objects[0].material.diffuse);
