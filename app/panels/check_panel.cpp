@@ -1,6 +1,5 @@
 #include "app/panels/check_panel.h"
 
-#include <QComboBox>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QProgressBar>
@@ -12,9 +11,9 @@
 #include "app/panels/check_details.h"
 #include "app/panels/check_knob.h"
 #include "app/panels/check_pictures.h"
+#include "app/panels/fitting_choice.h"
 #include "app/panels/folding_panes.h"
 #include "app/panels/follow_theme.h"
-#include "app/panels/segmented.h"
 
 namespace app {
 
@@ -89,7 +88,6 @@ void CheckPanel::chooseGroup(int choice) { setGroup(choice == 0 ? std::nullopt :
 void CheckPanel::setGroup(std::optional<Group> group) {
     m_group = group;
     m_groups->setCurrent(group ? int(*group) + 1 : 0);
-    m_groupList->setCurrentIndex(m_groups->current());
     m_cases->setCases(m_results, group);
     if (!m_cases->contains(m_selected)) {
         const auto table = caseTable();

@@ -7,7 +7,6 @@
 #include "app/core/document.h"
 #include "app/panels/check_cases.h"
 
-class QComboBox;
 class QLabel;
 class QProgressBar;
 class QPushButton;
@@ -17,7 +16,7 @@ namespace app {
 class CheckDetails;
 class CheckKnob;
 class CheckPictures;
-class Segmented;
+class FittingChoice;
 
 // The stiff and extreme cases: on the left all with what they gave, on the right the chosen one with the knob that
 // makes it stiff. They run when the panel is first shown.
@@ -73,8 +72,7 @@ private:
     QLabel *m_head, *m_command, *m_message, *m_noKnob;
     QProgressBar* m_bar;
     QPushButton *m_runAll, *m_runOne, *m_copy;
-    Segmented* m_groups;
-    QComboBox* m_groupList;  // the same where there is no room for it
+    FittingChoice* m_groups;
     CheckCases* m_cases;
     CheckDetails* m_details;
     CheckKnob* m_knob;

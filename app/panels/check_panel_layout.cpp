@@ -1,20 +1,18 @@
 // What of the cases stands where.
 #include <QApplication>
 #include <QClipboard>
-#include <QComboBox>
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include "app/core/spoken.h"
 #include "app/core/text.h"
 #include "app/panels/check_details.h"
 #include "app/panels/check_knob.h"
 #include "app/panels/check_panel.h"
 #include "app/panels/check_pictures.h"
+#include "app/panels/fitting_choice.h"
 #include "app/panels/follow_theme.h"
-#include "app/panels/segmented.h"
 #include "app/panels/surface.h"
 
 namespace app {
@@ -28,13 +26,7 @@ QWidget* CheckPanel::makeLeft() {
     m_bar->setAccessibleName(tr("Cases that have run"));
     const QStringList groups{tr("All"),   tr("Geometry"), tr("Camera"), tr("Raster"),
                              tr("Depth"), tr("Shading"),  tr("Shadow"), tr("Limits")};
-    m_groups = new Segmented(groups, content);
-    m_groups->setAccessibleName(tr("Group of cases"));
-    m_groups->setCurrent(0);
-    m_groupList = new QComboBox(content);
-    m_groupList->setObjectName("checkGroupList");
-    m_groupList->addItems(groups);
-    nameChoice(*m_groupList, tr("Group of cases"));
+    m_groups = new FittingChoice(groups, tr("Group of cases"), "checkGroupList", content);
     m_cases = new CheckCases(content);
     m_runAll = new QPushButton(tr("Run all again"), content);
     m_runAll->setObjectName("checkRunAll");
@@ -56,11 +48,9 @@ QWidget* CheckPanel::makeLeft() {
     column->addWidget(m_head);
     column->addWidget(m_bar);
     column->addWidget(m_groups);
-    column->addWidget(m_groupList);
     column->addWidget(m_cases, 1);
     column->addLayout(foot);
-    connect(m_groups, &Segmented::chosen, this, &CheckPanel::chooseGroup);
-    connect(m_groupList, &QComboBox::activated, this, &CheckPanel::chooseGroup);
+    connect(m_groups, &FittingChoice::chosen, this, &CheckPanel::chooseGroup);
     connect(m_cases, &CheckCases::chosen, this, &CheckPanel::select);
     connect(m_cases, &CheckCases::openAsked, this, &CheckPanel::openAsScene);
     connect(m_runAll, &QPushButton::clicked, this, [this] { run({}); });
@@ -113,8 +103,7 @@ QWidget* CheckPanel::makeRight() {
 // In a narrow window the groups are a list, and the command, which the manual has, goes.
 void CheckPanel::fitGroups() {
     const bool isNarrow = width() < Theme::current().px(1180);
-    m_groups->setVisible(!isNarrow);
-    m_groupList->setVisible(isNarrow);
+    m_groups->setNarrow(isNarrow);
     m_command->setVisible(!isNarrow);
 }
 

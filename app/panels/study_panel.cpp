@@ -15,6 +15,7 @@
 #include "app/panels/study_points.h"
 #include "app/panels/study_run.h"
 #include "app/panels/study_sweep.h"
+#include "app/panels/study_tabs.h"
 #include "app/panels/study_words.h"
 #include "pipeline/study/analysis_text.h"
 
@@ -107,8 +108,8 @@ void StudyPanel::select(std::optional<std::size_t> point) {
     m_selected = point && *point < m_report.points.size() ? point : std::nullopt;
     m_plot->select(m_selected);
     m_points->select(m_selected);
-    m_details->setPoint(m_selected ? &m_report.points[*m_selected] : nullptr,
-                        m_selected ? m_analysis.points[*m_selected].label : std::string());
+    m_tabs->details().setPoint(m_selected ? &m_report.points[*m_selected] : nullptr,
+                               m_selected ? m_analysis.points[*m_selected].label : std::string());
     showSelected();
 }
 

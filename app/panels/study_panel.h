@@ -7,18 +7,16 @@
 
 class QLabel;
 class QPushButton;
-class QSplitter;
-class QTabWidget;
 
 namespace app {
 
 class StudyChoice;
-class StudyDetails;
 class StudyPicturesView;
 class StudyPlot;
 class StudyPoints;
 class StudyRun;
 class StudySweep;
+class StudyTabs;
 class StudyWords;
 
 // Error against run time: what to measure on the left, the plot and the chosen setting's pictures in
@@ -67,10 +65,7 @@ private:
     StudyPlot* m_plot;
     StudyPicturesView* m_pictures;
     StudyPoints* m_points;
-    StudyDetails* m_details;
-    QSplitter* m_middle;
-    QTabWidget* m_tabs;  // below the points
-    QWidget* m_picturesFrame;
+    StudyTabs* m_tabs;  // below the points
     QLabel* m_message;
     QPushButton* m_export;
 };

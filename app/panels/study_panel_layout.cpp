@@ -2,18 +2,17 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QSplitter>
-#include <QTabWidget>
 #include <QVBoxLayout>
 
 #include "app/panels/follow_theme.h"
 #include "app/panels/study_choice.h"
-#include "app/panels/study_details.h"
 #include "app/panels/study_panel.h"
 #include "app/panels/study_pictures.h"
 #include "app/panels/study_plot.h"
 #include "app/panels/study_points.h"
 #include "app/panels/study_run.h"
 #include "app/panels/study_sweep.h"
+#include "app/panels/study_tabs.h"
 #include "app/panels/study_words.h"
 #include "app/panels/surface.h"
 
@@ -58,27 +57,23 @@ QWidget* StudyPanel::makeLeft() {
 }
 
 QWidget* StudyPanel::makeMiddle() {
-    m_middle = new QSplitter(Qt::Vertical, this);
-    m_plot = new StudyPlot(m_middle);
-    m_pictures = new StudyPicturesView(m_middle);
-    m_picturesFrame = surface(m_pictures, m_middle);
-    m_middle->addWidget(surface(m_plot, m_middle));
-    m_middle->addWidget(m_picturesFrame);
-    m_middle->setStretchFactor(0, 2);
-    m_middle->setStretchFactor(1, 1);
-    m_middle->setChildrenCollapsible(false);
-    return m_middle;
+    auto* splitter = new QSplitter(Qt::Vertical, this);
+    m_plot = new StudyPlot(splitter);
+    m_pictures = new StudyPicturesView(splitter);
+    QWidget* frame = surface(m_pictures, splitter);
+    m_tabs = new StudyTabs(*m_pictures, *frame);
+    splitter->addWidget(surface(m_plot, splitter));
+    splitter->addWidget(frame);
+    splitter->setStretchFactor(0, 2);
+    splitter->setStretchFactor(1, 1);
+    splitter->setChildrenCollapsible(false);
+    return splitter;
 }
 
 QWidget* StudyPanel::makeRight() {
     auto* splitter = new QSplitter(Qt::Vertical, this);
     m_points = new StudyPoints(splitter);
-    m_details = new StudyDetails;
     splitter->addWidget(surface(m_points, splitter));
-    m_tabs = new QTabWidget(splitter);
-    m_tabs->setObjectName("studyTabs");
-    m_tabs->setTabBarAutoHide(true);
-    m_tabs->addTab(scrolling(m_details, m_tabs), tr("Details"));
     splitter->addWidget(surface(m_tabs, splitter));
     splitter->setChildrenCollapsible(false);
     // With the left side and the plot it fits a screen of 1280 by 720 in the projector's letters.
@@ -89,30 +84,8 @@ QWidget* StudyPanel::makeRight() {
     return splitter;
 }
 
-// Below the plot where there is height for both. In a low window the plot has all of it: the pictures stand with the
-// other details, one at a time.
-void StudyPanel::placePictures() {
-    const bool isLow = height() < Theme::current().px(820);
-    if (isLow == (m_tabs->count() > 1)) return;
-    if (isLow) {
-        m_tabs->insertTab(0, m_pictures, tr("Pictures"));
-        m_tabs->addTab(scrolling(&m_details->blame(), m_tabs), tr("Blame"));
-        m_tabs->addTab(&m_details->errors(), tr("Buffers"));
-        m_tabs->setTabVisible(1, false);
-        m_tabs->setCurrentIndex(0);
-    } else {
-        auto* blame = static_cast<QScrollArea*>(m_tabs->widget(2));
-        blame->takeWidget();
-        delete blame;
-        m_details->unite();
-        m_picturesFrame->layout()->addWidget(m_pictures);
-        m_pictures->show();
-        m_tabs->setTabVisible(0, true);
-    }
-    m_picturesFrame->setVisible(!isLow);
-    // Qt's style sheets take the fonts of what gets another parent.
-    followThemeAgain(*m_pictures), followThemeAgain(*m_details);
-}
+// Below the plot where there is height for both; in a low window the plot has all of it.
+void StudyPanel::placePictures() { m_tabs->setLow(height() < Theme::current().px(820)); }
 
 void StudyPanel::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);

@@ -1,0 +1,37 @@
+#include "app/panels/fitting_choice.h"
+
+#include <QComboBox>
+#include <QVBoxLayout>
+
+#include "app/core/spoken.h"
+#include "app/panels/segmented.h"
+
+namespace app {
+
+FittingChoice::FittingChoice(const QStringList& choices, const QString& name, const QString& listName, QWidget* parent)
+    : QWidget(parent), m_segmented(new Segmented(choices, this)), m_list(new QComboBox(this)) {
+    m_segmented->setAccessibleName(name);
+    m_list->setObjectName(listName);
+    m_list->addItems(choices);
+    nameChoice(*m_list, name);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addWidget(m_segmented);
+    column->addWidget(m_list);
+    connect(m_segmented, &Segmented::chosen, this, &FittingChoice::chosen);
+    connect(m_list, &QComboBox::activated, this, &FittingChoice::chosen);
+    setCurrent(0);
+    setNarrow(false);
+}
+
+void FittingChoice::setNarrow(bool isNarrow) {
+    m_segmented->setVisible(!isNarrow);
+    m_list->setVisible(isNarrow);
+}
+
+void FittingChoice::setCurrent(int choice) {
+    m_segmented->setCurrent(choice);
+    m_list->setCurrentIndex(choice);
+}
+
+}  // namespace app

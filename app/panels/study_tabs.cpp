@@ -1,0 +1,42 @@
+#include "app/panels/study_tabs.h"
+
+#include <QLayout>
+#include <QScrollArea>
+
+#include "app/panels/follow_theme.h"
+#include "app/panels/study_details.h"
+#include "app/panels/study_pictures.h"
+#include "app/panels/surface.h"
+
+namespace app {
+
+StudyTabs::StudyTabs(StudyPicturesView& pictures, QWidget& frame, QWidget* parent)
+    : QTabWidget(parent), m_pictures(pictures), m_frame(frame), m_details(new StudyDetails) {
+    setObjectName("studyTabs");
+    setTabBarAutoHide(true);
+    addTab(scrolling(m_details, this), tr("Details"));
+}
+
+void StudyTabs::setLow(bool isLow) {
+    if (isLow == (count() > 1)) return;
+    if (isLow) {
+        insertTab(0, &m_pictures, tr("Pictures"));
+        addTab(scrolling(&m_details->blame(), this), tr("Blame"));
+        addTab(&m_details->errors(), tr("Buffers"));
+        setTabVisible(1, false);
+        setCurrentIndex(0);
+    } else {
+        auto* blame = static_cast<QScrollArea*>(widget(2));
+        blame->takeWidget();
+        delete blame;
+        m_details->unite();
+        m_frame.layout()->addWidget(&m_pictures);
+        m_pictures.show();
+        setTabVisible(0, true);
+    }
+    m_frame.setVisible(!isLow);
+    // Qt's style sheets take the fonts of what gets another parent.
+    followThemeAgain(m_pictures), followThemeAgain(*m_details);
+}
+
+}  // namespace app
