@@ -49,7 +49,7 @@ CheckCases::CheckCases(QWidget* parent) : QTableWidget(0, kColumns, parent) {
         verticalHeader()->setDefaultSectionSize(Theme::current().px(26));
         horizontalHeader()->setMinimumSectionSize(Theme::current().px(48));
         // Case, naive, verdict, and titles of sixteen letters.
-        setMinimumWidth(Theme::current().px(52 + 168 + 88 + 136) + verticalScrollBar()->sizeHint().width());
+        setMinimumWidth(Theme::current().px(52 + 168 + 88 + 148) + verticalScrollBar()->sizeHint().width());
         layOut();
     });
     connect(this, &QTableWidget::currentCellChanged, this, [this](int row) {
