@@ -108,10 +108,11 @@ constexpr std::array<BufferInfo, kBufferCount> kTable{{
      "The mean intensity over the samples of a pixel; intensity itself is the value at its centre.", P::Color, 0,
      partsOf(R::Antialiasing, R::Intensity)},
     {B::PolygonsIntensity, "polygons.intensity", S::Shading, D::Polygon, E::Real, 3, false, "intensity", "",
-     "Flat shading's intensity of each polygon that is kept; 0 for the others.", P::Color, 0, partsOf(R::PolygonTerms)},
+     "Flat shading's intensity of each polygon that is kept; 0 for the others.", P::Color, 0,
+     partsOf(R::PolygonTerms, R::Culling)},
     {B::VerticesIntensity, "vertices.intensity", S::Shading, D::Vertex, E::Real, 3, false, "intensity", "",
      "Gouraud shading's intensity of each vertex of a polygon that is kept; 0 for the others.", P::Color, 0,
-     partsOf(R::VertexTerms)},
+     partsOf(R::VertexTerms, R::Culling)},
     {B::Color, "color", S::Shading, D::Pixel, E::UInt8, 3, false, "", "sRGB", "The frame buffer.", P::Color, 0},
 }};
 

@@ -43,9 +43,10 @@ std::string firstNotScaled(const Frame& plain, const Frame& scaled, double facto
     for (const AnyBuffer& a : plain.buffers()) {
         const auto b = scaled.buffer(a.name);
         if (!b || b->count() != a.count()) return a.name.text() + " has another shape";
-        const std::vector<bool> with = rowsWithValue(a);
+        const bool isScreen = a.name.id == BufferId::VerticesScreen;
+        const std::vector<bool> with = isScreen ? rowsWithValue(a) : std::vector<bool>();
         for (std::size_t i = 0; i < a.count(); ++i) {
-            const bool depth = !with.empty() && with[i / 3] && i % 3 == 2 && format == DepthFormat::Linear;
+            const bool depth = isScreen && with[i / 3] && i % 3 == 2 && format == DepthFormat::Linear;
             const double should = a.flat(i) * (depth || isLength(a.name.id, format) ? factor : 1);
             if (b->flat(i) != should) return a.name.text() + " number " + std::to_string(i);
         }

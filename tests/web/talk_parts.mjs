@@ -101,7 +101,7 @@ try {
   const now = await texts('.code [aria-current=step] span');
   // The face Front of the pyramid is inclined by 48 degrees: n = (0.7433, 0, 0.6690), as the lecture computes by hand.
   expect('the algorithm is there, with the line and its values', now.some(text => /0\.7433.*0\.0000.*0\.6690/.test(text)), now);
-  expect('with all of its lines', (await texts('.code li')).length === 6, await texts('.code li'));
+  expect('with all of its lines', (await texts('.code li')).length === 9, await texts('.code li'));
   expect('and the loop around them', (await texts('.loop')).length === 1);
   expect('beside its picture', (await of('.algorithm', 'getBoundingClientRect().left')) >= (await of('img', 'getBoundingClientRect().right')));
   await to('plan');
