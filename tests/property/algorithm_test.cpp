@@ -47,6 +47,15 @@ const AlgorithmValue* findValue(const Walk& walk, std::string_view name) {
     return nullptr;
 }
 
+// Where a line of a loop has a value of the same name before.
+const AlgorithmValue* findLastValue(const Walk& walk, std::string_view name) {
+    const AlgorithmValue* last = nullptr;
+    for (const Visit& visit : walk.visits)
+        for (const AlgorithmValue& value : visit.values)
+            if (value.name == name) last = &value;
+    return last;
+}
+
 TEST_P(AlgorithmOf, TheLineOfADepthTestHasTheBuffersValuesAndTheInspectorsVerdict) {
     const FramePtr whole = test::frameOf(sceneOf(GetParam()));
     if (whole->scene().settings.visibility != Visibility::ZBuffer) GTEST_SKIP() << "no depth test";
@@ -105,7 +114,7 @@ TEST_P(AlgorithmOf, TheValuesOfAStepAreThoseOfTheBuffers) {
     }
     for (const std::int64_t tick : ticksOf(steps, StageId::Normals)) {
         const Walk walk = steps.algorithmAt({StageId::Normals, tick + 1})->walk;
-        const AlgorithmValue *const normal = findValue(walk, "n"), *const polygon = findValue(walk, "polygon");
+        const AlgorithmValue *const normal = findLastValue(walk, "n"), *const polygon = findValue(walk, "polygon");
         if (!normal || !polygon) continue;  // a vertex' normal
         ASSERT_TRUE(isEqual(*normal, row(BufferId::PolygonsNormal, polygon->numbers[0]))) << tick;
         ++compared;
