@@ -1,5 +1,4 @@
 #pragma once
-#include <algorithm>
 #include <array>
 #include <optional>
 #include <string>
@@ -23,8 +22,9 @@ inline constexpr std::array kModelKernels{ModelKernel{Model::Phong, Kernel::Powe
                                           ModelKernel{Model::CookTorrance, Kernel::Microfacets}};
 
 constexpr std::optional<Kernel> kernelOf(Model model) {
-    const auto* const row = std::ranges::find(kModelKernels, model, &ModelKernel::model);
-    return row == kModelKernels.end() ? std::nullopt : std::optional(row->kernel);
+    for (const ModelKernel& row : kModelKernels)
+        if (row.model == model) return row.kernel;
+    return {};
 }
 
 // The reason if pixels are not evaluated with SIMD; empty if they are.
