@@ -1,7 +1,6 @@
 // Defects within stage 6, at its points, sums and frame buffer.
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 
 #include "pipeline/core/elementary.h"
 #include "pipeline/core/numerics.h"
@@ -79,8 +78,9 @@ void spoilFrameBuffer(const Planted& planted, Vec3d intensity, double iMax, Colo
 template <class Real>
 void spoilLayers(const Planted& planted, std::vector<Layer<Real>>& layers) {
     if (planted.defect != Defect::Unsorted) return;
+    // One number for pixel and triangle: a picture has fewer than 2^16 columns and rows.
     const auto inTheFile = [](const Layer<Real>& layer) {
-        return std::tuple(layer.pixel.y, layer.pixel.x, layer.triangle);
+        return std::uint64_t(layer.pixel.y) << 48 | std::uint64_t(layer.pixel.x) << 32 | layer.triangle;
     };
     std::ranges::stable_sort(layers, {}, inTheFile);
 }

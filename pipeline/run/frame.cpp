@@ -136,10 +136,10 @@ std::optional<AnyBuffer> shaded(const BufferName& name, const FrameData<Real>& d
         const auto& elements = name.id == BufferId::PolygonsIntensity ? out.polygons : out.vertices;
         if (elements.intensity.empty()) return {};
         const auto lit = litElements(data, name.id == BufferId::PolygonsIntensity);
-        if (!lit) return view(name, elements.intensity, data.shading);
+        if (!lit && elements.places.empty()) return view(name, elements.intensity, data.shading);
         const auto all = std::make_shared<std::vector<Vec3<Real>>>(elements.count(), Vec3<Real>(0));
         for (std::size_t i = 0; i < all->size(); ++i)
-            if ((*lit)[i]) (*all)[i] = elements.intensity[elements.placeOf(i)];
+            if (!lit || (*lit)[i]) (*all)[i] = elements.intensity[elements.placeOf(i)];
         AnyBuffer buffer = view(name, *all, all);
         buffer.hasValue = lit;
         return buffer;

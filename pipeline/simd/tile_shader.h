@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -48,8 +49,8 @@ class TileShader {
 public:
     // The polygons or vertices in `out` must have been shaded before. drawn: shades these triangles instead of the
     // visible ones, and keeps nothing but the intensity.
-    TileShader(const ShadingInputs& inputs, const ShadingSources<float>& in, Tile tile, ShadingOutput<float>& out,
-               const DrawnTile* drawn = nullptr)
+    HWY_NOINLINE TileShader(const ShadingInputs& inputs, const ShadingSources<float>& in, Tile tile,
+                            ShadingOutput<float>& out, const DrawnTile* drawn = nullptr)
         : m_inputs(inputs),
           m_in(in),
           m_tile(tile),
@@ -64,8 +65,8 @@ public:
     }
 
     // put(y, intensity, blocks): takes the intensities of row y, and the bit mask of the blocks that show something.
-    template <class Put>
-    void shade(Put put) {
+    // Neither a template nor inline: all of the shading would be there once for each.
+    HWY_NOINLINE void shade(const std::function<void(int y, const ShadedRow& row, std::uint32_t blocks)>& put) {
         for (int y = 0; y * kBlock < m_tile.max.y - m_tile.min.y; ++y) {
             m_first = std::size_t(y) * kRowPixels;
             m_surfaces.find(y, m_row.surface);
@@ -107,7 +108,7 @@ private:
     template <bool kKeeps>
     void shadePhong(const Group& group) {
         const Look& look = m_constants.looks[group.object];
-        if (look.highlight == SpecularForm::Microfacets) return shadeMicrofacets<kKeeps>(group, look);
+        if (look.highlight == SpecularForm::Microfacets) return shadeMicrofacets(group, look);
         const Floats3 base = all(sumOf(look.base));
         // With one group and no other buffers the first light starts from the base, without a pass that writes it.
         bool isLeft = kKeeps || !m_groups.areOne();
@@ -154,13 +155,13 @@ private:
         if (!isLeft) leaveBase<kKeeps>(group, look);
     }
 
-    template <bool kKeeps>
-    void shadeMicrofacets(const Group& group, const Look& look) {
-        leaveBase<kKeeps>(group, look);
+    // Once for all, as its terms take most of the time: what is kept for buffers is asked where it is written.
+    HWY_NOINLINE void shadeMicrofacets(const Group& group, const Look& look) {
+        leaveBase<true>(group, look);
         for (std::size_t k = 0; k < m_constants.lights.size(); ++k) {
             if (!m_inputs.parts.of(Part::Light, k)) continue;
-            reflect<kKeeps, SpecularForm::Microfacets>(group, k);
-            addStored<kKeeps>(group, k);
+            reflect<true, SpecularForm::Microfacets>(group, k);
+            addStored<true>(group, k);
         }
     }
 

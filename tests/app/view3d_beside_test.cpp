@@ -52,7 +52,7 @@ TEST_F(View3dBeside, TheFirstPictureIsNotStopped) {
     {
         const std::lock_guard turnOfVtk(app::vtkTurn());
         other.show();
-        ASSERT_TRUE(QTest::qWaitFor([&] { return !document.work().running().isEmpty(); }));
+        QTest::qWait(600);  // until what takes long may be stopped; the first picture is no such work
         EXPECT_FALSE(drawing.shown());
         document.work().cancel();
     }
