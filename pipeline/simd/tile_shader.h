@@ -108,7 +108,7 @@ private:
     template <bool kKeeps>
     void shadePhong(const Group& group) {
         const Look& look = m_constants.looks[group.object];
-        if (look.highlight == SpecularForm::Microfacets) return shadeMicrofacets(group, look);
+        if (look.highlight == SpecularForm::Microfacets) return shadeMicrofacets<kKeeps>(group, look);
         const Floats3 base = all(sumOf(look.base));
         // With one group and no other buffers the first light starts from the base, without a pass that writes it.
         bool isLeft = kKeeps || !m_groups.areOne();
@@ -155,13 +155,13 @@ private:
         if (!isLeft) leaveBase<kKeeps>(group, look);
     }
 
-    // Once for all, as its terms take most of the time: what is kept for buffers is asked where it is written.
-    HWY_NOINLINE void shadeMicrofacets(const Group& group, const Look& look) {
-        leaveBase<true>(group, look);
+    template <bool kKeeps>
+    void shadeMicrofacets(const Group& group, const Look& look) {
+        leaveBase<kKeeps>(group, look);
         for (std::size_t k = 0; k < m_constants.lights.size(); ++k) {
             if (!m_inputs.parts.of(Part::Light, k)) continue;
-            reflect<true, SpecularForm::Microfacets>(group, k);
-            addStored<true>(group, k);
+            reflect<kKeeps, SpecularForm::Microfacets>(group, k);
+            addStored<kKeeps>(group, k);
         }
     }
 
