@@ -25,6 +25,7 @@
 
 HWY_BEFORE_NAMESPACE();
 namespace pipeline::HWY_NAMESPACE {
+
 HWY_INLINE Mask isZero(Floats3 v) {
     return hn::And(hn::Eq(v.x, all(0)), hn::And(hn::Eq(v.y, all(0)), hn::Eq(v.z, all(0))));
 }
@@ -64,7 +65,7 @@ public:
         if (!drawn && !m_keeps && !out.incidence.empty()) m_keeper.emplace(inputs.lights.size());
     }
 
-    // put(y, intensity, blocks): takes the intensities of row y, and the bit mask of the blocks that show something.
+    // put(y, row, blocks): takes row y with its intensities, and the bit mask of the blocks that show something.
     // Neither a template nor inline: all of the shading would be there once for each.
     HWY_NOINLINE void shade(const std::function<void(int y, const ShadedRow& row, std::uint32_t blocks)>& put) {
         for (int y = 0; y * kBlock < m_tile.max.y - m_tile.min.y; ++y) {
@@ -100,7 +101,7 @@ private:
         if (!buffers.empty()) putPixels(value, mask, m_first + i, m_tile.min, buffers[k]);
     }
 
-    // Writes the intensity of a group's pixels; lanes that belong to another group keep theirs; where there is only one, all lanes are its own.
+    // Writes the intensity of a group's pixels. Lanes of another group keep theirs. All lanes of an only group are its own.
     HWY_INLINE void putIntensity(Floats3 v, Mask mask, std::size_t i) {
         store(m_groups.areOne() ? v : choose(mask, v, load(m_row.intensity, i)), m_row.intensity, i);
     }
@@ -329,7 +330,6 @@ private:
     RowShadows m_shadows;
     Surfaces<A> m_surfaces;
     ViewVectors m_views;
-    float m_vanishesFrom;  // vanishing threshold for n q of a highlight
     bool m_keeps = false;  // any buffer except color and intensity
     Groups m_groups;
     std::optional<IncidenceKeeper> m_keeper;

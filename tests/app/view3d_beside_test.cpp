@@ -52,7 +52,7 @@ TEST_F(View3dBeside, TheFirstPictureIsNotStopped) {
     {
         const std::lock_guard turnOfVtk(app::vtkTurn());
         other.show();
-        QTest::qWait(600);  // until what takes long may be stopped; the first picture is no such work
+        QTest::qWait(600);  // other work is listed by then, and cancel() stops it; a first picture is not listed
         EXPECT_FALSE(drawing.shown());
         document.work().cancel();
     }
