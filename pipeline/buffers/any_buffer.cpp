@@ -96,16 +96,6 @@ void addStatistics(std::span<const T> numbers, BufferStatistics& result) {
 
 }  // namespace
 
-std::string_view rowsWithoutValue(BufferId buffer) {
-    switch (buffer) {
-        case BufferId::VerticesScreen: return "vertices without a position in the picture";
-        case BufferId::PolygonsIntensity: return "polygons that are not lit: culled, or seen in no pixel";
-        case BufferId::VerticesIntensity:
-            return "vertices that are not lit: their polygons are culled, or seen in no pixel";
-        default: return {};
-    }
-}
-
 std::vector<bool> rowsWithValue(const AnyBuffer& buffer) {
     if (buffer.hasValue) return *buffer.hasValue;
     if (buffer.info->id != BufferId::VerticesScreen) return {};

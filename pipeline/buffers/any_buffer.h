@@ -39,9 +39,6 @@ struct AnyBuffer {
 // drops has what a stage computes for all polygons: positions, verdict, area, normal. It is not lit, so it has no intensity.
 // vertices.screen has no value for a vertex without a position in the picture.
 std::vector<bool> rowsWithValue(const AnyBuffer& buffer);
-// What the rows without a value are, for messages: "vertices without a position in the picture". Empty for a buffer that has
-// a value in every row.
-std::string_view rowsWithoutValue(BufferId buffer);
 
 // What a buffer holds. Minimum and maximum are of the finite numbers, 0 where there are none. Rows without a value are
 // counted, and their numbers are not.

@@ -31,7 +31,7 @@ constexpr std::array<BufferInfo, kBufferCount> kTable{{
      "screen",
      "Vertices in the picture: x right, y down, and the depth as stored; -1e30 three times for a vertex without a "
      "position: not in front of the eye, or too far off the picture.",
-     P::Direction, 0},
+     P::Direction, 0, PartSet{}, "vertices without a position in the picture"},
 
     {B::PolygonsVerdict, "polygons.verdict", S::Cull, D::Polygon, E::UInt8, 1, false, "", "",
      "Why each polygon is kept or dropped.", P::Verdict, 0, partsOf(R::Culling)},
@@ -109,10 +109,10 @@ constexpr std::array<BufferInfo, kBufferCount> kTable{{
      partsOf(R::Antialiasing, R::Intensity)},
     {B::PolygonsIntensity, "polygons.intensity", S::Shading, D::Polygon, E::Real, 3, false, "intensity", "",
      "Flat shading's intensity of each polygon that is kept; 0 for the others.", P::Color, 0,
-     partsOf(R::PolygonTerms, R::Culling)},
+     partsOf(R::PolygonTerms, R::Culling), "polygons that are not lit: culled, or seen in no pixel"},
     {B::VerticesIntensity, "vertices.intensity", S::Shading, D::Vertex, E::Real, 3, false, "intensity", "",
      "Gouraud shading's intensity of each vertex of a polygon that is kept; 0 for the others.", P::Color, 0,
-     partsOf(R::VertexTerms, R::Culling)},
+     partsOf(R::VertexTerms, R::Culling), "vertices that are not lit: their polygons are culled, or seen in no pixel"},
     {B::Color, "color", S::Shading, D::Pixel, E::UInt8, 3, false, "", "sRGB", "The frame buffer.", P::Color, 0},
 }};
 

@@ -92,6 +92,9 @@ struct BufferInfo {
     double neutral;  // where nothing was drawn, and what readers see when it is left out
     PartSet
         reads{};  // what a frame does for whoever asks for it; by these the plan knows when a scene has no use for it
+    // What the rows without a value are, for messages: "vertices without a position in the picture". Empty if every row has
+    // a value.
+    std::string_view withoutValue{};
 };
 
 // Its values are names: equal or not, and nothing between them.

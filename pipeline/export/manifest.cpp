@@ -62,8 +62,8 @@ Json describe(const WrittenBuffer& written) {
                {"non_finite", found.nan + found.infinite},
                {"nan", found.nan},
                {"files", files}};
-    if (const std::string_view what = rowsWithoutValue(info.id); !what.empty())
-        entry["without_value"] = {{"count", found.withoutValue}, {"what", what}};
+    if (!info.withoutValue.empty())
+        entry["without_value"] = {{"count", found.withoutValue}, {"what", info.withoutValue}};
     return entry;
 }
 

@@ -69,7 +69,7 @@ void addBuffer(const FramePtr& frame, BufferId id, std::array<std::string, 3> le
     const auto with =
         std::make_shared<const std::vector<bool>>(*buffer ? rowsWithValue(**buffer) : std::vector<bool>());
     if (const auto without = std::ranges::count(*with, false); without > 0)
-        table.facts.push_back({"", std::string(rowsWithoutValue(id)), "", std::int64_t(without)});
+        table.facts.push_back({"", std::string(info.withoutValue), "", std::int64_t(without)});
     for (std::size_t c = 0; c < 3; ++c)
         table.columns.push_back(
             {lecture[c], fmt::format("{}{}", info.name, parts[c]), unitOf(info, c), std::string(info.meaning), decimals,
