@@ -91,13 +91,7 @@ void FragmentsSection::show(const pipeline::Frame& frame, const pipeline::PixelR
 
 QString FragmentsSection::sentence() const {
     if (!m_isDrawn) return toQString(name(FragmentVerdict::NotYet));
-    const auto count = [this](auto holds) {
-        return std::count_if(m_fragments.begin(), m_fragments.end(),
-                             [&](const FragmentReport& f) { return holds(f.verdict); });
-    };
-    const auto came = count(pipeline::came);
-    QString text = tr("%1 came, %2 won").arg(came).arg(count(pipeline::won));
-    if (const auto later = m_fragments.size() - std::size_t(came); later > 0) text += tr("; %1 to come").arg(later);
+    QString text = toQString(pipeline::fragmentCounts(m_fragments));
     if (!m_culled.empty()) text += tr("; %1 culled").arg(m_culled.size());
     return text;
 }

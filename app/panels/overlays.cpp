@@ -100,7 +100,7 @@ QString depthTest(const Frame& frame, QSize size, std::vector<QImage>& images) {
         return tests[i] == DepthTests::None ? QRgb(0) : onTop(colors[std::size_t(tests[i]) - 1]);
     }));
     return QString("depth test %1 %2 %3")
-        .arg(swatch(colors[0], "one came " + count(counts[1])), swatch(colors[1], "overwritten " + count(counts[2])),
+        .arg(swatch(colors[0], "one fragment " + count(counts[1])), swatch(colors[1], "overwritten " + count(counts[2])),
              swatch(colors[2], "not nearer " + count(counts[3])));
 }
 
@@ -140,9 +140,9 @@ std::span<const OverlayInfo, kOverlayCount> overlayTable() {
          pipeline::setOf({B::PolygonId})},
         {O::Verdict, "Culling verdict", "Which polygons go on, and why not the others.",
          pipeline::setOf({B::PolygonsVerdict})},
-        {O::Fragments, "Fragments per pixel", "How many fragments came.", pipeline::setOf({B::Overdraw})},
+        {O::Fragments, "Fragments per pixel", "The number of fragments at each pixel.", pipeline::setOf({B::Overdraw})},
         {O::PolygonSize, "Polygon size", "The area of each polygon on the screen.", pipeline::setOf({B::PolygonId})},
-        {O::DepthTest, "Depth test", "Where fragments came in vain: overwritten, or not nearer.",
+        {O::DepthTest, "Depth test", "Where fragments were overwritten, or failed the test.",
          pipeline::setOf({B::Overdraw, B::DepthWrites})},
         {O::Strange, "NaN, infinite, negative", "Marks numbers that should not be there.", {}},
         {O::Violators, "Contract violators", "Masks the pixels at which something that must hold does not.", {}},

@@ -141,13 +141,9 @@ QString WhySection::shadowsText(const pipeline::Frame& frame) const {
 }
 
 void WhySection::show(const pipeline::Frame& frame, const PixelReport& r) {
-    const auto count = [&r](auto holds) {
-        return std::count_if(r.fragments.begin(), r.fragments.end(),
-                             [&](const pipeline::FragmentReport& f) { return holds(f.verdict); });
-    };
     m_rows[0].value->setText(
         tr("centre %1").arg(digits(QString("(%1, %2)").arg(r.pixel.x + 0.5).arg(r.pixel.y + 0.5))));
-    QString fragments = tr("%1 came, %2 won").arg(count(pipeline::came)).arg(count(pipeline::won));
+    QString fragments = toQString(pipeline::fragmentCounts(r.fragments));
     if (r.covered)
         fragments += tr(" at z %1")
                          .arg(digits(chosenText(r.zView).value_or(

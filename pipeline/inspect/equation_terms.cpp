@@ -17,7 +17,7 @@ std::string settingText(double value) {
     return shortest(pipeline::readNumber(fmt::format("{:.15g}", value)).value_or(value));
 }
 
-using TermKind = Term::Kind;
+using TermForm = Term::Kind;
 
 constexpr const char* kChannels[]{"r", "g", "b"};
 constexpr const char* kColors[]{"red", "green", "blue"};
@@ -56,7 +56,7 @@ private:
 };
 
 // Whether a formula is to stand between parentheses as a factor or below an exponent.
-bool isSum(const Term& term) { return term.kind == TermKind::Sum || term.kind == TermKind::Difference; }
+bool isSum(const Term& term) { return term.kind == TermForm::Sum || term.kind == TermForm::Difference; }
 
 Formula between(const char* left, Formula inside, const char* right) {
     return row({text(left), std::move(inside), text(right)});
@@ -127,21 +127,21 @@ double EquationTerms::valueOf(Quantity quantity, double index, const Evaluation&
 double EquationTerms::valueOf(const Term& term, const Evaluation& e, const LightReport* light) const {
     const auto part = [&](std::size_t i) { return valueOf(term.parts[i], e, light); };
     switch (term.kind) {
-        case TermKind::Leaf: return valueOf(term.quantity, term.number, e, light);
-        case TermKind::Sum: {
+        case TermForm::Leaf: return valueOf(term.quantity, term.number, e, light);
+        case TermForm::Sum: {
             double sum = 0;
             for (const Term& summand : term.parts) sum += valueOf(summand, e, light);
             return sum;
         }
-        case TermKind::Difference: return part(0) - part(1);
-        case TermKind::Product: return productOf(term.parts, e, light);
-        case TermKind::Power: {
-            const bool isMirror = term.parts[0].quantity == Quantity::Mirror && term.parts[0].kind == TermKind::Leaf;
+        case TermForm::Difference: return part(0) - part(1);
+        case TermForm::Product: return productOf(term.parts, e, light);
+        case TermForm::Power: {
+            const bool isMirror = term.parts[0].quantity == Quantity::Mirror && term.parts[0].kind == TermForm::Leaf;
             return isMirror ? light->specularPower : std::pow(part(0), part(1));
         }
-        case TermKind::Fraction: return part(0) / part(1);
-        case TermKind::Root: return std::sqrt(part(0));
-        case TermKind::Largest: return std::max(part(0), part(1));
+        case TermForm::Fraction: return part(0) / part(1);
+        case TermForm::Root: return std::sqrt(part(0));
+        case TermForm::Largest: return std::max(part(0), part(1));
     }
     return 0;
 }
@@ -198,22 +198,22 @@ Formula EquationTerms::symbolsOf(const Term& term, int k) const {
     const auto part = [&](std::size_t i) { return symbolsOf(term.parts[i], k); };
     const auto closed = [&](std::size_t i) { return isSum(term.parts[i]) ? between("(", part(i), ")") : part(i); };
     switch (term.kind) {
-        case TermKind::Leaf: return symbolOf(term, k);
-        case TermKind::Sum: {
+        case TermForm::Leaf: return symbolOf(term, k);
+        case TermForm::Sum: {
             std::vector<Formula> sum{part(0)};
             for (std::size_t i = 1; i < term.parts.size(); ++i) sum.push_back(text("+")), sum.push_back(part(i));
             return row(std::move(sum));
         }
-        case TermKind::Difference: return row({part(0), text("−"), part(1)});
-        case TermKind::Product: {
+        case TermForm::Difference: return row({part(0), text("−"), part(1)});
+        case TermForm::Product: {
             std::vector<Formula> parts;
             appendSymbols(term.parts, k, parts);
             return row(std::move(parts));
         }
-        case TermKind::Power: return power(closed(0), part(1));
-        case TermKind::Fraction: return fraction(part(0), part(1));
-        case TermKind::Root: return row({text("√("), part(0), text(")")});
-        case TermKind::Largest: return row({text("max("), part(0), text(","), part(1), text(")")});
+        case TermForm::Power: return power(closed(0), part(1));
+        case TermForm::Fraction: return fraction(part(0), part(1));
+        case TermForm::Root: return row({text("√("), part(0), text(")")});
+        case TermForm::Largest: return row({text("max("), part(0), text(","), part(1), text(")")});
     }
     return {};
 }
@@ -251,22 +251,22 @@ Formula EquationTerms::numbersOf(const Term& term, const Evaluation& e, const Li
     const auto part = [&](std::size_t i) { return numbersOf(term.parts[i], e, light); };
     const auto closed = [&](std::size_t i) { return isSum(term.parts[i]) ? between("(", part(i), ")") : part(i); };
     switch (term.kind) {
-        case TermKind::Leaf: return numberOf(term, e, light);
-        case TermKind::Sum: {
+        case TermForm::Leaf: return numberOf(term, e, light);
+        case TermForm::Sum: {
             std::vector<Formula> sum{part(0)};
             for (std::size_t i = 1; i < term.parts.size(); ++i) sum.push_back(text("+")), sum.push_back(part(i));
             return row(std::move(sum));
         }
-        case TermKind::Difference: return row({part(0), text("−"), part(1)});
-        case TermKind::Product: {
+        case TermForm::Difference: return row({part(0), text("−"), part(1)});
+        case TermForm::Product: {
             std::vector<Formula> parts;
             appendNumbers(term.parts, e, light, parts);
             return row(std::move(parts));
         }
-        case TermKind::Power: return power(closed(0), part(1));
-        case TermKind::Fraction: return fraction(part(0), part(1));
-        case TermKind::Root: return row({text("√("), part(0), text(")")});
-        case TermKind::Largest: return row({text("max("), part(0), text(","), part(1), text(")")});
+        case TermForm::Power: return power(closed(0), part(1));
+        case TermForm::Fraction: return fraction(part(0), part(1));
+        case TermForm::Root: return row({text("√("), part(0), text(")")});
+        case TermForm::Largest: return row({text("max("), part(0), text(","), part(1), text(")")});
     }
     return {};
 }
@@ -276,8 +276,8 @@ void EquationTerms::appendNumbers(Factors product, const Evaluation& e, const Li
                                   std::vector<Formula>& parts) const {
     NumberRow numbers(parts);
     for (const Term& factor : product) {
-        const bool isCosine = factor.kind == TermKind::Leaf && factor.quantity == Quantity::NDotL;
-        const bool isMirror = factor.kind == TermKind::Power && factor.parts[0].quantity == Quantity::Mirror;
+        const bool isCosine = factor.kind == TermForm::Leaf && factor.quantity == Quantity::NDotL;
+        const bool isMirror = factor.kind == TermForm::Power && factor.parts[0].quantity == Quantity::Mirror;
         if (isCosine && !(light->nDotL > 0)) {
             numbers.addClamped(numberOf(factor, e, light));
         } else if (isMirror &&
@@ -295,7 +295,7 @@ void EquationTerms::symbols(std::vector<Formula>& parts) const {
     const LightFormula& formula = model().light;
     for (const Term& term : model().base) {
         if (&term != &model().base.front()) parts.push_back(text("+"));
-        term.kind == TermKind::Product ? appendSymbols(term.parts, 0, parts) : parts.push_back(symbolsOf(term, 0));
+        term.kind == TermForm::Product ? appendSymbols(term.parts, 0, parts) : parts.push_back(symbolsOf(term, 0));
     }
     for (std::size_t light = 0; light < scene.lights.size(); ++light) {
         const int k = int(light);
@@ -326,7 +326,7 @@ void EquationTerms::numbers(const Evaluation& e, std::vector<Formula>& parts) co
     const LightFormula& formula = model().light;
     for (const Term& term : model().base) {
         if (&term != &model().base.front()) parts.push_back(text("+"));
-        appendNumbers(term.kind == TermKind::Product ? term.parts : Factors(&term, 1), e, nullptr, parts);
+        appendNumbers(term.kind == TermForm::Product ? term.parts : Factors(&term, 1), e, nullptr, parts);
     }
     for (const LightReport& light : e.lights) {
         const auto reflected = [&](const char* left, const char* right) {

@@ -5,45 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pipeline/core/text.h"
 #include "pipeline/inspect/replay.h"
 #include "pipeline/inspect/shadow_blocker.h"
 #include "pipeline/inspect/shadow_events.h"
 #include "pipeline/scene/area_light.h"
 
 namespace pipeline {
-
-std::string_view name(FragmentVerdict verdict) {
-    switch (verdict) {
-        case FragmentVerdict::WonStays: return "won, stays";
-        case FragmentVerdict::Overwritten: return "overwritten";
-        case FragmentVerdict::NotNearer: return "not nearer";
-        case FragmentVerdict::PaintedLast: return "painted last, stays";
-        case FragmentVerdict::PaintedOver: return "painted over";
-        case FragmentVerdict::NotYet: return "not drawn yet";
-    }
-    return {};
-}
-
-std::string depthText(double depth, int digits) {
-    if (!std::isfinite(depth)) return "+∞";
-    // As many decimals in all of a column, which stays aligned; more where tiny depths are to be told apart.
-    const int magnitude = depth == 0 ? 0 : static_cast<int>(std::floor(std::log10(std::abs(depth))));
-    return fmt::format("{:.{}f}", depth, std::clamp(digits - 1 - magnitude, 0, digits > 7 ? 340 : 17));
-}
-
-ComparisonText comparisonText(const FragmentReport& fragment, const NumberText& chosen) {
-    const auto text = [&chosen](double depth, int digits) {
-        const auto own = chosen ? chosen(depth) : std::nullopt;
-        return own ? *own : depthText(depth, digits);
-    };
-    constexpr int kMostDigits = 17;  // what tells any two doubles apart
-    if (fragment.relation.empty()) return {text(fragment.depth, 7), {}, {}};
-    for (int digits = 7;; ++digits) {
-        ComparisonText both{text(fragment.depth, digits), std::string(fragment.relation),
-                            text(fragment.stored, digits)};
-        if (both.depth != both.stored || fragment.depth == fragment.stored || digits == kMostDigits) return both;
-    }
-}
 
 namespace {
 

@@ -45,8 +45,8 @@ void addEquations(std::string& out, const Frame& frame, const PixelReport& r) {
         channels, {}, [&](const std::vector<EquationLine>& lines) { return std::ranges::count_if(lines, isShared); });
     for (auto lines = channels.begin(); lines != channels.end(); ++lines) {
         if (lines->empty()) continue;
-        constexpr std::array kChannels{"red", "green", "blue"};
-        out += fmt::format("\n{}\n", kChannels[std::size_t(lines - channels.begin())]);
+        constexpr std::array kChannelNames{"red", "green", "blue"};
+        out += fmt::format("\n{}\n", kChannelNames[std::size_t(lines - channels.begin())]);
         for (const EquationLine& line : *lines) {
             if (lines != most && isShared(line)) continue;
             const bool continues = line.role == "numbers" || line.role == "result";
@@ -78,7 +78,7 @@ void addSamples(std::string& out, const PixelReport& r) {
 }
 
 void addFragments(std::string& out, const PixelReport& r) {
-    out += fmt::format("\nfragments: {} came\n", r.fragments.size());
+    out += fmt::format("\nfragments: {}\n", r.fragments.size());
     for (std::size_t i = 0; i < r.fragments.size(); ++i) {
         const FragmentReport& fragment = r.fragments[i];
         out += fmt::format("  {}  polygon {}  {}  {}\n", i + 1, fragment.polygon, comparisonText(fragment).whole(),

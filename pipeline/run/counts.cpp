@@ -43,7 +43,7 @@ std::string countsOf(StageId stage, const FrameData<Real>& data) {
         }
         case StageId::ZBuffer: {
             return fmt::format("{}, {} {}{}", plural(data.zBuffer->arrived, "fragment"), data.zBuffer->won,
-                               data.keys.zBuffer.visibility == Visibility::ZBuffer ? "won" : "written",
+                               data.keys.zBuffer.visibility == Visibility::ZBuffer ? "passed" : "written",
                                data.zBuffer->note);
         }
         case StageId::Shading: {

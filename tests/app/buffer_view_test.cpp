@@ -288,7 +288,7 @@ TEST_F(BufferViewTest, OverlaysLieOverThePictureAndSayWhatTheyStandFor) {
         EXPECT_EQ(qAlpha(overlay.pixel(kBackground)), 0);  // no fragment came
     }
     EXPECT_TRUE(legend().contains("×1"));
-    EXPECT_TRUE(legend().contains("one came"));
+    EXPECT_TRUE(legend().contains("one fragment"));
     view.features().overlays->set(app::OverlayId::Fragments, false);
     EXPECT_EQ(canvas().content().overlays.size(), 1u);
     view.features().overlays->set(app::OverlayId::Verdict, true);

@@ -96,7 +96,7 @@ TEST_F(InspectorPanelTest, SaysThatAPixelIsNotDrawnYet) {
     // Of a pixel of the background.
     document.pointing().pick(glm::ivec2(10, 10));
     document.stepper().goTo(*pipeline::parsePlace("z-buffer/start"));
-    EXPECT_TRUE(QTest::qWaitFor([&] { return shows("0 came, 0 won"); }, 10000));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return shows("0 fragments, 0 passed"); }, 10000));
     document.stepper().goTo(*pipeline::parsePlace("shading/start"));
     EXPECT_TRUE(QTest::qWaitFor([&] { return shows("Background: nothing was drawn here."); }, 10000));
 }

@@ -18,7 +18,7 @@ TEST(Inspect, PrintsTheEquationWithItsNumbers) {
     EXPECT_TRUE(has(done.out, "I_b = k_b I_a + S_0 I_0 [ k_b (N·L) + k_s (R·V)^n ]")) << done.out;
     EXPECT_TRUE(has(done.out, "0.9·50 + 1·100 [ 0.9·0.7746 + 0.4·0.3974^8 ]"));
     EXPECT_TRUE(has(done.out, "114.739"));
-    EXPECT_TRUE(has(done.out, "won, stays"));
+    EXPECT_TRUE(has(done.out, "passed, stays"));
 }
 
 TEST(Inspect, AsJson) {
@@ -26,7 +26,7 @@ TEST(Inspect, AsJson) {
     EXPECT_EQ(json["polygon"], 2);
     EXPECT_NEAR(json["intensity"][2].get<double>(), 114.739, 5e-4);
     EXPECT_EQ(json["color"], Json::array({37, 93, 167}));
-    EXPECT_EQ(json["fragments"][0]["verdict"], "won, stays");
+    EXPECT_EQ(json["fragments"][0]["verdict"], "passed, stays");
     // The third polygon of pyramid.des: 3,(0,1,4), 3,(1,2,4), 3,(2,3,4) … in its line 11. Base, behind it, faces away;
     // the shoelace sum of its corners on the screen is derived in lecture1_pyramid_test.cpp. Snapped, they move by at
     // most √2/512 px each, along an outline of less than 350 px.

@@ -102,15 +102,6 @@ TEST(Equation, IsWrittenAsChosenButForWhatTheSceneSays) {
     EXPECT_EQ(latexWords("was 4.50·10^1, 2.49·10^−2"), "was 4.50$\\cdot 10^{1}$, 2.49$\\cdot 10^{-2}$");
 }
 
-TEST(Equation, DepthsThatDifferNeverReadAlike) {
-    using V = FragmentVerdict;
-    EXPECT_EQ(comparisonText({0, 1.00000001, 1.00000002, V::WonStays, "<"}).whole(), "1.00000001 < 1.00000002");
-    EXPECT_EQ(comparisonText({0, 1, 1, V::NotNearer, "≥"}).whole(), "1.000000 ≥ 1.000000");
-    EXPECT_EQ(comparisonText({0, 671.4539, 700, V::PaintedLast, {}}).whole(), "671.4539");
-    const NumberText chosen = [](double value) { return std::optional(fmt::format("{:.1f}", value)); };
-    EXPECT_EQ(comparisonText({0, 1.01, 1.02, V::WonStays, "<"}, chosen).whole(), "1.0 < 1.0") << "as asked for";
-}
-
 TEST(Equation, WordsForLatexKeepWhatPlainTextHas) {
     EXPECT_EQ(latexWords("light 0, 50 % {a_b}"), "light 0, 50 \\% \\{a\\_b\\}");
     EXPECT_EQ(latexWords("N·L ≤ 0"), "N$\\cdot$L $\\le$ 0");

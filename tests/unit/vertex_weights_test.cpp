@@ -45,7 +45,7 @@ Scene receding() {
 }
 
 // Seen from above, 10 pixels a unit, the origin in the middle of pixel 50, 50.
-Scene fromAbove(Scene scene) {
+Scene sceneFromAbove(Scene scene) {
     scene.settings.width = scene.settings.height = 101;
     scene.camera.projection = ProjectionKind::Orthographic;
     scene.camera.eye = {0, 0, 5}, scene.camera.target = {0, 0, 0}, scene.camera.up = {0, 1, 0};
@@ -109,7 +109,7 @@ TEST(VertexWeights, OfASquareAreBilinear) {
 // meets the corners at its left and right alone: 0, or 1 when turned the other way. Given exactly: half a diagonal is 4.
 TEST(VertexWeights, OfATurnedSquareDependOnTheTurn) {
     const auto middle = [](std::vector<Vec3d> corners, std::vector<double> intensities) {
-        Scene scene = fromAbove(withPolygon(std::move(corners), intensities));
+        Scene scene = sceneFromAbove(withPolygon(std::move(corners), intensities));
         scene.settings.interpolation = Interpolation::Scanline;
         return test::frameOf(scene)->buffer({BufferId::Intensity})->value(50, 50, 0);
     };
@@ -121,7 +121,7 @@ TEST(VertexWeights, OfATurnedSquareDependOnTheTurn) {
 // A U: its rows above the notch have two spans. In the middle of the right arm the row is halfway up that arm's outer
 // edge from 2 to -2 and three quarters up its inner one.
 TEST(VertexWeights, OfAConcavePolygonAreThoseOfTheSpan) {
-    Scene scene = fromAbove(
+    Scene scene = sceneFromAbove(
         withPolygon({{-3, -2, 0}, {3, -2, 0}, {3, 2, 0}, {1, 2, 0}, {1, 0, 0}, {-1, 0, 0}, {-1, 2, 0}, {-3, 2, 0}},
                     {1, 0, 1, 0, 1, 0, 1, 0}));
     scene.settings.interpolation = Interpolation::Scanline;

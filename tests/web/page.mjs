@@ -35,7 +35,7 @@ try {
   expect('the equation has the numbers of the lecture', (await text('.equation')).includes('114.739'), await text('.equation'));
   expect('the equation is MathML', await p.run('document.querySelector(".equation math").namespaceURI.endsWith("MathML")'));
   expect('the shadow buffer is left out, with its reason', /left out.*convex/.test(await text('#stages li:nth-child(4)')), await text('#stages li:nth-child(4)'));
-  expect('the fragments of the pixel are told', (await text('.fragments')).includes('won, stays'), await text('.fragments'));
+  expect('the fragments of the pixel are told', (await text('.fragments')).includes('passed, stays'), await text('.fragments'));
 
   const box = await p.run('(b => [b.x, b.y, b.width, b.height])(document.querySelector(".over").getBoundingClientRect())');
   await p.click(box[0] + box[2] * 0.3, box[1] + box[3] * 0.55);
