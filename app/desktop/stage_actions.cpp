@@ -100,9 +100,19 @@ void StageActions::addPixels(Actions& actions) {
                  .menu = "Inspect",
                  .text = "Clear selection",
                  .keys = "Ctrl+Shift+G",
-                 .tip = "Clear the picked pixel.",
-                 .run = [this] { m_document.pointing().pick(std::nullopt); },
-                 .whyNot = [this] { return m_document.pointing().pixel() ? QString() : tr("Pick a pixel first."); }});
+                 .tip = "Clear the picked pixel and the selected object, light, polygon or vertex.",
+                 .run =
+                     [this] {
+                         m_document.pointing().pick(std::nullopt);
+                         m_document.pointing().select(std::nullopt);
+                     },
+                 .whyNot =
+                     [this] {
+                         const Pointing& pointing = m_document.pointing();
+                         return pointing.pixel() || pointing.selection()
+                                    ? QString()
+                                    : tr("No pixel is picked, and nothing is selected.");
+                     }});
 }
 
 void StageActions::addChannels(Actions& actions) {

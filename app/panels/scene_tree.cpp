@@ -25,6 +25,32 @@ QString iconName(SceneItem::Kind kind) {
     return "file";
 }
 
+// Nothing for a row that no view can mark.
+std::optional<lessons::Selection> selectionOf(const SceneItem& item) {
+    using Kind = lessons::Selection::Kind;
+    switch (item.kind) {
+        case SceneItem::Kind::Object: return lessons::Selection{Kind::Object, item.index};
+        case SceneItem::Kind::Light: return lessons::Selection{Kind::Light, item.index};
+        case SceneItem::Kind::Scene:
+        case SceneItem::Kind::Material:
+        case SceneItem::Kind::Ambient:
+        case SceneItem::Kind::Camera: break;
+    }
+    return std::nullopt;
+}
+
+// Nothing for a polygon or a vertex, which have no row.
+std::optional<SceneItem> itemOf(const lessons::Selection& selection) {
+    using Kind = lessons::Selection::Kind;
+    switch (selection.kind) {
+        case Kind::Object: return SceneItem{SceneItem::Kind::Object, selection.index};
+        case Kind::Light: return SceneItem{SceneItem::Kind::Light, selection.index};
+        case Kind::Polygon:
+        case Kind::Vertex: break;
+    }
+    return std::nullopt;
+}
+
 // Icon, name, and at the right the detail in small letters; parts stand a step in.
 class RowPainter : public QStyledItemDelegate {
 public:
@@ -78,9 +104,9 @@ SceneTree::SceneTree(Document& document, QWidget* parent) : QListWidget(parent),
     setMouseTracking(true);
     setItemDelegate(new RowPainter(this));
     followTheme(this, [this] { doItemsLayout(), updateGeometry(); });
-    connect(this, &QListWidget::currentRowChanged, this, [this](int row) {
-        if (row >= 0) emit selected(m_rows[std::size_t(row)].item);
-    });
+    connect(this, &QListWidget::currentRowChanged, this, &SceneTree::choose);
+    // The current row too: a picked pixel may have ended its selection since.
+    connect(this, &QListWidget::itemClicked, this, [this](QListWidgetItem* item) { choose(row(item)); });
     connect(&document, &Document::sceneOpened, this, [this] {
         m_rows.clear();
         rebuild();
@@ -98,14 +124,25 @@ QSize SceneTree::sizeHint() const {
     return {Theme::current().px(200), rows * Theme::current().px(24) + Theme::current().px(8)};
 }
 
+// A row that no view can mark ends the selection of an object or a light. A selected polygon or vertex stays: one changes a
+// material to see what becomes of it.
+void SceneTree::choose(int row) {
+    if (row < 0) return;
+    const SceneItem item = m_rows[std::size_t(row)].item;
+    Pointing& pointing = m_document.pointing();
+    if (const auto thing = selectionOf(item))
+        pointing.select(thing);
+    else if (pointing.selection() && itemOf(*pointing.selection()))
+        pointing.select(std::nullopt);
+    emit selected(item);
+}
+
 // An object or a light that is selected elsewhere shows its settings.
 void SceneTree::followSelection() {
     const auto& selection = m_document.pointing().selection();
-    if (!selection) return;
-    const bool isLight = selection->kind == lessons::Selection::Kind::Light;
-    if (!isLight && selection->kind != lessons::Selection::Kind::Object) return;
-    const SceneItem item{isLight ? SceneItem::Kind::Light : SceneItem::Kind::Object, selection->index};
-    const auto row = std::ranges::find(m_rows, item, &OutlineRow::item);
+    const auto item = selection ? itemOf(*selection) : std::nullopt;
+    if (!item) return;
+    const auto row = std::ranges::find(m_rows, *item, &OutlineRow::item);
     if (row != m_rows.end()) setCurrentRow(int(row - m_rows.begin()));
 }
 

@@ -6,7 +6,8 @@
 
 namespace app {
 
-// The scene's parts: objects with their materials, lights, camera. Choosing one shows its settings.
+// The scene's parts: objects with their materials, lights, camera. Choosing one shows its settings. An object or a light is
+// also selected in all views.
 class SceneTree : public QListWidget {
     Q_OBJECT
 public:
@@ -18,6 +19,7 @@ signals:
     void selected(const SceneItem& item);
 
 private:
+    void choose(int row);
     void rebuild();
     void followSelection();
 

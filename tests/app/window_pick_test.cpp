@@ -7,6 +7,7 @@
 #include "app/core/theme.h"
 #include "app/panels/buffer_canvas.h"
 #include "app/panels/inspector_panel.h"
+#include "app/panels/scene_tree.h"
 #include "app/panels/tables_panel.h"
 #include "app/view3d/scene_view.h"
 #include "tests/app/window_fixture.h"
@@ -78,6 +79,56 @@ TEST_F(WindowPick, ARowOfATableIsMarkedInEveryView) {
     QTest::mouseClick(canvas(), Qt::LeftButton, Qt::NoModifier, onCanvas({268, 281}));
     EXPECT_FALSE(document().pointing().selection());
     EXPECT_TRUE(canvas()->content().marked.empty());
+}
+
+TEST_F(WindowPick, ARowOfTheScenePanelIsSelectedInEveryViewWithoutAPickedPixel) {
+    openPyramid();
+    ASSERT_FALSE(document().pointing().pixel());
+    EXPECT_FALSE(document().pointing().selection()) << "the material that is shown first selects nothing";
+    auto* tree = find<SceneTree>("sceneTree");
+    const auto click = [&](const QString& name) {
+        const auto rows = tree->findItems(name, Qt::MatchExactly);
+        ASSERT_EQ(rows.size(), 1) << name.toStdString();
+        QTest::mouseClick(tree->viewport(), Qt::LeftButton, Qt::NoModifier, tree->visualItemRect(rows[0]).center());
+    };
+    using Kind = lessons::Selection::Kind;
+    const auto selected = [&] { return document().pointing().selection(); };
+
+    const QString name = QString::fromStdString(document().scene().objects[0].name);
+    click(name);
+    ASSERT_EQ(selected(), (lessons::Selection{Kind::Object, 0}));
+    ASSERT_EQ(canvas()->content().marked.size(), 1u);
+    const QRectF box = canvas()->content().marked[0].boundingRect();
+    // Every pixel that the pyramid covers is in the box, and one of them touches each of its sides.
+    int left = 1 << 20, top = 1 << 20, right = -1, bottom = -1;
+    const auto& frame = document().frames().whole();
+    const auto object = *frame->buffer({pipeline::BufferId::ObjectId});
+    for (std::size_t y = 0; y < object.rows(); ++y)
+        for (std::size_t x = 0; x < object.columns(); ++x)
+            if (object.value(x, y) == 0) {
+                left = std::min(left, int(x)), right = std::max(right, int(x));
+                top = std::min(top, int(y)), bottom = std::max(bottom, int(y));
+            }
+    EXPECT_NEAR(box.left(), left, 1.5);
+    EXPECT_NEAR(box.right(), right + 1, 1.5);
+    EXPECT_NEAR(box.top(), top, 1.5);
+    EXPECT_NEAR(box.bottom(), bottom + 1, 1.5);
+
+    click("light 0");
+    EXPECT_EQ(selected(), (lessons::Selection{Kind::Light, 0}));
+    click(name);
+    click("material 0");
+    EXPECT_FALSE(selected()) << "no view can mark a material";
+    EXPECT_TRUE(canvas()->content().marked.empty());
+
+    click(name);
+    QTest::mouseClick(canvas(), Qt::LeftButton, Qt::NoModifier, onCanvas({268, 281}));
+    EXPECT_FALSE(selected());
+    click(name);
+    EXPECT_EQ(selected(), (lessons::Selection{Kind::Object, 0})) << "the row was the current one all the while";
+    press("Ctrl+Shift+G");
+    EXPECT_FALSE(selected());
+    EXPECT_FALSE(document().pointing().pixel());
 }
 
 TEST_F(WindowPick, GoToPixelTakesTwoNumbersInsideThePicture) {
