@@ -25,7 +25,7 @@ QString copiedValue(const pipeline::AnyBuffer& buffer, glm::ivec2 pixel, bool is
         },
         buffer.data);
     return QStringLiteral("%1 at %2, %3: ").arg(toQString(buffer.name.text())).arg(pixel.x).arg(pixel.y) +
-           (isDrawn ? numbers.join(' ') : QStringLiteral("no value, %1 is stored").arg(numbers.join(' ')));
+           (isDrawn ? numbers.join(' ') : QStringLiteral("nothing drawn (cleared to %1)").arg(numbers.join(' ')));
 }
 
 QString whyNoValue(const pipeline::BufferInfo& info) {

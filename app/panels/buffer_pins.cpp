@@ -5,6 +5,7 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QMenu>
+#include <algorithm>
 
 #include "app/core/pinned_pixels.h"
 #include "app/core/theme.h"
@@ -75,7 +76,7 @@ void PinMarks::place(CanvasRoom& room) {
     m_label->setFont(Theme::current().mono(12));
     m_label->adjustSize();
     m_label->move(CanvasRoom::kMargin, room.bottom - m_label->height() - CanvasRoom::kMargin);
-    if (m_label->isVisibleTo(view().canvas())) room.left = m_label->geometry().right();
+    if (m_label->isVisibleTo(view().canvas())) room.left = std::max(room.left.value_or(0), m_label->geometry().right());
 }
 
 }  // namespace app

@@ -1,6 +1,8 @@
 #include "app/panels/buffer_readout.h"
 
 #include <QLabel>
+#include <algorithm>
+#include <cmath>
 
 #include "app/core/shadow_texel.h"
 #include "app/core/theme.h"
@@ -32,6 +34,7 @@ PixelReadout::PixelReadout(BufferView& view, const BufferCompare& compare)
     });
     connect(&view.canvas()->input(), &CanvasInput::nudged, this, &PixelReadout::nudge);
     connect(&view.canvas()->input(), &CanvasInput::hovered, this, &PixelReadout::hover);
+    connect(&view.canvas()->placing(), &CanvasPlacing::changed, this, [this] { this->view().place(); });
     const auto follow = [this] {
         show();
         this->view().place();
@@ -83,7 +86,22 @@ void PixelReadout::place(CanvasRoom& room) {
     // Above "0, 0", where the canvas marks it.
     const int origin = view().canvas()->placing().isFlipped() ? QFontMetrics(theme.mono(12)).height() + 4 : 0;
     m_label->move(CanvasRoom::kMargin, room.bottom - m_label->height() - CanvasRoom::kMargin - origin);
-    if (m_label->isVisibleTo(view().canvas())) room.bottom = m_label->y();
+    if (const QRect pixel = pixelOnCanvas(); m_label->geometry().intersects(pixel))
+        m_label->move(CanvasRoom::kMargin, std::max(0, pixel.top() - m_label->height()));
+    if (!m_label->isVisibleTo(view().canvas())) return;
+    room.bottom = m_label->y();
+    room.left = m_label->geometry().right();
+}
+
+// The pixel that the label is about, with some of its neighbourhood.
+QRect PixelReadout::pixelOnCanvas() const {
+    const CanvasContent& content = view().canvas()->content();
+    const std::optional<QPoint> pixel = content.hovered ? content.hovered : content.picked;
+    if (!pixel) return {};
+    const CanvasPlacing& placing = view().canvas()->placing();
+    const QPointF centre = placing.placement().toWidget(placing.toShown(QPointF(*pixel) + QPointF(0.5, 0.5)));
+    const int reach = int(std::ceil(placing.zoom() / 2)) + CanvasRoom::kMargin;
+    return QRect(centre.toPoint() - QPoint(reach, reach), QSize(2 * reach + 1, 2 * reach + 1));
 }
 
 std::optional<QPoint> PixelReadout::texelOf(std::optional<glm::ivec2> pixel) const {
@@ -98,7 +116,7 @@ QString PixelReadout::at(QPoint pixel) const {
     if (!shown.content.shapes) {
         const QString value =
             elementText(shown.buffer, std::size_t(pixel.x()), std::size_t(pixel.y()), shown.look.channel).join(' ');
-        return place + " → " + (shown.hasValue(pixel) ? value : tr("no value, %1 is stored").arg(value)) +
+        return place + " → " + (shown.hasValue(pixel) ? value : tr("nothing drawn (cleared to %1)").arg(value)) +
                m_compare.readout(pixel);
     }
     const int polygon = nearestPolygonAt(*shown.content.shapes, QPointF(pixel) + QPointF(0.5, 0.5));

@@ -20,6 +20,7 @@ public:
 private:
     void hover(std::optional<QPoint> pixel);
     void nudge(QPoint by);
+    QRect pixelOnCanvas() const;
     // The texel of the shadow buffer on show that holds a pixel's point.
     std::optional<QPoint> texelOf(std::optional<glm::ivec2> pixel) const;
 

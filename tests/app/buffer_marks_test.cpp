@@ -72,6 +72,31 @@ constexpr glm::ivec2 kOnPolygon2{268, 281};
 
 }  // namespace
 
+// In every corner of the view, and while the picture is moved under the label.
+TEST_F(BufferMarksTest, TheValueOfAPixelDoesNotCoverIt) {
+    BufferCanvas& canvas = *view.canvas();
+    canvas.placing().setZoom(8);
+    const auto label = [this]() -> QRect {
+        for (const QLabel* found : view.canvas()->findChildren<QLabel*>())
+            if (found->isVisible() && found->text().startsWith("x ")) return found->geometry();
+        return {};
+    };
+    for (const QPoint at : {QPoint(20, canvas.height() - 20), QPoint(60, canvas.height() - 12), QPoint(20, 10),
+                            QPoint(canvas.width() - 12, canvas.height() - 12), QPoint(300, 250)}) {
+        const auto pixel = canvas.placing().pixelAt(at);
+        ASSERT_TRUE(pixel);
+        document.pointing().hover(glm::ivec2(pixel->x(), pixel->y()));
+        ASSERT_FALSE(label().isEmpty());
+        EXPECT_FALSE(label().intersects(QRect(widgetAt(*pixel) - QPoint(4, 4), QSize(8, 8))))
+            << at.x() << ' ' << at.y();
+        EXPECT_TRUE(canvas.rect().contains(label()));
+    }
+    const auto middle = canvas.placing().pixelAt(QPoint(300, 250));
+    const QPoint by = label().center() - widgetAt(*middle);
+    canvas.placing().drag(canvas.placing().placement().origin + by);
+    EXPECT_FALSE(label().intersects(QRect(widgetAt(*middle) - QPoint(4, 4), QSize(8, 8))));
+}
+
 // The checker, the label, a screen reader and a copied value agree: S is stored as 1 where nothing was drawn.
 TEST_F(BufferMarksTest, WhereNothingWasDrawnThereIsNoValue) {
     constexpr QPoint kBackground{5, 5};
@@ -88,9 +113,9 @@ TEST_F(BufferMarksTest, WhereNothingWasDrawnThereIsNoValue) {
         return view.canvas()->accessibleDescription().startsWith(words + ". ") &&
                std::ranges::any_of(labels, [&](const QLabel* label) { return label->text() == words; });
     };
-    EXPECT_TRUE(says("x 5 y 5 → no value, 1.0000 is stored"));
+    EXPECT_TRUE(says("x 5 y 5 → nothing drawn (cleared to 1.0000)"));
     view.features().copies->copyValue();
-    EXPECT_EQ(QApplication::clipboard()->text(), "shadow.0 at 5, 5: no value, 1 is stored");
+    EXPECT_EQ(QApplication::clipboard()->text(), "shadow.0 at 5, 5: nothing drawn (cleared to 1)");
     document.pointing().pick(glm::ivec2(268, 281));
     EXPECT_TRUE(says("x 268 y 281 → 1.0000"));
     ASSERT_TRUE(show({BufferId::Color}));

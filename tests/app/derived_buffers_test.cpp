@@ -271,7 +271,8 @@ TEST(CopiedValue, HasEveryChannelInTheFewestDigits) {
     const pipeline::AnyBuffer buffer{
         {BufferId::Normal}, &bufferInfo(BufferId::Normal), {1, 1, 3}, std::span(numbers), nullptr};
     EXPECT_EQ(app::copiedValue(buffer, {0, 0}, true), "normal at 0, 0: 0.1 0.25 0.33333334");
-    EXPECT_EQ(app::copiedValue(buffer, {0, 0}, false), "normal at 0, 0: no value, 0.1 0.25 0.33333334 is stored");
+    EXPECT_EQ(app::copiedValue(buffer, {0, 0}, false),
+              "normal at 0, 0: nothing drawn (cleared to 0.1 0.25 0.33333334)");
 }
 
 // Saved by the program it is its own; with a word more it is somebody's.
