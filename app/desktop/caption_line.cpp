@@ -73,28 +73,13 @@ void CaptionLine::paintEvent(QPaintEvent*) {
     const ThemeColors& colors = theme.colors();
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
-    double right = width();
-    // The key's place stays empty without it: the dots do not move.
-    const QFont keyFont = theme.text(12, 500);
-    const double keyWidth =
-        std::max(QFontMetrics(keyFont).horizontalAdvance("Shift+F10"), QFontMetrics(keyFont).horizontalAdvance(m_key)) +
-        theme.px(12);
-    right -= keyWidth;
-    if (!m_key.isEmpty()) {
-        const double own = QFontMetrics(keyFont).horizontalAdvance(m_key) + theme.px(12);
-        const QRectF box(width() - own, 1, own - 1, height() - 2);
-        painter.setPen(colors.outline);
-        painter.setBrush(colors.raised);
-        painter.drawRoundedRect(box, theme.px(4), theme.px(4));
-        painter.setFont(keyFont);
-        painter.setPen(colors.text);
-        painter.drawText(box, Qt::AlignCenter, m_key);
-    }
-    // As many dots as fit into a third of the line.
+    // As many dots as fit into a third of the line. They end at the margin.
     const double dot = theme.px(6), gap = theme.px(5), pill = 2.4 * dot;
     const int shown = std::min(m_count, int(width() / 3 / (dot + gap)));
     const int first = std::clamp(m_current - shown / 2, 0, std::max(0, m_count - shown));
-    right -= theme.px(12) + shown * (dot + gap) + (pill - dot);
+    const bool hasCurrent = m_current >= first && m_current < first + shown;
+    double right = width();
+    if (shown > 0) right -= shown * (dot + gap) - gap + (hasCurrent ? pill - dot : 0);
     double x = right;
     for (int i = first; i < first + shown; ++i) {
         const bool now = i == m_current;
@@ -104,6 +89,22 @@ void CaptionLine::paintEvent(QPaintEvent*) {
         painter.drawRoundedRect(box, dot / 2, dot / 2);
         x += box.width() + gap;
     }
+    if (shown > 0) right -= theme.px(12);
+    // The key's place stays empty without it: the sentence does not move.
+    const QFont keyFont = theme.text(12, 500);
+    const auto widthOf = [&](const QString& key) {
+        return QFontMetrics(keyFont).horizontalAdvance(key) + theme.px(12);
+    };
+    if (!m_key.isEmpty()) {
+        const QRectF box(right - widthOf(m_key), 1, widthOf(m_key) - 1, height() - 2);
+        painter.setPen(colors.outline);
+        painter.setBrush(colors.raised);
+        painter.drawRoundedRect(box, theme.px(4), theme.px(4));
+        painter.setFont(keyFont);
+        painter.setPen(colors.text);
+        painter.drawText(box, Qt::AlignCenter, m_key);
+    }
+    right -= std::max(widthOf("Shift+F10"), widthOf(m_key));
     paintSentence(painter, int(right) - theme.px(12));
 }
 

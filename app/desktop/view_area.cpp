@@ -53,6 +53,7 @@ ViewArea::ViewArea(Document& document, QWidget* parent, ViewDress dress)
     followTheme(this, [this, column] {
         column->setSpacing(m_grid->gap());
         m_missing->setFont(Theme::current().text(12));
+        m_missing->setContentsMargins(Theme::current().px(8), 0, Theme::current().px(8), Theme::current().px(2));
         m_grid->applyTheme();
     });
 

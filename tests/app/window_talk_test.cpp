@@ -86,6 +86,32 @@ TEST_F(WindowTalk, TheCleanViewStaysAsLargeAsTheScreen) {
     EXPECT_TRUE(view.rect().contains(caption->geometry())) << caption->geometry().bottom();
 }
 
+// The last key is shown beside the dots of the cues, and moves neither them nor the sentence.
+TEST_F(WindowTalk, TheDotsOfTheCuesEndAtTheMargin) {
+    CaptionLine line(nullptr);
+    line.resize(900, line.sizeHint().height());
+    line.setText("Shading", "R leaves away from the eye.");
+    const auto picture = [&line] { return line.grab().toImage(); };
+    const auto lastDifference = [](const QImage& a, const QImage& b) {
+        int last = -1;
+        for (int y = 0; y < a.height(); ++y)
+            for (int x = last + 1; x < a.width(); ++x)
+                if (a.pixel(x, y) != b.pixel(x, y)) last = x;
+        return last;
+    };
+    const QImage bare = picture();
+    line.setCues(5, 4);
+    const QImage dots = picture();
+    const double ratio = dots.devicePixelRatio();
+    EXPECT_GE(lastDifference(dots, bare), (900 - 2) * ratio);
+    line.setKey("Shift+F10");
+    const QImage withKey = picture();
+    const int room = int(50 * ratio);  // five dots of 6 and a longer one, four gaps of 5: at most 64
+    EXPECT_EQ(withKey.copy(withKey.width() - room, 0, room, withKey.height()),
+              dots.copy(dots.width() - room, 0, room, dots.height()));
+    EXPECT_GT(lastDifference(withKey, dots), 0) << "the key is shown";
+}
+
 // Letters and digits of a condition are no keys of the presentation; Esc closes the bar first.
 TEST_F(WindowTalk, AConditionIsTypedWhilePresenting) {
     CleanView& view = present();
