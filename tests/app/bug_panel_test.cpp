@@ -13,6 +13,7 @@
 
 #include "app/panels/buffer_canvas.h"
 #include "app/panels/bug_box.h"
+#include "tests/app/quiet.h"
 
 namespace app {
 namespace {
@@ -65,7 +66,7 @@ TEST_F(BugPanelTest, NothingScrollsInsideOfTheCard) {
     for (const BufferId id : {BufferId::Normal, BufferId::Depth, BufferId::ObjectId, BufferId::Overdraw}) {
         panel.round().look(pipeline::BufferName{id});
         ASSERT_TRUE(wait());
-        QCoreApplication::processEvents();
+        ASSERT_TRUE(test::waitUntilQuiet());
         EXPECT_EQ(text->verticalScrollBar()->maximum(), 0) << text->toPlainText().toStdString();
         EXPECT_TRUE(looks->isVisible());
         EXPECT_EQ(looks->verticalScrollBar()->maximum(), 0) << looks->count();

@@ -11,6 +11,7 @@
 #endif
 
 #include "app/core/freed_memory.h"
+#include "app/view3d/scene_view.h"
 #include "pipeline/core/memory.h"
 #include "pipeline/formats/built_in_scenes.h"
 #include "tests/app/window_fixture.h"
@@ -45,12 +46,18 @@ protected:
         for (const pipeline::BuiltInScene& scene : pipeline::builtInScenes()) {
             ASSERT_TRUE(window.openFile(QString::fromStdString(scene.file.string())));
             ASSERT_TRUE(waitForFrame());
+            // Every round draws the same 3D views: each has buffers of OpenGL's driver from its first picture on.
+            ASSERT_TRUE(QTest::qWaitFor([this] { return areSpacesDrawn(); }, 30000));
             m_frames.push_back(document().frames().whole());
             m_scenes.push_back(document().sharedScene());
             ++m_opened;
         }
         ASSERT_TRUE(!rested.isEmpty() || rested.wait(30000)) << "the window comes to rest";
         QThreadPool::globalInstance()->waitForDone();
+    }
+    bool areSpacesDrawn() const {
+        return std::ranges::all_of(window.findChildren<SceneView*>(),
+                                   [](const SceneView* view) { return !view->isVisible() || view->isDrawn(); });
     }
     qsizetype objects() {
         QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
