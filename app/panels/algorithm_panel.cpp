@@ -8,6 +8,7 @@
 #include <QMenu>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QSlider>
 #include <QToolButton>
 #include <algorithm>
@@ -16,6 +17,7 @@
 #include "app/core/spoken.h"
 #include "app/core/text.h"
 #include "app/panels/algorithm_view.h"
+#include "app/panels/elided_label.h"
 #include "app/panels/follow_theme.h"
 
 namespace app {
@@ -42,7 +44,7 @@ AlgorithmPanel::AlgorithmPanel(Document& document, QWidget* parent)
       m_last(new QLabel(m_loop)),
       m_variables(new QLabel(this)),
       m_note(new QLabel(this)),
-      m_hint(new QLabel(tr("Ctrl+click a line: run to it"), this)),
+      m_hint(new ElidedLabel(tr("Ctrl+click a line: run to it"), this)),
       m_slider(new QSlider(Qt::Horizontal, m_loop)),
       m_back(new QPushButton(tr("Back"), this)),
       m_next(new QPushButton(tr("Next line"), this)) {
@@ -76,7 +78,7 @@ AlgorithmPanel::AlgorithmPanel(Document& document, QWidget* parent)
     auto* foot = new QHBoxLayout;
     foot->addWidget(m_back);
     foot->addWidget(m_next);
-    foot->addWidget(m_hint, 1, Qt::AlignRight);
+    foot->addWidget(m_hint, 1);
     m_next->setProperty("kind", "primary");
     m_next->setToolTip(tr("Step to the next line (F10 when stepping by line)"));
     m_back->setToolTip(tr("Step back to the line before, exactly (Shift+F10)"));
@@ -120,6 +122,7 @@ AlgorithmPanel::AlgorithmPanel(Document& document, QWidget* parent)
     connect(m_view, &AlgorithmView::stepAsked, this, &AlgorithmPanel::stepLine);
     connect(m_view, &AlgorithmView::lineAsked, this, &AlgorithmPanel::runToLine);
     connect(m_view, &AlgorithmView::copyAsked, this, &AlgorithmPanel::copy);
+    connect(m_scroll->verticalScrollBar(), &QScrollBar::rangeChanged, this, &AlgorithmPanel::showLit);
     connect(m_slider, &QSlider::valueChanged, this, &AlgorithmPanel::slideTo);
     connect(&document.stepper(), &Stepper::changed, this, &AlgorithmPanel::showStep);
     connect(&document, &Document::stageChanged, this, &AlgorithmPanel::showStep);
@@ -128,10 +131,19 @@ AlgorithmPanel::AlgorithmPanel(Document& document, QWidget* parent)
 
 void AlgorithmPanel::showEvent(QShowEvent*) { showStep(); }
 
-// The lit line stays in sight where not all of them have room.
+// The lit line is whole in sight, and in the middle, where not all of them have room.
+void AlgorithmPanel::showLit() {
+    const QSize room = m_scroll->viewport()->size();
+    m_view->setMinimumHeight(m_view->heightForWidth(room.width()));
+    m_view->resize(room.width(), std::max(m_view->minimumHeight(), room.height()));  // the bar's range with it
+    const QRect lit = m_view->currentRect();
+    QScrollBar* bar = m_scroll->verticalScrollBar();
+    if (lit.isEmpty() || (lit.top() >= bar->value() && lit.bottom() < bar->value() + room.height())) return;
+    bar->setValue(std::min(lit.top(), lit.center().y() - room.height() / 2));
+}
+
 bool AlgorithmPanel::eventFilter(QObject* watched, QEvent* event) {
-    if (event->type() == QEvent::Resize)
-        m_view->setMinimumHeight(m_view->heightForWidth(m_scroll->viewport()->width()));
+    if (event->type() == QEvent::Resize) showLit();
     return QWidget::eventFilter(watched, event);
 }
 
@@ -139,9 +151,6 @@ void AlgorithmPanel::showStep() {
     if (!isVisible()) return;
     const Stepper& stepper = m_document.stepper();
     m_view->setState(algorithmState(stepper, m_document.stage()));
-    m_view->setMinimumHeight(m_view->heightForWidth(m_scroll->viewport()->width()));
-    const QRect lit = m_view->currentRect();
-    m_scroll->ensureVisible(0, lit.center().y(), 0, lit.height());
     showList();
     showLoop();
     showVariables();
@@ -155,6 +164,8 @@ void AlgorithmPanel::showStep() {
     if (!state)
         sentences += stepper.steps() ? tr("This stage has no algorithm here.") : tr("The steps are being counted.");
     m_note->setText(sentences.join('\n'));
+    m_note->setVisible(!sentences.isEmpty());
+    showLit();
     m_back->setEnabled(stepper.steps() && stepper.canStep(-1));
     m_next->setEnabled(stepper.steps() && stepper.canStep(1));
 }

@@ -32,6 +32,7 @@ private:
     void showList();
     void showLoop();
     void showVariables();
+    void showLit();
     void stepLine(int direction);
     void runToLine(int number);
     void slideTo(int at);

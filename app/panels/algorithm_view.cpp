@@ -21,6 +21,21 @@ namespace {
 
 constexpr double kPitch = 1.62;  // of a line, in sizes of its letters
 
+// A text in lines, parted at its spaces: at least one, and one word to a line where no more fits.
+template <class First, class Others>
+QStringList folded(const QString& text, First fitsFirst, Others fitsOthers) {
+    QStringList lines{{}};
+    for (const QString& word : text.split(QLatin1Char(' '))) {
+        const QString longer = lines.back().isEmpty() ? word : lines.back() + QLatin1Char(' ') + word;
+        const bool fits = lines.size() == 1 ? fitsFirst(longer) : fitsOthers(longer);
+        if (fits || lines.back().isEmpty())
+            lines.back() = longer;
+        else
+            lines << word;
+    }
+    return lines;
+}
+
 }  // namespace
 
 AlgorithmView::AlgorithmView(QWidget* parent) : QWidget(parent) {
@@ -98,16 +113,8 @@ AlgorithmView::Sheet AlgorithmView::layOut(int width) const {
     const int line = int(QFontMetrics(sheet.code).ascent() * kPitch + 0.5);
     int y = sheet.above > 0 ? line : 0;
     for (std::size_t i = first; i < last; ++i) {
-        const AlgorithmRow& row = m_rows[i];
-        const QString values = valuesOf(row);
-        const int left = sheet.numbers + row.indent * sheet.indent + codeWidth(sheet.code, toQString(row.text));
-        const bool isBranch = row.status == LineStatus::Now && row.taken;  // its comparison is below it
-        const int needs = std::max(QFontMetrics(bold(sheet.code)).horizontalAdvance(values),
-                                   QFontMetrics(sheet.words).horizontalAdvance(values));
-        const bool below = isBranch || (!values.isEmpty() && left + 2 * gap + needs > width);
-        const int lines = below ? 2 : 1;
-        sheet.placed.push_back({i, QRect(0, y, width, lines * line), line, below});
-        y += lines * line;
+        sheet.placed.push_back(place(sheet, i, QRect(0, y, width, line)));
+        y = sheet.placed.back().rect.bottom() + 1;
     }
     sheet.height = y + (sheet.below > 0 ? line : 0);
     if (m_showsLoop && innermostLoop(m_rows)) {
@@ -115,6 +122,44 @@ AlgorithmView::Sheet AlgorithmView::layOut(int width) const {
         sheet.height += line / 3 + line;
     }
     return sheet;
+}
+
+bool AlgorithmView::showsNumbers(const AlgorithmRow& row) const {
+    return !row.valuesText.empty() && (!row.taken || row.status == LineStatus::Now);
+}
+
+QString AlgorithmView::wayOf(const AlgorithmRow& row) {
+    return (*row.taken ? QStringLiteral("● ") : QStringLiteral("– ")) + toQString(row.remark);
+}
+
+// `line`: the first of its lines.
+AlgorithmView::Placed AlgorithmView::place(const Sheet& sheet, std::size_t number, QRect line) const {
+    const AlgorithmRow& row = m_rows[number];
+    const int gap = Theme::current().px(8), left = sheet.numbers + row.indent * sheet.indent;
+    const auto codeFits = [&](int room) {
+        return [&, room](const QString& part) { return codeWidth(sheet.code, part) <= room; };
+    };
+    Placed placed;
+    placed.row = number, placed.rect = line, placed.line = line.height();
+    const int room = line.width() - left - gap;
+    placed.code = folded(toQString(row.text), codeFits(room), codeFits(room - sheet.hanging()));
+    const QString values = valuesOf(row);
+    const QFontMetrics metrics(showsNumbers(row) ? bold(sheet.code) : sheet.words);
+    const auto valuesFit = [&](const QString& part) {
+        return metrics.horizontalAdvance(part) <= line.width() - sheet.valuesLeft(row) - gap;
+    };
+    const bool isBranch = row.status == LineStatus::Now && row.taken;  // its comparison is below it
+    const int end = left + (placed.code.size() > 1 ? sheet.hanging() : 0) + codeWidth(sheet.code, placed.code.back());
+    placed.valuesBelow =
+        isBranch || (!values.isEmpty() && end + 2 * gap + metrics.horizontalAdvance(values) > line.width());
+    placed.values = placed.valuesBelow ? folded(values, valuesFit, valuesFit) : QStringList(values);
+    const int way = isBranch ? QFontMetrics(sheet.words).horizontalAdvance(wayOf(row)) : 0;
+    placed.wayBelow =
+        isBranch && !placed.values.isEmpty() &&
+        sheet.valuesLeft(row) + metrics.horizontalAdvance(placed.values.back()) + way + 3 * gap > line.width();
+    const qsizetype lines = placed.code.size() + (placed.valuesBelow ? placed.values.size() : 0) + placed.wayBelow;
+    placed.rect.setHeight(int(lines) * line.height());
+    return placed;
 }
 
 int AlgorithmView::heightForWidth(int width) const { return layOut(width).height; }
@@ -129,6 +174,12 @@ QSize AlgorithmView::minimumSizeHint() const {
 QRect AlgorithmView::currentRect() const {
     for (const Placed& placed : layOut(width()).placed)
         if (m_rows[placed.row].status == LineStatus::Now) return placed.rect;
+    return {};
+}
+
+QStringList AlgorithmView::codeLines(int number) const {
+    for (const Placed& placed : layOut(width()).placed)
+        if (m_rows[placed.row].number == number) return placed.code;
     return {};
 }
 

@@ -87,13 +87,17 @@ void AlgorithmView::paintRow(QPainter& painter, const Sheet& sheet, const Placed
     painter.drawText(QRect(0, line.y(), sheet.numbers - theme.px(8), line.height()), Qt::AlignRight | Qt::AlignVCenter,
                      QString::number(row.number));
     painter.setPen(isGrey(row.status) ? c.text3 : c.text);
-    int x = sheet.numbers + row.indent * sheet.indent;
-    for (const auto& [part, isWord] : wordsOf(toQString(row.text))) {
-        painter.setFont(isWord ? bold(sheet.code) : sheet.code);
-        const int room = width() - x;
-        painter.drawText(QRect(x, line.y(), room, line.height()), Qt::AlignVCenter,
-                         QFontMetrics(painter.font()).elidedText(part, Qt::ElideRight, room));
-        x += QFontMetrics(painter.font()).horizontalAdvance(part);
+    const int left = sheet.numbers + row.indent * sheet.indent;
+    for (qsizetype i = 0; i < placed.code.size(); ++i) {
+        int x = left + (i > 0 ? sheet.hanging() : 0);
+        for (const auto& [part, isWord] : wordsOf(placed.code[i])) {
+            painter.setFont(isWord ? bold(sheet.code) : sheet.code);
+            const int room = width() - x;
+            painter.drawText(QRect(x, line.y(), room, line.height()), Qt::AlignVCenter,
+                             QFontMetrics(painter.font()).elidedText(part, Qt::ElideRight, room));
+            x += QFontMetrics(painter.font()).horizontalAdvance(part);
+        }
+        line.translate(0, placed.line);
     }
     paintValues(painter, sheet, placed);
 }
@@ -102,29 +106,25 @@ void AlgorithmView::paintValues(QPainter& painter, const Sheet& sheet, const Pla
     const Theme& theme = Theme::current();
     const ThemeColors& c = theme.colors();
     const AlgorithmRow& row = m_rows[placed.row];
-    const QString values = valuesOf(row);
-    const bool isNow = row.status == LineStatus::Now, isBranch = isNow && row.taken;
+    const bool isBranch = row.status == LineStatus::Now && row.taken, isNumbers = showsNumbers(row);
     const int edge = theme.px(8);
-    QRect where(placed.rect.x(), placed.rect.bottom() + 1 - placed.line, placed.rect.width() - edge, placed.line);
-    const bool isNumbers = !row.valuesText.empty() && (!row.taken || isBranch);
+    const qsizetype codeLines = placed.code.size() - (placed.valuesBelow ? 0 : 1);
+    QRect where(placed.rect.x(), placed.rect.y() + int(codeLines) * placed.line, placed.rect.width() - edge,
+                placed.line);
+    if (placed.valuesBelow) where.setLeft(sheet.valuesLeft(row));
     painter.setFont(isNumbers ? bold(sheet.code) : sheet.words);
     painter.setPen(isGrey(row.status) ? c.text3 : isNumbers ? c.text : c.text2);
-    if (!isBranch) {
-        if (placed.valuesBelow) where.setLeft(sheet.numbers);
-        painter.drawText(where, Qt::AlignRight | Qt::AlignVCenter,
-                         painter.fontMetrics().elidedText(values, Qt::ElideRight, where.width()));
-        return;
+    for (const QString& part : placed.values) {
+        painter.drawText(where, (isBranch ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter,
+                         painter.fontMetrics().elidedText(part, Qt::ElideRight, where.width()));
+        where.translate(0, placed.line);
     }
-    // The comparison, then which way it goes, with a mark that does without colour.
-    const QString way = (*row.taken ? QStringLiteral("● ") : QStringLiteral("– ")) + toQString(row.remark);
-    const int wayWidth = QFontMetrics(sheet.words).horizontalAdvance(way) + theme.px(4);
-    where.setLeft(sheet.numbers + std::min(row.indent, 2) * sheet.indent);
-    const int room = std::max(0, where.width() - wayWidth - edge);
-    const QString shown = painter.fontMetrics().elidedText(values, Qt::ElideRight, room);
-    painter.drawText(where, Qt::AlignLeft | Qt::AlignVCenter, shown);
+    if (!isBranch) return;
+    // Which way it goes, with a mark that does without colour: behind the comparison, or below it.
+    if (!placed.wayBelow) where.translate(0, -placed.line);
     painter.setFont(sheet.words);
     painter.setPen(*row.taken ? c.run : c.text2);
-    painter.drawText(where, Qt::AlignRight | Qt::AlignVCenter, way);
+    painter.drawText(where, (placed.wayBelow ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter, wayOf(row));
 }
 
 }  // namespace app

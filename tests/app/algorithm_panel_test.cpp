@@ -5,10 +5,13 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QSlider>
 #include <QTest>
 
+#include "app/core/theme.h"
 #include "app/panels/algorithm_view.h"
+#include "app/panels/code_words.h"
 #include "tests/support/scenes.h"
 
 namespace app {
@@ -54,6 +57,58 @@ TEST_F(AlgorithmPanelTest, NextLineAndBackGoThroughTheLinesOfAPixel) {
         EXPECT_EQ(document.stepper().place(), places[i]);
     }
     EXPECT_EQ(document.stepper().level(), pipeline::StepLevel::Line);
+}
+
+// From the last row it is read as far as everything else: no letters below those of the theme's text. What is too long
+// goes on in the next line, and none of it is lost.
+TEST_F(AlgorithmPanelTest, CodeIsNeverSmallerThanTheThemesTextAndFoldsInstead) {
+    goTo("z-buffer/polygon=1/row=270/x=250/line=5");
+    const AlgorithmView& view = panel.view();
+    Theme& theme = Theme::current();
+    const ThemeId before = theme.id();
+    for (const ThemeId id : {ThemeId::Projector, ThemeId::Light}) {
+        theme.set(id);
+        for (const double scale : {1.0, 1.25, 2.0}) {
+            theme.setScale(scale);
+            bool isFolded = false;
+            for (const int width : {330, 460, 1000}) {
+                panel.resize(width, 700);
+                QCoreApplication::processEvents();
+                SCOPED_TRACE(testing::Message() << int(id) << ", text " << scale << ", " << width << " wide");
+                EXPECT_GE(view.codeFont().pixelSize(), theme.text().pixelSize());
+                for (const pipeline::AlgorithmRow& row : view.rows()) {
+                    const QStringList lines = view.codeLines(row.number);
+                    EXPECT_EQ(lines.join(' ').toStdString(), row.text);
+                    for (const QString& line : lines)
+                        if (line.contains(' ')) {
+                            EXPECT_LE(codeWidth(view.codeFont(), line), view.width()) << line.toStdString();
+                        }
+                    isFolded |= lines.size() > 1;
+                }
+                EXPECT_TRUE(QRect(QPoint(), view.size()).contains(view.currentRect()));
+            }
+            EXPECT_TRUE(isFolded || scale < 2) << "nothing of 13 letters a line fits at twice the size";
+        }
+        theme.setScale(id == ThemeId::Projector ? 1.25 : 1);
+    }
+    theme.set(before);
+}
+
+// In a low panel, at each of the lines, the last ones too; one that is higher than the room is read from its top on.
+TEST_F(AlgorithmPanelTest, TheLitLineIsWholeInSightInLargeLetters) {
+    Theme::current().setScale(2);
+    panel.resize(540, 410);
+    const auto* area = panel.findChild<QScrollArea*>();
+    for (const int line : {3, 5, 6}) {
+        goTo(qPrintable(QStringLiteral("z-buffer/polygon=1/row=270/x=250/line=%1").arg(line)));
+        QCoreApplication::processEvents();
+        ASSERT_EQ(litLine(), line);
+        const QRect lit = panel.view().currentRect().translated(panel.view().pos());
+        EXPECT_GE(lit.top(), 0) << line;
+        const bool isWhole = lit.bottom() <= area->viewport()->height();
+        EXPECT_TRUE(isWhole || (lit.top() == 0 && lit.height() > area->viewport()->height())) << line;
+    }
+    Theme::current().setScale(1);
 }
 
 TEST_F(AlgorithmPanelTest, SaysTheLineAndItsNumbersToAScreenReader) {
