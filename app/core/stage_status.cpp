@@ -92,7 +92,7 @@ std::array<StageStatus, pipeline::kStageCount> stageStatus(const pipeline::Frame
         const pipeline::StageInfo& stage = stageInfo(id);
         if (!frame) {
             status.state = busy ? StageState::InProgress : StageState::NotYet;
-            status.tooltip = toQString(stage.label) + '\n' + toQString(stage.summary);
+            status.tooltip = headLine(stage, status.state) + '\n' + toQString(stage.summary);
             continue;
         }
         const PlanStep& step = frame->plan()[index(id)];

@@ -18,6 +18,7 @@
 #include "app/panels/export_list.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/on_screen.h"
+#include "app/panels/wrapping_check_box.h"
 #include "pipeline/plan/needs.h"
 #include "pipeline/scene/framing.h"
 
@@ -48,7 +49,9 @@ ExportDialog::ExportDialog(Document& document, QWidget* parent)
     left->addWidget(m_choices);
     left->addWidget(m_buffers, 1);
     halves->addLayout(left, 5);
-    halves->addWidget(new FieldsArea(makeFields(), this), 5);
+    auto* fields = new FieldsArea(makeFields(), this);
+    fields->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);  // their words fold
+    halves->addWidget(fields, 5);
     auto* column = new QVBoxLayout(this);
     column->addLayout(halves, 1);
     column->addWidget(&foot());
@@ -106,13 +109,14 @@ void ExportDialog::choose(const pipeline::BufferName& buffer) { m_buffers->choos
 QWidget* ExportDialog::makeFields() {
     auto* right = new QWidget(this);
     auto* form = new QFormLayout;
+    form->setRowWrapPolicy(QFormLayout::WrapLongRows);
     const QString base = QFileInfo(toQString(m_document.scene().name)).completeBaseName();
     form->addRow(tr("Folder"), makeTarget("exportFolder", tr("Folder"), QDir::home().filePath(base + "-buffers")));
 
     m_formats = new ExportFormats(m_document.scene(), right);
     connect(m_formats, &ExportFormats::changed, this, &ExportDialog::showOrder);
     form->addRow(tr("Formats"), m_formats);
-    m_views = new QCheckBox(tr("Pictures of the 3D views"), right);
+    m_views = new WrappingCheckBox(tr("Pictures of the 3D views"), right);
     m_views->setObjectName("exportViews");
     m_views->hide();
     connect(m_views, &QCheckBox::toggled, this, &ExportDialog::showOrder);

@@ -8,6 +8,7 @@
 
 #include "app/core/text.h"
 #include "app/panels/follow_theme.h"
+#include "app/panels/wrapping_check_box.h"
 #include "pipeline/export/exporter.h"
 
 namespace app {
@@ -29,7 +30,7 @@ ExportFormats::ExportFormats(const pipeline::Scene& scene, QWidget* parent) : QW
     column->setContentsMargins(0, 0, 0, 0);
     column->addLayout(row);
     for (const pipeline::FrameExporter& exporter : pipeline::frameExporterTable()) {
-        auto* box = new QCheckBox(toQString(exporter.meaning).chopped(1), this);  // without its full stop
+        auto* box = new WrappingCheckBox(toQString(exporter.meaning).chopped(1), this);  // without its full stop
         box->setObjectName("format:" + toQString(exporter.name));
         const QString whyNot = toQString(exporter.refuses(scene));
         box->setEnabled(whyNot.isEmpty());

@@ -27,6 +27,7 @@ struct FigurePreview::Made {
 FigurePreview::FigurePreview(QWidget* parent) : QWidget(parent), m_picture(new QLabel(this)), m_size(new QLabel(this)) {
     auto* head = new QLabel(tr("Preview, as printed"), this);
     head->setProperty("tone", 2);
+    head->setWordWrap(true);  // beside the size there is little room in large letters
     m_size->setObjectName("figureSize");
     m_size->setProperty("tone", 2);
     m_picture->setObjectName("figurePreview");

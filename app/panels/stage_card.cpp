@@ -4,6 +4,7 @@
 #include <QPainter>
 #include <QPainterPath>
 #include <algorithm>
+#include <cmath>
 
 #include "app/core/text.h"
 #include "app/panels/fitting_font.h"
@@ -111,16 +112,17 @@ void StageCard::paintEvent(QPaintEvent*) {
     paintBox(painter);
     const int side = theme.px(m_compact ? 10 : 12), lineHeight = theme.px(18);
     QRect box = rect().adjusted(side, theme.px(m_compact ? 4 : 9), -side, -theme.px(m_compact ? 3 : 6));
-    QRect title(box.left(), box.top(), box.width(), theme.px(20));
     box.setTop(box.top() + theme.px(m_compact ? 19 : 24));
-    const int markWidth = theme.px(10), gap = theme.px(6);
-    if (m_compact && !m_standing &&
-        titleWidth() + gap + markWidth > title.width()) {  // large letters: the title has its line alone
+    const Head head = this->head();
+    if (head.isMarkBelow) {
+        const int markWidth = theme.px(10);
         paintMark(painter, {box.right() - markWidth / 2.0, box.top() + lineHeight / 2.0}, m_status.state);
-        box.setRight(box.right() - markWidth - gap);
-    } else
-        title.setRight(paintState(painter, title) - gap);
-    paintTitle(painter, title);
+        box.setRight(box.right() - markWidth - theme.px(6));
+    } else if (m_standing)
+        paintStanding(painter, head);
+    else
+        paintState(painter, head);
+    paintTitle(painter, head.title);
     const ThemeColors& c = theme.colors();
     if (m_standing) return paintFinding(painter, QRect(box.left(), box.top(), box.width(), lineHeight));
     if (m_status.state == StageState::LeftOut) {
@@ -176,42 +178,83 @@ void StageCard::paintBox(QPainter& painter) const {
 
 // Of the longest title: the cards look alike.
 int StageCard::titleWidth() const {
-    const Theme& theme = Theme::current();
-    const QFontMetrics metrics(theme.text(titleSize(), 600));
+    const QFont font = Theme::current().text(titleSize(), 600);
     int widest = 0;
-    for (const QString& label : labels()) widest = std::max(widest, metrics.horizontalAdvance(label));
-    return QFontMetrics(theme.text(titleSize(), 500)).horizontalAdvance(QStringLiteral("0")) + theme.px(8) + widest;
+    for (const QString& label : labels()) widest = std::max(widest, QFontMetrics(font).horizontalAdvance(label));
+    return numberWidth(font) + widest;
 }
 
-// At the right of the line; gives its left end.
-int StageCard::paintState(QPainter& painter, const QRect& line) const {
-    if (m_standing) return paintStandingWord(painter, line);
+StageCard::Head StageCard::head() const {
     const Theme& theme = Theme::current();
-    const QFont stateFont = theme.text(12, 500);
-    const int markWidth = theme.px(10);
+    const int side = theme.px(m_compact ? 10 : 12), markWidth = theme.px(m_standing ? 15 : 10), gap = theme.px(6);
+    Head head;
+    head.line = head.title = QRect(side, theme.px(m_compact ? 4 : 9), width() - 2 * side, theme.px(20));
+    head.isMarkBelow = m_compact && !m_standing && titleWidth() + gap + markWidth > head.line.width();
+    if (head.isMarkBelow) return head;
     // The mark alone where the word would take room from the title.
-    const int room = line.width() - titleWidth() - markWidth - 2 * theme.px(6) - theme.px(2);  // 2 for rounding
-    const QString stateWord = m_compact ? QString() : fittingLine(word(m_status.state), stateFont, room);
-    const int wordWidth = QFontMetrics(stateFont).horizontalAdvance(stateWord);
-    const int gap = wordWidth > 0 ? theme.px(6) : 0;
-    QRect state = line;
-    state.setLeft(line.right() - wordWidth - gap - markWidth);
+    const QFont font = theme.text(12, 500);
+    const int room = head.line.width() - titleWidth() - markWidth - 2 * gap - theme.px(2);  // 2 for rounding
+    const QString whole = m_standing ? toQString(pipeline::foreign::words(*m_standing)) : word(m_status.state);
+    if (!m_compact) head.state = fittingLine(whole, font, room);
+    const int wordWidth = QFontMetrics(font).horizontalAdvance(head.state);
+    head.title.setRight(head.line.right() - wordWidth - (wordWidth > 0 ? gap : 0) - markWidth - gap);
+    return head;
+}
+
+// At the right of the line.
+void StageCard::paintState(QPainter& painter, const Head& head) const {
+    const Theme& theme = Theme::current();
+    const int markWidth = theme.px(10), gap = theme.px(6);
+    QRect state = head.line;
+    state.setLeft(head.title.right() + gap);
     paintMark(painter, QPointF(state.left() + markWidth / 2.0, state.center().y() + 0.5), m_status.state);
     state.setLeft(state.left() + markWidth + gap);
-    painter.setFont(stateFont);
+    painter.setFont(theme.text(12, 500));
     painter.setPen(stateColor(m_status.state));
-    painter.drawText(state, Qt::AlignLeft | Qt::AlignVCenter, stateWord);
-    return line.right() - wordWidth - gap - markWidth;
+    painter.drawText(state, Qt::AlignLeft | Qt::AlignVCenter, head.state);
+}
+
+// The largest in which each stage's number and name fit side by side.
+QFont StageCard::titleFont(int room) const {
+    const Theme& theme = Theme::current();
+    const int least = std::max(12, theme.px(0.75 * titleSize()));  // smaller letters are not read from the last row
+    QFont font = theme.text(titleSize(), 600);
+    const auto fits = [&](const QString& label) {
+        return numberWidth(font) + QFontMetrics(font).horizontalAdvance(label) <= room;
+    };
+    while (font.pixelSize() > least && !std::ranges::all_of(labels(), fits)) font.setPixelSize(font.pixelSize() - 1);
+    return font;
+}
+
+// Of the number before a name in this font, and the gap between them.
+int StageCard::numberWidth(const QFont& title) {
+    return QFontMetrics(title).horizontalAdvance(QStringLiteral("0")) + int(std::lround(0.5 * title.pixelSize()));
+}
+
+// The first word of a name that does not fit.
+QString StageCard::titleIn(int room, const QFont& font) const {
+    const bool fits = numberWidth(font) + QFontMetrics(font).horizontalAdvance(text()) <= room;
+    return fits ? text() : text().section(' ', 0, 0);
 }
 
 void StageCard::paintTitle(QPainter& painter, QRect line) const {
-    const Theme& theme = Theme::current();
-    write(painter, line, QString::number(index(m_stage) + 1), theme.text(titleSize(), 500), theme.colors().text3);
-    line.setLeft(line.left() + theme.px(8));
-    const int least = std::max(12, theme.px(0.75 * titleSize()));  // smaller letters are not read from the last row
-    const QFont font = fittingFont(theme.text(titleSize(), 600), labels(), line.width(), least);
-    const bool fits = QFontMetrics(font).horizontalAdvance(text()) <= line.width();
-    write(painter, line, fits ? text() : text().section(' ', 0, 0), font, theme.colors().text);
+    const ThemeColors& c = Theme::current().colors();
+    const QFont font = titleFont(line.width());
+    QFont number = font;
+    number.setWeight(QFont::Medium);
+    const QString name = titleIn(line.width(), font);
+    painter.setFont(number);
+    painter.setPen(c.text3);
+    painter.drawText(line, Qt::AlignLeft | Qt::AlignVCenter, QString::number(index(m_stage) + 1));
+    line.setLeft(line.left() + numberWidth(font));
+    write(painter, line, name, font, c.text);
+}
+
+StageCard::Words StageCard::shownWords() const {
+    const Head head = this->head();
+    const QFont font = titleFont(head.title.width());
+    const QString name = titleIn(head.title.width(), font);
+    return {name, head.state, QFontMetrics(font).horizontalAdvance(name), head.title.width() - numberWidth(font)};
 }
 
 void StageCard::paintNumbers(QPainter& painter, const QRect& line) const {

@@ -23,6 +23,13 @@ public:
     bool isOnShow() const { return m_onShow; }
     void setCompact(bool compact);  // two lines, the state as its mark alone
 
+    // What of its name and its state has room, and the name's width and room in pixels. The tool tip has both whole.
+    struct Words {
+        QString name, state;
+        int nameWidth = 0, nameRoom = 0;
+    };
+    Words shownWords() const;
+
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
 
@@ -38,8 +45,18 @@ private:
     void paintBox(QPainter& painter) const;
     double titleSize() const { return m_compact ? 13 : 14; }
     int titleWidth() const;
-    int paintState(QPainter& painter, const QRect& line) const;
-    int paintStandingWord(QPainter& painter, const QRect& line) const;
+    // The first line: number and name, and at its right the mark, alone where the word has no room.
+    struct Head {
+        QRect line, title;
+        bool isMarkBelow = false;  // large letters: the title has its line alone
+        QString state;
+    };
+    Head head() const;
+    QFont titleFont(int room) const;
+    static int numberWidth(const QFont& title);
+    QString titleIn(int room, const QFont& font) const;
+    void paintState(QPainter& painter, const Head& head) const;
+    void paintStanding(QPainter& painter, const Head& head) const;
     void paintFinding(QPainter& painter, const QRect& line) const;
     void paintTitle(QPainter& painter, QRect line) const;
     void paintNumbers(QPainter& painter, const QRect& line) const;

@@ -19,21 +19,16 @@ void StageCard::setStanding(std::optional<Standing> standing, const QString& fin
     update();
 }
 
-// The mark, and the word where there is room beside the title; gives its left end.
-int StageCard::paintStandingWord(QPainter& painter, const QRect& line) const {
+// The mark at the right, and the word before it.
+void StageCard::paintStanding(QPainter& painter, const Head& head) const {
     const Theme& theme = Theme::current();
     const int side = theme.px(15), gap = theme.px(6);
-    const QFont font = theme.text(12, 500);
-    QString word = m_compact ? QString() : toQString(words(*m_standing));
-    if (line.width() - titleWidth() - side - 2 * gap < QFontMetrics(font).horizontalAdvance(word)) word.clear();
-    const int width = QFontMetrics(font).horizontalAdvance(word);
-    paintStanding(painter, QRectF(line.right() - side, line.center().y() - side / 2.0, side, side), *m_standing);
-    painter.setFont(font);
+    QRect line = head.line;
+    app::paintStanding(painter, QRectF(line.right() - side, line.center().y() - side / 2.0, side, side), *m_standing);
+    line.setLeft(head.title.right() + gap);
+    painter.setFont(theme.text(12, 500));
     painter.setPen(standingColor(*m_standing));
-    const int right = line.right() - side - (width > 0 ? gap : 0);
-    painter.drawText(QRect(right - width, line.top(), width + 1, line.height()), Qt::AlignLeft | Qt::AlignVCenter,
-                     word);
-    return right - width;
+    painter.drawText(line, Qt::AlignLeft | Qt::AlignVCenter, head.state);
 }
 
 // Compact, the word; else what was found.

@@ -15,7 +15,7 @@ static StageStatus quietStatus(pipeline::StageId stage, StageState state) {
     StageStatus status;
     status.state = state;
     status.reason = StageStrip::tr("after your answer");
-    status.tooltip = QString::fromStdString(std::string(stageInfo(stage).label));
+    status.tooltip = QStringLiteral("%1, %2").arg(toQString(stageInfo(stage).label), word(state));
     return status;
 }
 

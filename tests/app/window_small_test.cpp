@@ -1,4 +1,5 @@
 // Large letters and small screens: nothing that is needed is out of reach.
+#include <QCheckBox>
 #include <QDockWidget>
 #include <QLabel>
 #include <QLineEdit>
@@ -15,8 +16,11 @@
 #include "app/desktop/slide_dialog.h"
 #include "app/desktop/view_area.h"
 #include "app/panels/export_dialog.h"
+#include "app/panels/figure_dialog.h"
 #include "app/panels/film_dialog.h"
 #include "app/panels/number_field.h"
+#include "app/panels/stage_card.h"
+#include "app/panels/stage_strip.h"
 #include "app/panels/start_page.h"
 #include "app/panels/step_bar.h"
 #include "tests/app/window_fixture.h"
@@ -129,6 +133,66 @@ TEST_F(WindowSmall, NoNameIsCutInTheTimeline) {
     }
 }
 
+// Of a screen of 1280 × 720 the dialog has 1248 × 656.
+TEST_F(WindowSmall, NoFieldOfTheExportDialogScrollsFromSideToSide) {
+    openPyramid();
+    for (const ThemeId theme : {ThemeId::Light, ThemeId::Projector}) {
+        Theme::current().set(theme);
+        for (const double scale : {1.0, 1.5, 2.0}) {
+            Theme::current().setScale(scale);
+            ExportDialog dialog(document(), &window);
+            dialog.show();
+            dialog.resize(1248, 656);
+            settle();
+            SCOPED_TRACE(testing::Message() << int(theme) << ", text " << scale);
+            EXPECT_EQ(dialog.width(), 1248);
+            const QScrollArea* area = dialog.findChild<QScrollArea*>();
+            ASSERT_NE(area, nullptr);
+            EXPECT_LE(area->widget()->width(), area->viewport()->width());
+            for (const QWidget* part : area->widget()->findChildren<QWidget*>())
+                if (part->isVisible())
+                    expectInside(*part, *area->viewport(),
+                                 qPrintable(part->metaObject()->className() + part->objectName()));
+            for (const QCheckBox* box : area->findChildren<QCheckBox*>())
+                if (box->isVisible()) {
+                    EXPECT_LE(box->sizeHint().height(), box->height()) << box->text().toStdString();
+                }
+        }
+        Theme::current().setScale(theme == ThemeId::Projector ? 1.25 : 1);
+    }
+    Theme::current().set(ThemeId::Light);
+}
+
+// A name is whole or its first word, which tells the stages apart; a state's word is whole or left to its mark. Where
+// words are missing, the tool tip and the screen reader have them.
+TEST_F(WindowSmall, AStageCardHasItsNameAndItsStateOrSaysThemElsewhere) {
+    openPyramid();
+    for (const ThemeId theme : {ThemeId::Dark, ThemeId::Light, ThemeId::Projector}) {
+        Theme::current().set(theme);
+        for (const double scale : {1.0, 1.5, 2.0})
+            for (const QSize size : {QSize(1280, 720), QSize(1366, 768), QSize(1920, 1080)}) {
+                beSmall(scale, size);
+                QStringList names;
+                for (const pipeline::StageId id : pipeline::kStages) {
+                    StageCard& card = find<StageStrip>("stageStrip")->card(id);
+                    SCOPED_TRACE(testing::Message() << card.text().toStdString() << ", " << size.width()
+                                                    << " wide, theme " << int(theme) << ", text " << scale);
+                    const StageCard::Words shown = card.shownWords();
+                    EXPECT_LE(shown.nameWidth, shown.nameRoom);
+                    EXPECT_TRUE(shown.name == card.text() || shown.name == card.text().section(' ', 0, 0));
+                    names << shown.name;
+                    const QString state = word(card.status().state);
+                    EXPECT_TRUE(shown.state.isEmpty() || shown.state == state) << shown.state.toStdString();
+                    EXPECT_TRUE(card.toolTip().startsWith(card.text() + ", " + state)) << card.toolTip().toStdString();
+                    EXPECT_TRUE(card.accessibleName().startsWith(card.text() + ": " + state));
+                }
+                EXPECT_EQ(names.removeDuplicates(), 0);
+            }
+        Theme::current().setScale(theme == ThemeId::Projector ? 1.25 : 1);
+    }
+    Theme::current().set(ThemeId::Light);
+}
+
 // Whatever the letters: the dialog stands on its screen, and each of its buttons stands in the dialog or is scrolled to.
 TEST_F(WindowSmall, DialogsStandOnTheirScreenWithTheirButtonsInReach) {
     openPyramid();
@@ -139,7 +203,10 @@ TEST_F(WindowSmall, DialogsStandOnTheirScreenWithTheirButtonsInReach) {
         SlideDialog slide(document(), window.views(), *window.shown().now(), &window);
         ExportDialog exports(document(), &window);
         FilmDialog film(document(), {pipeline::BufferId::Color}, &window);
-        for (QDialog* dialog : std::initializer_list<QDialog*>{&preferences, &slide, &exports, &film}) {
+        FigureDialog figure(document(), {.buffer = {pipeline::BufferId::Color}}, &window);
+        figure.show();
+        EXPECT_TRUE(QTest::qWaitFor([&] { return !figure.findChild<QLabel*>("figureSize")->text().isEmpty(); }, 30000));
+        for (QDialog* dialog : std::initializer_list<QDialog*>{&preferences, &slide, &exports, &film, &figure}) {
             dialog->show();
             settle();
             SCOPED_TRACE(testing::Message() << dialog->objectName().toStdString() << ", text " << scale);
