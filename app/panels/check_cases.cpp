@@ -29,7 +29,7 @@ CheckCases::CheckCases(QWidget* parent) : QTableWidget(0, kColumns, parent) {
     setObjectName("checkCases");
     setAccessibleName(tr("Stiff and extreme cases"));
     setHorizontalHeaderLabels(
-        {tr("Case"), tr("What goes in"), tr("Naive"), tr("Ours"), tr("Bound"), tr("Ends in"), tr("Verdict")});
+        {tr("Case"), tr("Input"), tr("Naive"), tr("Ours"), tr("Bound"), tr("Outcome"), tr("Verdict")});
     for (const int column : {Naive, Ours, Bound})
         horizontalHeaderItem(column)->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
     setSelectionBehavior(SelectRows);
@@ -63,7 +63,7 @@ CheckCases::CheckCases(QWidget* parent) : QTableWidget(0, kColumns, parent) {
 void CheckCases::layOut() {
     const Theme& theme = Theme::current();
     constexpr std::array kWidths{std::pair(Id, 52),    std::pair(Naive, 168), std::pair(Verdict, 88),
-                                 std::pair(Bound, 88), std::pair(EndsIn, 68), std::pair(Ours, 112)};
+                                 std::pair(Bound, 88), std::pair(EndsIn, 84), std::pair(Ours, 112)};
     int left = viewport()->width() - theme.px(200);  // for the titles
     for (const auto& [column, width] : kWidths) left -= theme.px(width);
     for (const auto& [column, width] : kWidths) {

@@ -41,8 +41,8 @@ CheckDetails::CheckDetails(QWidget* parent) : QWidget(parent) {
     }
     // Words in one pair of columns, what was found in another.
     auto* lines = new QGridLayout;
-    const std::array names{tr("goes in"),    tr("measure"), tr("against"), tr("naive gives"),
-                           tr("ours gives"), tr("bound"),   tr("ends in")};
+    const std::array names{tr("input"),      tr("measure"), tr("against"), tr("naive gives"),
+                           tr("ours gives"), tr("bound"),   tr("outcome")};
     for (std::size_t i = 0; i < kLines; ++i) {
         m_names[i] = new QLabel(names[i], this);
         m_names[i]->setProperty("tone", 3);

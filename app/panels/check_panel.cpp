@@ -31,15 +31,19 @@ CheckPanel::CheckPanel(Document& document, QWidget* parent)
     m_selected =
         std::size_t(std::ranges::find_if(caseTable(), [](const Case& one) { return !one.knob.label.empty(); }) -
                     caseTable().begin());
+    auto* bar = makeBar();
     const QList<QWidget*> parts{makeLeft(), makeRight()};
     auto* panes = new FoldingPanes(parts, {tr("Cases"), tr("Details")}, this);
     panes->setWishes({860, 820});
     auto* column = new QVBoxLayout(this);
-    column->addWidget(panes);
+    column->addLayout(bar);
+    column->addWidget(panes, 1);
+    connect(m_runAll, &QPushButton::clicked, panes, [panes] { panes->bringToFront(0); });
     connect(&document, &Document::sceneOpened, this, [this] { m_open.reset(); });
     followTheme(this, [this, column] {
         const Theme& theme = Theme::current();
         column->setContentsMargins(theme.px(8), theme.px(8), theme.px(8), theme.px(8));
+        column->setSpacing(theme.px(6));
         setStyleSheet(QStringLiteral("#checkPanel { background: %1; }").arg(theme.colors().bg.name()));
         setGroup(m_group);  // the table's colours and fonts
     });
@@ -120,6 +124,7 @@ void CheckPanel::showState() {
     m_head->setText(m_job        ? tr("%1 of %2 have run").arg(m_arrived).arg(m_asked)
                     : known == 0 ? tr("No case has run")
                                  : tr("%1 of %2 hold%3").arg(hold).arg(known).arg(time));
+    m_bar->setVisible(m_job != nullptr);
     m_bar->setRange(0, int(std::max<std::size_t>(m_asked, 1)));
     m_bar->setValue(m_job ? int(m_arrived) : 0);
     const QString busy = tr("The cases are running.");

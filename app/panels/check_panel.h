@@ -18,7 +18,7 @@ class CheckKnob;
 class CheckPictures;
 class FittingChoice;
 
-// The stiff and extreme cases: on the left all with what they gave, on the right the chosen one with the knob that
+// The stiff and extreme cases: on top how many hold; on the left all with what they gave, on the right the chosen one with the knob that
 // makes it stiff. They run when the panel is first shown.
 class CheckPanel : public QWidget {
     Q_OBJECT
@@ -45,6 +45,7 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
+    QLayout* makeBar();
     QWidget* makeLeft();
     QWidget* makeRight();
     const pipeline::check::Case& chosenCase() const;

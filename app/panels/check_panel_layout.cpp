@@ -11,58 +11,73 @@
 #include "app/panels/check_knob.h"
 #include "app/panels/check_panel.h"
 #include "app/panels/check_pictures.h"
+#include "app/panels/elided_label.h"
 #include "app/panels/fitting_choice.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/surface.h"
 
 namespace app {
 
-QWidget* CheckPanel::makeLeft() {
-    auto* content = new QWidget(this);
-    m_head = new QLabel(content);
+// What all of them gave, which group is on show, and the one button.
+QLayout* CheckPanel::makeBar() {
+    m_head = new ElidedLabel(this);
     m_head->setObjectName("checkHead");
-    m_bar = new QProgressBar(content);
+    m_bar = new QProgressBar(this);
     m_bar->setTextVisible(false);
     m_bar->setAccessibleName(tr("Cases that have run"));
     const QStringList groups{tr("All"),   tr("Geometry"), tr("Camera"), tr("Raster"),
                              tr("Depth"), tr("Shading"),  tr("Shadow"), tr("Limits")};
-    m_groups = new FittingChoice(groups, tr("Group of cases"), "checkGroupList", content);
-    m_cases = new CheckCases(content);
-    m_runAll = new QPushButton(tr("Run all again"), content);
+    m_groups = new FittingChoice(groups, tr("Group of cases"), "checkGroupList", this);
+    m_copy = new QPushButton(tr("Copy"), this);
+    m_copy->setObjectName("checkCopy");
+    m_runAll = new QPushButton(tr("Run all again"), this);
     m_runAll->setObjectName("checkRunAll");
     m_runAll->setProperty("kind", "primary");
+    auto* bar = new QHBoxLayout;
+    bar->addWidget(m_head, 3);
+    bar->addWidget(m_bar, 2);
+    for (QWidget* part :
+         {static_cast<QWidget*>(m_groups), static_cast<QWidget*>(m_copy), static_cast<QWidget*>(m_runAll)})
+        bar->addWidget(part);
+    connect(m_groups, &FittingChoice::chosen, this, &CheckPanel::chooseGroup);
+    connect(m_runAll, &QPushButton::clicked, this, [this] { run({}); });
+    connect(m_copy, &QPushButton::clicked, this, [this] { QApplication::clipboard()->setText(report()); });
+    followTheme(this, [this, bar] {
+        const Theme& theme = Theme::current();
+        bar->setContentsMargins(theme.px(4), 0, 0, 0);
+        bar->setSpacing(theme.px(8));
+        m_head->setFont(theme.text(15, 600));
+        m_bar->setFixedHeight(theme.px(8));
+    });
+    return bar;
+}
+
+QWidget* CheckPanel::makeLeft() {
+    auto* content = new QWidget(this);
+    m_cases = new CheckCases(content);
     m_runOne = new QPushButton(tr("Run this case"), content);
     m_runOne->setObjectName("checkRunOne");
-    m_copy = new QPushButton(tr("Copy"), content);
-    m_copy->setObjectName("checkCopy");
     m_command = new QLabel(content);
     m_command->setObjectName("checkCommand");
     m_command->setProperty("tone", 2);
     m_command->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_command->setMinimumWidth(1);  // its words are no reason for a wide window
     auto* foot = new QHBoxLayout;
-    for (QPushButton* button : {m_runAll, m_runOne, m_copy}) foot->addWidget(button);
+    foot->addWidget(m_runOne);
     m_command->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     foot->addWidget(m_command, 1);
+    foot->addStretch();
     auto* column = new QVBoxLayout(content);
-    column->addWidget(m_head);
-    column->addWidget(m_bar);
-    column->addWidget(m_groups);
     column->addWidget(m_cases, 1);
     column->addLayout(foot);
-    connect(m_groups, &FittingChoice::chosen, this, &CheckPanel::chooseGroup);
     connect(m_cases, &CheckCases::chosen, this, &CheckPanel::select);
     connect(m_cases, &CheckCases::openAsked, this, &CheckPanel::openAsScene);
-    connect(m_runAll, &QPushButton::clicked, this, [this] { run({}); });
     connect(m_runOne, &QPushButton::clicked, this, [this] { run({{std::string(chosenCase().id)}, {}}); });
-    connect(m_copy, &QPushButton::clicked, this, [this] { QApplication::clipboard()->setText(report()); });
     followTheme(content, [this, column, foot] {
         const Theme& theme = Theme::current();
         column->setContentsMargins(theme.px(12), theme.px(10), theme.px(12), theme.px(12));
         column->setSpacing(theme.px(8));
         foot->setSpacing(theme.px(8));
-        m_head->setFont(theme.text(15, 600));
-        m_bar->setFixedHeight(theme.px(4));
         m_command->setFont(theme.mono(12));
         fitGroups();
     });

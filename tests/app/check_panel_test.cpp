@@ -105,6 +105,24 @@ TEST_F(CheckPanelTest, TitlesStayLegibleInLargeLettersAndNothingIsOutOfReach) {
     app::Theme::current().setScale(1);
 }
 
+TEST_F(CheckPanelTest, RunningAllBringsTheCasesToTheFront) {
+    panel.show();
+    wait();
+    app::Theme::current().setScale(2);
+    panel.resize(1024, 640);
+    QCoreApplication::processEvents();
+    auto& panes = part<app::FoldingPanes>();
+    ASSERT_TRUE(panes.isFolded());
+    panes.bringToFront(1);
+    EXPECT_FALSE(cases().isVisible());
+    auto& run = part<QPushButton>("checkRunAll");
+    EXPECT_TRUE(panel.rect().contains(QRect(run.mapTo(&panel, QPoint()), run.size())));
+    run.click();
+    EXPECT_TRUE(cases().isVisible());
+    wait();
+    app::Theme::current().setScale(1);
+}
+
 // The colour of a verdict says as much as its word: it stays in the selected row.
 TEST_F(CheckPanelTest, ASelectedRowKeepsItsColours) {
     CheckCases table;
