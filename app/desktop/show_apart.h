@@ -1,7 +1,8 @@
 #pragma once
-#include <QScreen>
 #include <QShortcut>
 #include <QWidget>
+
+#include "app/panels/on_screen.h"
 
 namespace app {
 
@@ -10,7 +11,7 @@ inline void showApart(QWidget& panel) {
     if (!panel.isWindow()) {
         panel.setWindowFlag(Qt::Window);
         QObject::connect(new QShortcut(QKeySequence::Close, &panel), &QShortcut::activated, &panel, &QWidget::close);
-        panel.resize(QSize(1680, 1000).boundedTo(panel.screen()->availableSize()));
+        panel.resize(onScreen(panel, 1680, 1000));
     }
     panel.show();
     panel.raise();
