@@ -5,6 +5,7 @@
 
 #include "app/core/memory_notice.h"
 #include "app/core/text.h"
+#include "pipeline/study/machine.h"
 
 namespace app {
 namespace {
@@ -59,6 +60,7 @@ struct Work {
     // False when it was stopped.
     bool operator()(const std::stop_token& stop) const {
         StudyReport study = beginStudy(request);
+        study.load = {pipeline::loadAverage()};
         if (!findErrors(study, stop)) return false;
         if (request.repeats > kFirstLook) {
             StudyRequest quick = request;

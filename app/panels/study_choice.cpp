@@ -1,12 +1,14 @@
 #include "app/panels/study_choice.h"
 
 #include <QComboBox>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QSignalBlocker>
-#include <QVBoxLayout>
 #include <algorithm>
 
+#include "app/core/spoken.h"
 #include "app/core/text.h"
+#include "app/panels/elided_label.h"
 #include "app/panels/follow_theme.h"
 #include "pipeline/export/study_text.h"
 #include "pipeline/study/analysis.h"
@@ -17,26 +19,24 @@ using pipeline::ErrorChoice;
 using pipeline::ErrorKind;
 
 StudyChoice::StudyChoice(QWidget* parent) : QWidget(parent) {
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(0, 0, 0, 0);
     const auto combo = [&](const QString& title, const QString& name) {
-        auto* label = new QLabel(title, this);
-        label->setProperty("tone", 2);
         auto* box = new QComboBox(this);
         box->setObjectName(name);
-        box->setAccessibleName(title);
-        label->setBuddy(box);
-        column->addWidget(label);
-        column->addWidget(box);
+        box->setToolTip(title);
+        nameChoice(*box, title);
+        row->addWidget(box);
         return box;
     };
     m_buffer = combo(tr("Buffer"), "studyBuffer");
     m_error = combo(tr("Error"), "studyError");
-    m_reference = new QLabel(this);
+    m_error->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    m_reference = new ElidedLabel(this);
     m_reference->setObjectName("studyReference");
-    m_reference->setWordWrap(true);
+    m_reference->setTextFormat(Qt::PlainText);
     m_reference->setProperty("tone", 2);
-    column->addWidget(m_reference);
+    row->addWidget(m_reference, 1);
     connect(m_buffer, &QComboBox::activated, this, [this] {
         m_choice.buffer = m_buffer->currentText().toStdString();
         fillErrors();
@@ -49,10 +49,10 @@ StudyChoice::StudyChoice(QWidget* parent) : QWidget(parent) {
         showReference();
         emit changed();
     });
-    followTheme(this, [this, column] {
+    followTheme(this, [this, row] {
         m_buffer->setFont(Theme::current().mono(12));
         m_reference->setFont(Theme::current().text(12));
-        column->setSpacing(Theme::current().px(4));
+        row->setSpacing(Theme::current().px(8));
     });
 }
 

@@ -1,15 +1,18 @@
 #include "app/panels/study_panel.h"
 
+#include <QDialog>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "app/core/text.h"
 #include "app/panels/folding_panes.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/study_choice.h"
 #include "app/panels/study_details.h"
+#include "app/panels/study_foot.h"
 #include "app/panels/study_pictures.h"
 #include "app/panels/study_plot.h"
 #include "app/panels/study_points.h"
@@ -27,13 +30,22 @@ using pipeline::StudyReport;
 StudyPanel::StudyPanel(Document& document, QWidget* parent) : QWidget(parent), m_document(document) {
     setObjectName("studyPanel");
     setWindowTitle(tr("Error against run time"));
-    const QList<QWidget*> parts{makeLeft(), makeMiddle(), makeRight()};
-    auto* panes = new FoldingPanes(parts, {tr("Set up"), tr("Plot"), tr("Points")}, this);
-    panes->setWishes({300, 780, 600});
+    auto* bar = makeBar();
+    const QList<QWidget*> parts{makePlot(), makeNumbers()};
+    auto* panes = new FoldingPanes(parts, {tr("Plot"), tr("Points")}, this);
+    panes->setWishes({750, 500});
+    m_foot = new StudyFoot(this);
     auto* column = new QVBoxLayout(this);
-    column->addWidget(panes);
+    column->addLayout(bar);
+    column->addWidget(m_message);
+    column->addWidget(panes, 1);
+    column->addWidget(m_foot);
     connect(m_sweep, &StudySweep::changed, this, [this] { m_run->setSweep(m_sweep->sweep()); });
     connect(m_run, &StudyRun::reported, this, &StudyPanel::setReport);
+    connect(m_run, &StudyRun::begun, panes, [panes] { panes->bringToFront(0); });
+    connect(m_run, &StudyRun::told, m_foot, &StudyFoot::tell);
+    connect(&m_tabs->words(), &StudyWords::answered, m_foot,
+            [this] { m_foot->setAnswers(m_report.points.empty() ? QStringList() : m_tabs->words().sentences()); });
     connect(m_choice, &StudyChoice::changed, this, &StudyPanel::analyse);
     connect(m_plot, &StudyPlot::chosen, this, [this](std::size_t point) { select(point); });
     connect(m_points, &StudyPoints::chosen, this, [this](std::size_t point) { select(point); });
@@ -42,7 +54,8 @@ StudyPanel::StudyPanel(Document& document, QWidget* parent) : QWidget(parent), m
     connect(&document, &Document::sceneChanged, this, &StudyPanel::showSelected);
     followTheme(this, [this, column] {
         const Theme& theme = Theme::current();
-        column->setContentsMargins(theme.px(8), theme.px(8), theme.px(8), theme.px(8));
+        column->setContentsMargins(theme.px(8), theme.px(8), theme.px(8), theme.px(6));
+        column->setSpacing(theme.px(6));
         placePictures();
         setStyleSheet(QStringLiteral("#studyPanel { background: %1; }").arg(theme.colors().bg.name()));
         analyse();
@@ -52,8 +65,15 @@ StudyPanel::StudyPanel(Document& document, QWidget* parent) : QWidget(parent), m
 }
 
 // What is being measured goes on behind a closed panel, for studies take long; pictures are made for who sees them.
-void StudyPanel::showEvent(QShowEvent*) { showSelected(); }
-void StudyPanel::hideEvent(QHideEvent*) { m_images.forget(); }
+void StudyPanel::showEvent(QShowEvent*) {
+    if (!focusWidget()) m_run->setFocus();
+    showSelected();
+}
+void StudyPanel::hideEvent(QHideEvent* event) {
+    m_images.forget();
+    if (!event->spontaneous())
+        for (QDialog* dialog : findChildren<QDialog*>()) dialog->close();
+}
 
 // Esc stops what is being measured, as anywhere; where nothing is, it closes.
 void StudyPanel::keyPressEvent(QKeyEvent* event) {
@@ -96,8 +116,10 @@ void StudyPanel::analyse() {
                                     : toQString(point.missing));
     m_plot->setPlot(std::move(plot), tips);
     m_points->setStudy(m_report, m_analysis);
-    m_words->setStudy(m_report, m_analysis);
-    m_words->setVisible(any);
+    m_tabs->words().setStudy(m_report, m_analysis);
+    m_run->setAgain(any);
+    const auto most = std::ranges::max_element(m_report.load);
+    m_foot->setLoad(most != m_report.load.end() && *most >= 0 ? std::optional(*most) : std::nullopt);
     m_choice->setVisible(any);
     m_export->setEnabled(any);
     m_export->setToolTip(any ? tr("Writes tables, plots and a page into a folder.") : tr("Nothing is measured yet."));

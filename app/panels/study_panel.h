@@ -11,16 +11,16 @@ class QPushButton;
 namespace app {
 
 class StudyChoice;
+class StudyFoot;
 class StudyPicturesView;
 class StudyPlot;
 class StudyPoints;
 class StudyRun;
 class StudySweep;
 class StudyTabs;
-class StudyWords;
 
-// Error against run time: what to measure on the left, the plot and the chosen setting's pictures in
-// the middle, all numbers on the right. The settings are those of the document's scene.
+// Error against run time: on top what to measure and how far it is, below that the plot, all numbers at its right, and
+// the answers in a line. The settings are those of the document's scene.
 class StudyPanel : public QWidget {
     Q_OBJECT
 public:
@@ -42,9 +42,10 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
-    QWidget* makeLeft();
-    QWidget* makeMiddle();
-    QWidget* makeRight();
+    QLayout* makeBar();
+    QWidget* makeSetUp();
+    QWidget* makePlot();
+    QWidget* makeNumbers();
     void placePictures();
     void analyse();
     void showSelected();
@@ -61,11 +62,11 @@ private:
     StudySweep* m_sweep;
     StudyRun* m_run;
     StudyChoice* m_choice;
-    StudyWords* m_words;
     StudyPlot* m_plot;
     StudyPicturesView* m_pictures;
     StudyPoints* m_points;
     StudyTabs* m_tabs;  // below the points
+    StudyFoot* m_foot;
     QLabel* m_message;
     QPushButton* m_export;
 };

@@ -5,6 +5,7 @@
 #include "app/core/text.h"
 #include "app/panels/study_choice.h"
 #include "app/panels/study_panel.h"
+#include "app/panels/study_tabs.h"
 #include "app/panels/study_words.h"
 #include "pipeline/export/study_files.h"
 #include "pipeline/export/study_json.h"
@@ -45,7 +46,7 @@ void StudyPanel::exportFiles() {
 }
 
 bool StudyPanel::exportTo(const QString& folder) {
-    const auto written = writeStudyFiles(m_report, m_analysis, m_words->limits(), {}, folder.toStdString());
+    const auto written = writeStudyFiles(m_report, m_analysis, m_tabs->words().limits(), {}, folder.toStdString());
     tell(written ? tr("%1 files are in %2.").arg(written->size()).arg(folder) : toQString(format(written.errors())));
     return bool(written);
 }

@@ -1,10 +1,12 @@
 // What of the study stands where.
+#include <QDialog>
 #include <QLabel>
 #include <QPushButton>
 #include <QSplitter>
 #include <QVBoxLayout>
 
 #include "app/panels/follow_theme.h"
+#include "app/panels/on_screen.h"
 #include "app/panels/study_choice.h"
 #include "app/panels/study_panel.h"
 #include "app/panels/study_pictures.h"
@@ -13,70 +15,104 @@
 #include "app/panels/study_run.h"
 #include "app/panels/study_sweep.h"
 #include "app/panels/study_tabs.h"
-#include "app/panels/study_words.h"
 #include "app/panels/surface.h"
 
 namespace app {
 
-QWidget* StudyPanel::makeLeft() {
-    auto* content = new QWidget;
-    content->setProperty("kind", "page");
-    auto* column = new QVBoxLayout(content);
-    m_sweep = new StudySweep(m_document, content);
-    m_run = new StudyRun(m_document, content);
-    m_choice = new StudyChoice(content);
-    m_words = new StudyWords(content);
-    m_message = new QLabel(content);
+// What is chosen, how far it is, and the one button.
+QLayout* StudyPanel::makeBar() {
+    m_sweep = new StudySweep(m_document, this);
+    m_run = new StudyRun(m_document, this);
+    m_message = new QLabel(this);
     m_message->setObjectName("studyMessage");
+    m_message->setTextFormat(Qt::PlainText);
     m_message->setWordWrap(true);
     m_message->hide();
-    auto* open = new QPushButton(tr("Open a study"), content);
-    open->setToolTip(tr("Shows a study.json that the window or the command study wrote."));
-    m_export = new QPushButton(tr("Export"), content);
+    m_export = new QPushButton(tr("Export"), this);
     m_export->setObjectName("studyExport");
-    auto* files = new QHBoxLayout;
-    files->addWidget(open);
-    files->addWidget(m_export);
-    for (QWidget* part :
-         {static_cast<QWidget*>(m_sweep), static_cast<QWidget*>(m_run), static_cast<QWidget*>(m_choice)})
-        column->addWidget(part);
-    column->addLayout(files);
-    column->addWidget(m_message);
-    column->addWidget(m_words);
-    column->addStretch(1);
-    connect(open, &QPushButton::clicked, this, &StudyPanel::openFile);
     connect(m_export, &QPushButton::clicked, this, &StudyPanel::exportFiles);
-    auto* area = scrolling(content, this);
-    followTheme(content, [column, area] {
-        const Theme& theme = Theme::current();
-        column->setContentsMargins(theme.px(12), theme.px(12), theme.px(12), theme.px(12));
-        column->setSpacing(theme.px(16));
-        area->setMinimumWidth(theme.px(296));
-    });
-    return surface(area, this);
+    auto* bar = new QHBoxLayout;
+    bar->addWidget(&m_sweep->names());
+    bar->addWidget(m_run, 1);
+    bar->addWidget(m_export);
+    QWidget* setUp = makeSetUp();
+    const auto show = [setUp] {
+        setUp->show();
+        setUp->raise();
+        setUp->activateWindow();
+    };
+    connect(m_run, &StudyRun::setUpAsked, setUp, show);
+    connect(m_sweep, &StudySweep::ownAsked, setUp, show);
+    followTheme(this, [bar] { bar->setSpacing(Theme::current().px(8)); });
+    return bar;
 }
 
-QWidget* StudyPanel::makeMiddle() {
+QWidget* StudyPanel::makeSetUp() {
+    auto* dialog = new QDialog(this);
+    dialog->setObjectName("studySetUpDialog");
+    dialog->setWindowTitle(tr("Set up the study"));
+    auto* fields = new QWidget;
+    auto* open = new QPushButton(tr("Open a study"), fields);
+    open->setToolTip(tr("Shows a study.json that the window or the command study wrote."));
+    auto* inner = new QVBoxLayout(fields);
+    inner->setContentsMargins(0, 0, 0, 0);
+    inner->addWidget(m_sweep);
+    inner->addWidget(&m_run->how());
+    inner->addWidget(open, 0, Qt::AlignLeft);
+    inner->addStretch(1);
+    m_run->how().show();
+    auto* close = new QPushButton(tr("Close"), dialog);
+    close->setDefault(true);
+    auto* column = new QVBoxLayout(dialog);
+    auto* area = new FieldsArea(fields, dialog);
+    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    column->addWidget(area, 1);
+    column->addWidget(close, 0, Qt::AlignRight);
+    connect(open, &QPushButton::clicked, dialog, &QDialog::close);
+    connect(open, &QPushButton::clicked, this, &StudyPanel::openFile);
+    connect(close, &QPushButton::clicked, dialog, &QDialog::close);
+    followTheme(dialog, [dialog, column, inner] {
+        const Theme& theme = Theme::current();
+        column->setContentsMargins(theme.px(16), theme.px(12), theme.px(16), theme.px(12));
+        inner->setSpacing(theme.px(12));
+        dialog->resize(onScreen(*dialog, theme.px(420), theme.px(340)));
+    });
+    return dialog;
+}
+
+QWidget* StudyPanel::makePlot() {
     auto* splitter = new QSplitter(Qt::Vertical, this);
-    m_plot = new StudyPlot(splitter);
+    auto* content = new QWidget;
+    content->setProperty("kind", "page");
+    m_choice = new StudyChoice(content);
+    m_plot = new StudyPlot(content);
+    auto* column = new QVBoxLayout(content);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addWidget(m_choice);
+    column->addWidget(m_plot, 1);
     m_pictures = new StudyPicturesView(splitter);
     QWidget* frame = surface(m_pictures, splitter);
     m_tabs = new StudyTabs(*m_pictures, *frame);
-    splitter->addWidget(surface(m_plot, splitter));
+    splitter->addWidget(surface(content, splitter));
     splitter->addWidget(frame);
     splitter->setStretchFactor(0, 2);
     splitter->setStretchFactor(1, 1);
     splitter->setChildrenCollapsible(false);
+    followTheme(content, [this, column] {
+        const Theme& theme = Theme::current();
+        m_choice->layout()->setContentsMargins(theme.px(8), theme.px(6), theme.px(8), theme.px(6));
+        column->setSpacing(0);
+    });
     return splitter;
 }
 
-QWidget* StudyPanel::makeRight() {
+QWidget* StudyPanel::makeNumbers() {
     auto* splitter = new QSplitter(Qt::Vertical, this);
     m_points = new StudyPoints(splitter);
     splitter->addWidget(surface(m_points, splitter));
     splitter->addWidget(surface(m_tabs, splitter));
+    splitter->setSizes({1, 1});  // as high as each other, where their contents allow it
     splitter->setChildrenCollapsible(false);
-    // With the left side and the plot it fits a screen of 1280 by 720 in the projector's letters.
     followTheme(splitter, [this, splitter] {
         splitter->setMinimumWidth(Theme::current().px(330));
         m_tabs->setFont(Theme::current().text(13, 500));

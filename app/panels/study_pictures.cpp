@@ -15,7 +15,7 @@ namespace app {
 
 PictureFrame::PictureFrame(QWidget* parent) : QWidget(parent) {
     followTheme(this, [this] {
-        setMinimumSize(Theme::current().px(80), Theme::current().px(100));
+        setMinimumSize(Theme::current().px(80), Theme::current().px(70));
         update();
     });
 }
@@ -24,28 +24,39 @@ void PictureFrame::show(QImage picture, const QString& caption, const QString& i
     m_picture = std::move(picture);
     m_caption = caption;
     m_instead = instead;
+    setToolTip(caption);
     setAccessibleName(m_picture.isNull() ? caption + ": " + instead : caption);
     update();
 }
 
+// As large as fits above one line of words.
+QRect PictureFrame::pictureRect() const {
+    const QRect place = rect().adjusted(0, 0, 0, -Theme::current().px(24));
+    return m_picture.isNull() ? place
+                              : QRect(place.topLeft(), m_picture.size().scaled(place.size(), Qt::KeepAspectRatio));
+}
+
+// Right below the picture, folded where there is room.
 void PictureFrame::paintEvent(QPaintEvent*) {
     const Theme& theme = Theme::current();
     QPainter painter(this);
-    const int foot = theme.px(24);
-    const QRect place = rect().adjusted(0, 0, 0, -foot);
+    const QRect place = pictureRect(), words(0, place.bottom() + 1, width(), height() - place.height());
     painter.setFont(theme.text(12));
     painter.setPen(theme.colors().text2);
-    painter.drawText(QRect(0, place.bottom() + 1, width(), foot), Qt::AlignLeft | Qt::AlignVCenter,
-                     QFontMetrics(painter.font()).elidedText(m_caption, Qt::ElideRight, width()));
+    constexpr int kFlags = Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap;
+    const QFontMetrics metrics(painter.font());
+    if (metrics.boundingRect(words, kFlags, m_caption).height() <= words.height())
+        painter.drawText(words, kFlags, m_caption);
+    else
+        painter.drawText(words, Qt::AlignLeft | Qt::AlignTop, metrics.elidedText(m_caption, Qt::ElideRight, width()));
     if (m_picture.isNull()) {
         painter.fillRect(place, theme.colors().view);
         painter.drawText(place.adjusted(8, 8, -8, -8), Qt::AlignCenter | Qt::TextWordWrap, m_instead);
         return;
     }
     // Device pixels by nearest neighbour where the picture is enlarged; averaged where it is made smaller.
-    const QSize size = m_picture.size().scaled(place.size(), Qt::KeepAspectRatio);
-    painter.setRenderHint(QPainter::SmoothPixmapTransform, size.width() < m_picture.width());
-    painter.drawImage(QRect(place.topLeft(), size), m_picture);
+    painter.setRenderHint(QPainter::SmoothPixmapTransform, place.width() < m_picture.width());
+    painter.drawImage(place, m_picture);
 }
 
 StudyPicturesView::StudyPicturesView(QWidget* parent) : QWidget(parent) {

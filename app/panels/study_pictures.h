@@ -20,6 +20,8 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
+    QRect pictureRect() const;
+
     QImage m_picture;
     QString m_caption, m_instead;
 };

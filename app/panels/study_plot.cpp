@@ -24,7 +24,7 @@ StudyPlot::StudyPlot(QWidget* parent) : QWidget(parent) {
     followTheme(this, [this] { layOut(); });
 }
 
-QSize StudyPlot::minimumSizeHint() const { return {Theme::current().px(360), Theme::current().px(260)}; }
+QSize StudyPlot::minimumSizeHint() const { return {Theme::current().px(360), Theme::current().px(170)}; }
 
 void StudyPlot::setPlot(pipeline::Plot plot, QStringList tips) {
     m_plot = std::move(plot);

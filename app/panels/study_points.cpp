@@ -2,6 +2,7 @@
 
 #include <QHeaderView>
 #include <QSignalBlocker>
+#include <algorithm>
 
 #include "app/core/text.h"
 #include "app/panels/airy_cells.h"
@@ -82,11 +83,14 @@ void StudyPoints::setStudy(const pipeline::StudyReport& report, const pipeline::
     horizontalHeader()->setStretchLastSection(false);
     for (int column = 0; column < columnCount(); ++column) setColumnHidden(column, false);
     resizeColumnsToContents();
-    m_widths.clear();
-    for (int column = 0; column < columnCount(); ++column) m_widths.push_back(columnWidth(column));
+    m_widths.clear(), m_least.clear();
+    for (int column = 0; column < columnCount(); ++column) {
+        m_widths.push_back(columnWidth(column));
+        m_least.push_back(std::min(columnWidth(column), std::max(sizeHintForColumn(column), Theme::current().px(48))));
+        horizontalHeaderItem(column)->setToolTip(head[column]);
+    }
     // The words of the last column take what is left; their tooltip has the whole.
-    m_widths.back() = Theme::current().px(60);
-    setColumnWidth(columnCount() - 1, m_widths.back());
+    m_widths.back() = m_least.back() = Theme::current().px(60);
     horizontalHeader()->setStretchLastSection(true);
     fitColumns();
 }
@@ -99,6 +103,12 @@ void StudyPoints::fitColumns() {
         if (column >= columnCount()) return;
         setColumnHidden(column, room < 0);
         if (room < 0) room += m_widths[std::size_t(column)];
+    }
+    // Then headers are cut.
+    for (std::size_t column = 0; column < m_widths.size(); ++column) {
+        const int less = isColumnHidden(int(column)) ? 0 : std::clamp(-room, 0, m_widths[column] - m_least[column]);
+        setColumnWidth(int(column), m_widths[column] - less);
+        room += less;
     }
 }
 

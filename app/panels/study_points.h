@@ -25,6 +25,7 @@ private:
     int rowOf(std::size_t point) const;
 
     std::vector<int> m_widths;   // of the columns, by what is in them
+    std::vector<int> m_least;    // of the columns, with a header that is cut
     std::vector<int> m_giveWay;  // the columns that go first where there is no room for all
 };
 

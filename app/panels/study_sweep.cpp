@@ -53,8 +53,7 @@ StudySweep::StudySweep(Document& document, QWidget* parent) : QWidget(parent), m
     }
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
-    for (QWidget* part :
-         {static_cast<QWidget*>(m_named), static_cast<QWidget*>(m_meaning), m_own, static_cast<QWidget*>(m_state)})
+    for (QWidget* part : {static_cast<QWidget*>(m_meaning), m_own, static_cast<QWidget*>(m_state)})
         column->addWidget(part);
     followTheme(this, [this, column] {
         m_meaning->setFont(Theme::current().text(12));
@@ -62,6 +61,9 @@ StudySweep::StudySweep(Document& document, QWidget* parent) : QWidget(parent), m
         column->setSpacing(Theme::current().px(6));
     });
     connect(m_named, &QComboBox::currentIndexChanged, this, &StudySweep::showState);
+    connect(m_named, &QComboBox::activated, this, [this](int at) {
+        if (at == m_named->count() - 1) emit ownAsked();
+    });
     connect(&document, &Document::sceneOpened, this, &StudySweep::fill);
     connect(&document, &Document::sceneChanged, this, &StudySweep::showState);
     fill();
@@ -132,6 +134,7 @@ void StudySweep::setAxes(const QStringList& texts) {
 void StudySweep::showState() {
     const NamedSweep* named = pipeline::findNamedSweep(m_named->currentData().toString().toStdString());
     m_meaning->setText(named ? toQString(named->meaning) : QString());
+    m_named->setToolTip(m_meaning->text());
     m_meaning->setVisible(named != nullptr);
     m_own->setVisible(!named);
     const auto found = sweep();

@@ -17,12 +17,14 @@ class StudySweep : public QWidget {
 public:
     explicit StudySweep(Document& document, QWidget* parent = nullptr);
 
+    QComboBox& names() { return *m_named; }  // ready-made sweeps, and own settings: stands where the owner wants it
     // The sweep of the document's scene; the errors stand beneath the fields too.
     pipeline::Result<pipeline::Sweep> sweep() const;
     void setAxes(const QStringList& texts);  // own settings: "shading=flat,phong"; at most two
 
 signals:
     void changed();
+    void ownAsked();  // by the user: fields that are here
 
 private:
     struct AxisFields {

@@ -6,23 +6,25 @@
 #include "app/panels/follow_theme.h"
 #include "app/panels/study_details.h"
 #include "app/panels/study_pictures.h"
+#include "app/panels/study_words.h"
 #include "app/panels/surface.h"
 
 namespace app {
 
 StudyTabs::StudyTabs(StudyPicturesView& pictures, QWidget& frame, QWidget* parent)
-    : QTabWidget(parent), m_pictures(pictures), m_frame(frame), m_details(new StudyDetails) {
+    : QTabWidget(parent), m_pictures(pictures), m_frame(frame), m_details(new StudyDetails), m_words(new StudyWords) {
     setObjectName("studyTabs");
-    setTabBarAutoHide(true);
+    m_words->setProperty("kind", "page");
     addTab(scrolling(m_details, this), tr("Details"));
+    addTab(scrolling(m_words, this), tr("Answers"));
 }
 
 void StudyTabs::setLow(bool isLow) {
-    if (isLow == (count() > 1)) return;
+    if (isLow == (count() > 2)) return;
     if (isLow) {
         insertTab(0, &m_pictures, tr("Pictures"));
-        addTab(scrolling(&m_details->blame(), this), tr("Blame"));
-        addTab(&m_details->errors(), tr("Buffers"));
+        insertTab(2, scrolling(&m_details->blame(), this), tr("Blame"));
+        insertTab(3, &m_details->errors(), tr("Buffers"));
         setTabVisible(1, false);
         setCurrentIndex(0);
     } else {
@@ -33,6 +35,7 @@ void StudyTabs::setLow(bool isLow) {
         m_frame.layout()->addWidget(&m_pictures);
         m_pictures.show();
         setTabVisible(0, true);
+        setCurrentIndex(0);
     }
     m_frame.setVisible(!isLow);
     // Qt's style sheets take the fonts of what gets another parent.

@@ -22,6 +22,7 @@ StudyWords::StudyWords(QWidget* parent) : QWidget(parent) {
         auto* made = new QLabel(text, this);
         made->setWordWrap(true);
         made->setTextInteractionFlags(Qt::TextSelectableByMouse);
+        made->setTextFormat(Qt::PlainText);
         if (tone > 1) made->setProperty("tone", tone);
         return made;
     };
@@ -52,7 +53,6 @@ StudyWords::StudyWords(QWidget* parent) : QWidget(parent) {
     limits->addRow(tr("Error up to"), m_error);
     limits->addRow(tr("Within ms"), m_time);
     auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(m_title);
     column->addLayout(limits);
     for (QWidget* part : {static_cast<QWidget*>(m_cheapest), static_cast<QWidget*>(m_best),
@@ -70,6 +70,7 @@ StudyWords::StudyWords(QWidget* parent) : QWidget(parent) {
         m_time->setFont(theme.mono(12));
         m_orders->verticalHeader()->setDefaultSectionSize(theme.px(28));
         m_orders->setMinimumHeight(theme.px(28 * 4));
+        column->setContentsMargins(theme.px(12), theme.px(8), theme.px(12), theme.px(8));
         column->setSpacing(theme.px(6));
     });
 }
@@ -119,6 +120,9 @@ void StudyWords::showAnswers() {
     m_time->setText(toQString(pipeline::shortestText(m_limits.milliseconds)));
     m_cheapest->setText(toQString(pipeline::cheapestSentence(m_analysis, m_limits.error)));
     m_best->setText(toQString(pipeline::bestSentence(m_analysis, m_limits.milliseconds)));
+    emit answered();
 }
+
+QStringList StudyWords::sentences() const { return {m_cheapest->text(), m_best->text()}; }
 
 }  // namespace app

@@ -17,6 +17,10 @@ public:
     // Limits that nobody typed follow the study's middle.
     void setStudy(const pipeline::StudyReport& report, pipeline::StudyAnalysis analysis);
     pipeline::StudyLimits limits() const { return m_limits; }
+    QStringList sentences() const;  // both answers
+
+signals:
+    void answered();  // a limit was typed, or there is another study
 
 private:
     void take(QLineEdit* field, double& limit, bool& typed);

@@ -9,156 +9,27 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSignalSpy>
-#include <QTabWidget>
 #include <QTableWidget>
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "app/core/theme.h"
-#include "app/panels/folding_panes.h"
 #include "app/panels/study_choice.h"
-#include "app/panels/study_details.h"
 #include "app/panels/study_pictures.h"
-#include "app/panels/study_plot.h"
-#include "app/panels/study_points.h"
 #include "app/panels/study_run.h"
 #include "app/panels/study_sweep.h"
 #include "pipeline/export/study_json.h"
 #include "pipeline/scene/settings_table.h"
-#include "tests/support/scenes.h"
-#include "tests/support/studies.h"
+#include "tests/app/study_panel_fixture.h"
 
 namespace {
 
-using app::Document;
-using app::StudyPlot;
 using app::StudyPoints;
 using pipeline::StudyReport;
-
-// A small picture: a study of it takes a moment.
-pipeline::Scene smallPyramid() {
-    pipeline::Scene scene = test::pyramid();
-    scene.settings.width = 64;
-    scene.settings.height = 48;
-    return scene;
-}
-
-// The sphere's numbers under settings that the pyramid has.
-StudyReport pyramidStudy() {
-    StudyReport report = test::sphereStudy();
-    report.scene = smallPyramid().name;
-    report.axes[1] = {"material.0.n", "n exponent", {"4", "16", "64", "128"}};
-    return report;
-}
-
-struct StudyPanelTest : testing::Test {
-    Document document;
-    app::StudyPanel panel{document};
-
-    StudyPanelTest() {
-        document.setScene(smallPyramid());
-        panel.resize(1500, 900);
-        panel.show();
-        panel.setReport(pyramidStudy());
-    }
-    template <class Widget>
-    Widget& part(const char* name = nullptr) {
-        return *panel.findChild<Widget*>(name ? QString(name) : QString());
-    }
-    StudyPlot& plot() { return part<StudyPlot>(); }
-    void click(std::size_t point) { QTest::mouseClick(&plot(), Qt::LeftButton, {}, plot().placeOf(point)->toPoint()); }
-    QString cell(int row, int column) { return part<StudyPoints>().item(row, column)->text(); }
-};
+using test::pyramidStudy;
+using test::smallPyramid;
+using test::StudyPanelTest;
 
 }  // namespace
-
-TEST_F(StudyPanelTest, FitsASmallScreenInEveryTheme) {
-    panel.show();
-    for (const app::ThemeId theme : {app::ThemeId::Dark, app::ThemeId::Projector, app::ThemeId::Light}) {
-        app::Theme::current().set(theme);
-        QCoreApplication::sendPostedEvents();
-        panel.resize(1280, 720);
-        QCoreApplication::processEvents();
-        EXPECT_EQ(panel.size(), QSize(1280, 720)) << int(theme) << ": the least is " << panel.minimumSizeHint().width()
-                                                  << " by " << panel.minimumSizeHint().height();
-    }
-}
-
-// Whatever the letters, and back to its size after a theme that needs more room.
-TEST_F(StudyPanelTest, NothingOfItIsOutOfReachInLargeLetters) {
-    for (const double scale : {1.0, 1.5, 2.0}) {
-        for (const QSize size : {QSize(1024, 640), QSize(1280, 720), QSize(1366, 768)}) {
-            SCOPED_TRACE(testing::Message() << size.width() << " wide, text " << scale);
-            app::Theme::current().setScale(scale);
-            panel.resize(size);
-            QCoreApplication::processEvents();
-            EXPECT_EQ(panel.size(), size);
-            auto& panes = part<app::FoldingPanes>();
-            auto& names = part<QWidget>("paneNames");
-            EXPECT_EQ(names.isVisible(), panes.isFolded());
-            for (int pane = 0; pane < 3; ++pane) {
-                panes.bringToFront(pane);
-                QCoreApplication::processEvents();
-                const char* const what[]{"studyBegin", "", "studyPoints"};
-                const QWidget& there = pane == 1 ? plot() : part<QWidget>(what[pane]);
-                EXPECT_TRUE(there.isVisible()) << pane;
-                EXPECT_LE(there.mapTo(&panel, QPoint(there.width(), 0)).x(), panel.width()) << pane;
-            }
-            panes.bringToFront(0);
-        }
-    }
-    app::Theme::current().setScale(1);
-    panel.resize(1024, 640);
-    for (const app::ThemeId theme : {app::ThemeId::Projector, app::ThemeId::Light}) app::Theme::current().set(theme);
-    QCoreApplication::processEvents();
-    EXPECT_EQ(panel.size(), QSize(1024, 640));
-}
-
-// In a low window they stand below the table, one at a time; the plot has the height.
-TEST_F(StudyPanelTest, ThePicturesFindTheirPlaceByTheHeight) {
-    auto& pictures = part<app::StudyPicturesView>();
-    auto& tabs = part<QTabWidget>("studyTabs");
-    EXPECT_FALSE(tabs.isAncestorOf(&pictures)) << "900 high";
-    for (int time = 0; time < 2; ++time) {
-        panel.resize(1280, 720);
-        QCoreApplication::processEvents();
-        EXPECT_TRUE(tabs.isAncestorOf(&pictures));
-        EXPECT_TRUE(pictures.isVisible());
-        EXPECT_GE(part<app::PictureFrame>().height(), 96);
-        tabs.setCurrentWidget(&part<app::StudyDetails>().errors());
-        EXPECT_TRUE(part<QTableWidget>("studyErrors").isVisible());
-        panel.resize(1500, 900);
-        QCoreApplication::processEvents();
-        EXPECT_FALSE(tabs.isAncestorOf(&pictures));
-        EXPECT_TRUE(pictures.isVisible());
-        EXPECT_TRUE(part<QTableWidget>("studyErrors").isVisible());
-        EXPECT_TRUE(part<QWidget>("blameBars").isVisible());
-    }
-}
-
-// What the table has no room for goes from the interval on; it never scrolls from side to side.
-TEST_F(StudyPanelTest, TheIntervalGivesWayWhereTheTableIsNarrow) {
-    auto& points = part<StudyPoints>();
-    const int interval = points.columnCount() - 3;
-    ASSERT_EQ(points.horizontalHeaderItem(interval)->text(), "95 % interval");
-    points.resize(900, 300);
-    EXPECT_FALSE(points.isColumnHidden(interval));
-    panel.resize(1024, 640);
-    QCoreApplication::processEvents();
-    EXPECT_TRUE(points.isColumnHidden(interval));
-}
-
-// A window of its own, which the keyboard goes through and out of its tables again.
-TEST_F(StudyPanelTest, HasATitleAndKeepsNoFocusInATable) {
-    EXPECT_EQ(panel.windowTitle(), "Error against run time");
-    const auto tables = panel.findChildren<QTableWidget*>();
-    ASSERT_EQ(tables.size(), 3);
-    for (QTableWidget* table : tables) {
-        table->setFocus();
-        QTest::keyClick(table, Qt::Key_Tab);
-        EXPECT_NE(QApplication::focusWidget(), table) << table->accessibleName().toStdString();
-    }
-}
 
 TEST_F(StudyPanelTest, AClickOnAPointSelectsItEverywhere) {
     click(9);  // phong, 16: the sixth by time

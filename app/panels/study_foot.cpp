@@ -1,0 +1,67 @@
+#include "app/panels/study_foot.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+
+#include "app/panels/elided_label.h"
+#include "app/panels/follow_theme.h"
+
+namespace app {
+
+StudyFoot::StudyFoot(QWidget* parent) : QWidget(parent), m_words(new ElidedLabel(this)), m_load(new QLabel(this)) {
+    m_words->setObjectName("studyAnswers");
+    m_words->setTextFormat(Qt::PlainText);
+    m_load->setObjectName("studyLoad");
+    m_load->setProperty("tone", 2);
+    m_load->setToolTip(
+        tr("Programs that ran, on average over the minute before the times were measured. "
+           "More than one a core disturbs them."));
+    auto* row = new QHBoxLayout(this);
+    row->addWidget(m_words, 1);
+    row->addWidget(m_load);
+    followTheme(this, [this, row] {
+        const Theme& theme = Theme::current();
+        m_words->setFont(theme.text(13));
+        m_load->setFont(theme.text(12));
+        row->setContentsMargins(theme.px(4), 0, theme.px(4), 0);
+        row->setSpacing(theme.px(12));
+        fit();
+    });
+    setLoad({});
+}
+
+void StudyFoot::setAnswers(const QStringList& sentences) {
+    m_answers = sentences;
+    fit();
+}
+
+void StudyFoot::tell(const QString& doing) {
+    m_doing = doing;
+    fit();
+}
+
+void StudyFoot::setLoad(std::optional<double> load) {
+    m_load->setVisible(load.has_value());
+    if (load) m_load->setText(tr("machine load %1").arg(*load, 0, 'f', 1));
+    fit();
+}
+
+// Whole sentences: the tab of the answers has all of them.
+void StudyFoot::fit() {
+    QString words = m_doing;
+    if (m_doing.isEmpty())
+        for (const QString& answer : m_answers) {
+            const QString longer = words.isEmpty() ? answer : words + QStringLiteral("  ") + answer;
+            const int room = width() - (m_load->isHidden() ? 0 : m_load->sizeHint().width() + layout()->spacing()) -
+                             layout()->contentsMargins().left() - layout()->contentsMargins().right();
+            if (words.isEmpty() || m_words->fontMetrics().horizontalAdvance(longer) <= room) words = longer;
+        }
+    m_words->setText(words);
+}
+
+void StudyFoot::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    fit();
+}
+
+}  // namespace app

@@ -1,0 +1,32 @@
+#pragma once
+#include <QStringList>
+#include <QWidget>
+#include <optional>
+
+class QLabel;
+
+namespace app {
+
+// The bottom line of a study: its answers, as many as there is room for, or what is being measured; and how busy the
+// machine was.
+class StudyFoot : public QWidget {
+    Q_OBJECT
+public:
+    explicit StudyFoot(QWidget* parent = nullptr);
+
+    void setAnswers(const QStringList& sentences);
+    void tell(const QString& doing);  // empty: the answers again
+    void setLoad(std::optional<double> load);
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
+private:
+    void fit();
+
+    QStringList m_answers;
+    QString m_doing;
+    QLabel *m_words, *m_load;
+};
+
+}  // namespace app
