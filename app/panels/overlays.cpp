@@ -100,8 +100,8 @@ QString depthTest(const Frame& frame, QSize size, std::vector<QImage>& images) {
         return tests[i] == DepthTests::None ? QRgb(0) : onTop(colors[std::size_t(tests[i]) - 1]);
     }));
     return QString("depth test %1 %2 %3")
-        .arg(swatch(colors[0], "one fragment " + count(counts[1])), swatch(colors[1], "overwritten " + count(counts[2])),
-             swatch(colors[2], "not nearer " + count(counts[3])));
+        .arg(swatch(colors[0], "one fragment " + count(counts[1])),
+             swatch(colors[1], "overwritten " + count(counts[2])), swatch(colors[2], "not nearer " + count(counts[3])));
 }
 
 // NaN and infinities have colours of their own already: they get a frame of marks, negative ones a hatch.
