@@ -78,7 +78,7 @@ void CaptionLine::paintEvent(QPaintEvent*) {
     const int shown = std::min(m_count, int(width() / 3 / (dot + gap)));
     const int first = std::clamp(m_current - shown / 2, 0, std::max(0, m_count - shown));
     const bool hasCurrent = m_current >= first && m_current < first + shown;
-    double right = width();
+    double right = width() - 1;  // for the outline of the last one
     if (shown > 0) right -= shown * (dot + gap) - gap + (hasCurrent ? pill - dot : 0);
     double x = right;
     for (int i = first; i < first + shown; ++i) {

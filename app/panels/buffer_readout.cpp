@@ -85,12 +85,19 @@ void PixelReadout::place(CanvasRoom& room) {
     m_label->adjustSize();
     // Above "0, 0", where the canvas marks it.
     const int origin = view().canvas()->placing().isFlipped() ? QFontMetrics(theme.mono(12)).height() + 4 : 0;
-    m_label->move(CanvasRoom::kMargin, room.bottom - m_label->height() - CanvasRoom::kMargin - origin);
-    if (const QRect pixel = pixelOnCanvas(); m_label->geometry().intersects(pixel))
-        m_label->move(CanvasRoom::kMargin, std::max(0, pixel.top() - m_label->height()));
+    QRect box(QPoint(CanvasRoom::kMargin, room.bottom - m_label->height() - CanvasRoom::kMargin - origin),
+              m_label->size());
+    // In the lower left corner, or in the other one if what is worth looking at is there and not here.
+    const QRectF focus = view().canvas()->placing().focusInView();
+    const QRect other(QPoint(room.size.width() - CanvasRoom::kMargin - box.width(), box.y()), box.size());
+    const QRect pixel = pixelOnCanvas();
+    const auto isFree = [&](const QRect& corner) { return !focus.intersects(corner) && !corner.intersects(pixel); };
+    if (!isFree(box) && isFree(other)) box = other;
+    if (box.intersects(pixel)) box.moveTop(std::max(0, pixel.top() - box.height()));
+    m_label->setGeometry(box);
     if (!m_label->isVisibleTo(view().canvas())) return;
-    room.bottom = m_label->y();
-    room.left = m_label->geometry().right();
+    if (box.left() == CanvasRoom::kMargin) room.bottom = box.top();
+    room.left = box.right();
 }
 
 // The pixel that the label is about, with some of its neighbourhood.

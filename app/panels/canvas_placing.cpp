@@ -131,7 +131,14 @@ void CanvasPlacing::placeFocus() {
         const double fitting = std::min(m_view.width() / m_focus.width(), m_view.height() / m_focus.height());
         zoom = fitting >= 2 ? std::floor(fitting) : std::max(fitting, 0.01);
     }
-    place({QRectF(m_view.rect()).center() - m_focus.center() * zoom, zoom});
+    // No empty strip where there is more of the picture on the other side: the view holds all of the focus either way.
+    const auto filled = [](double origin, double extent, double view) {
+        return extent < view ? origin : std::clamp(origin, view - extent, 0.0);
+    };
+    const QPointF origin = QRectF(m_view.rect()).center() - m_focus.center() * zoom;
+    const QSizeF size = QSizeF(m_picture) * zoom;
+    place(
+        {{filled(origin.x(), size.width(), m_view.width()), filled(origin.y(), size.height(), m_view.height())}, zoom});
 }
 
 void CanvasPlacing::place(Placement placement) {
@@ -181,6 +188,11 @@ std::optional<QPoint> CanvasPlacing::pixelAt(QPointF view) const {
     const QPoint pixel = pixelUnder(view);
     if (!QRect(QPoint(0, 0), m_picture).contains(pixel)) return {};
     return pixel;
+}
+
+QRectF CanvasPlacing::focusInView() const {
+    const QRectF focus = toShown(m_worthIt);
+    return QRectF(m_placement.toWidget(focus.topLeft()), focus.size() * zoom());
 }
 
 QRect CanvasPlacing::visiblePart() const {

@@ -55,7 +55,8 @@ public:
     QPointF toShown(QPointF picture) const;  // from the picture's own place to where the placement has it
     QPoint pixelUnder(QPointF view) const;   // also beside the picture
     std::optional<QPoint> pixelAt(QPointF view) const;
-    QRect visiblePart() const;  // of the picture, pixels
+    QRect visiblePart() const;   // of the picture, pixels
+    QRectF focusInView() const;  // where what is worth looking at is in the view; empty: nothing is
 
 signals:
     void changed();

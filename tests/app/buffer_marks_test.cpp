@@ -97,6 +97,24 @@ TEST_F(BufferMarksTest, TheValueOfAPixelDoesNotCoverIt) {
     EXPECT_FALSE(label().intersects(QRect(widgetAt(*middle) - QPoint(4, 4), QSize(8, 8))));
 }
 
+// The pyramid in the lower left corner of the view: the value is in the other one.
+TEST_F(BufferMarksTest, TheValueOfAPixelLeavesWhatIsDrawnInSight) {
+    BufferCanvas& canvas = *view.canvas();
+    canvas.placing().setZoom(2);
+    const QRectF drawn = canvas.placing().focusInView();
+    ASSERT_FALSE(drawn.isEmpty());
+    ASSERT_LT(drawn.width(), canvas.width() / 2);
+    const QPointF by = QPointF(0, canvas.height()) - drawn.bottomLeft();
+    canvas.placing().drag(canvas.placing().placement().origin + by);
+    document.pointing().pick(kOnPolygon2);
+    const auto labels = canvas.findChildren<QLabel*>();
+    const auto label = std::ranges::find_if(
+        labels, [](const QLabel* one) { return one->isVisible() && one->text().startsWith("x "); });
+    ASSERT_NE(label, labels.end());
+    EXPECT_FALSE(canvas.placing().focusInView().intersects((*label)->geometry()));
+    EXPECT_TRUE(canvas.rect().contains((*label)->geometry()));
+}
+
 // The checker, the label, a screen reader and a copied value agree: S is stored as 1 where nothing was drawn.
 TEST_F(BufferMarksTest, WhereNothingWasDrawnThereIsNoValue) {
     constexpr QPoint kBackground{5, 5};
