@@ -72,8 +72,13 @@ std::string swatch(pipeline::Color8 color) {
 }  // namespace
 
 std::string sentenceHtml(const std::string& text) {
-    static const std::regex s_symbols("\\b([IkS])_([a-z0-9]{1,3})\\b");
-    return std::regex_replace(escapedHtml(text), s_symbols, "$1<sub>$2</sub>");
+    std::string html;
+    for (const SetPiece& piece : setPieces(text)) switch (piece.script) {
+            case SetPiece::Script::None: html += escapedHtml(piece.text); break;
+            case SetPiece::Script::Below: html += element("sub", piece.text); break;
+            case SetPiece::Script::Raised: html += element("sup", piece.text); break;
+        }
+    return html;
 }
 
 std::string algorithmHtml(const pipeline::AlgorithmState& state) {

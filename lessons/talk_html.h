@@ -10,7 +10,7 @@
 
 namespace lessons {
 
-// A sentence, with the lectures' symbols as they are set: k_r and I_max with their subscripts.
+// A sentence with the lectures' symbols as they are set, after setPieces().
 std::string sentenceHtml(const std::string& text);
 // The lines with their values, the innermost loop as a bar, and why lines are left out.
 std::string algorithmHtml(const pipeline::AlgorithmState& state);

@@ -1,6 +1,7 @@
 #include "lessons/talk_words.h"
 
 #include <algorithm>
+#include <regex>
 
 namespace lessons {
 
@@ -25,6 +26,23 @@ std::pair<std::size_t, std::size_t> rowsAround(const std::vector<pipeline::Algor
     const auto at = now == rows.end() ? 0 : std::size_t(now - rows.begin());
     const std::size_t first = std::min(at > most / 2 ? at - most / 2 : 0, rows.size() - most);
     return {first, first + most};
+}
+
+std::vector<SetPiece> setPieces(const std::string& sentence) {
+    // A letter and what is below it, or a bracket and what is raised behind it.
+    static const std::regex s_symbols("\\b([IkSc])_([a-z0-9]{1,3})\\b|(\\))\\^([a-z0-9]{1,2})\\b");
+    using Script = SetPiece::Script;
+    std::vector<SetPiece> pieces;
+    auto rest = sentence.cbegin();
+    for (std::sregex_iterator found(sentence.begin(), sentence.end(), s_symbols), end; found != end; ++found) {
+        const std::smatch& match = *found;
+        const bool isBelow = match[1].matched;
+        pieces.push_back({std::string(rest, match[0].first) + match[isBelow ? 1 : 3].str(), Script::None});
+        pieces.push_back({match[isBelow ? 2 : 4].str(), isBelow ? Script::Below : Script::Raised});
+        rest = match[0].second;
+    }
+    if (rest != sentence.cend()) pieces.push_back({std::string(rest, sentence.cend()), Script::None});
+    return pieces;
 }
 
 }  // namespace lessons

@@ -22,6 +22,15 @@ inline constexpr std::size_t kMostAlgorithmRows = 11;
 // The words of the lectures' language, which are set bold: a regular expression with one group.
 inline constexpr char kLanguageWords[] = "\\b(for each|for all|if|then)\\b";
 
+// A sentence in pieces, with the lectures' symbols as they are set: r below in k_r, n raised in (R·V)^n.
+struct SetPiece {
+    enum class Script : unsigned char { None, Below, Raised };
+    std::string text;
+    Script script = Script::None;
+    bool operator==(const SetPiece&) const = default;
+};
+std::vector<SetPiece> setPieces(const std::string& sentence);
+
 // Below a question that has no caption.
 inline constexpr char kVoteByHand[] = "Talk to your neighbour, then vote by hand.";
 

@@ -3,7 +3,9 @@
 #include <QPainter>
 #include <algorithm>
 
+#include "app/core/text.h"
 #include "app/core/theme.h"
+#include "lessons/talk_words.h"
 
 namespace app {
 namespace {
@@ -20,6 +22,26 @@ QStringList twoLines(const QString& text, const QFontMetrics& metrics, int room)
     }
     if (end == 0) return {metrics.elidedText(text, Qt::ElideRight, room)};
     return {text.left(end), metrics.elidedText(text.mid(end + 1), Qt::ElideRight, room)};
+}
+
+// One line with the lectures' symbols as they are set. That takes no more room than the text as it is written.
+void paintSet(QPainter& painter, const QRect& box, const QString& line, const QFont& font) {
+    const QFontMetrics metrics(font);
+    QFont small = font;
+    small.setPixelSize(std::max(1, int(0.62 * metrics.height())));
+    int x = box.left();
+    const int baseline = box.top() + (box.height() - metrics.height()) / 2 + metrics.ascent();
+    using Script = lessons::SetPiece::Script;
+    for (const lessons::SetPiece& piece : lessons::setPieces(line.toStdString())) {
+        const bool isPlain = piece.script == Script::None;
+        painter.setFont(isPlain ? font : small);
+        const int down = isPlain                         ? 0
+                         : piece.script == Script::Below ? metrics.descent() * 2 / 3
+                                                         : -metrics.ascent() / 2;
+        const QString text = toQString(piece.text);
+        painter.drawText(x, baseline + down, text);
+        x += painter.fontMetrics().horizontalAdvance(text);
+    }
 }
 
 }  // namespace
@@ -57,14 +79,12 @@ void CaptionLine::paintSentence(QPainter& painter, int room) const {
     painter.drawText(rect(), Qt::AlignVCenter | Qt::AlignLeft, m_stage);
     const QFont font = theme.text(letters);
     const QFontMetrics metrics(font);
-    painter.setFont(font);
     painter.setPen(theme.colors().text);
     const QRect box(left, 0, room - left, height());
     const QStringList lines = twoLines(m_sentence, metrics, box.width());
     for (int i = 0; i < lines.size(); ++i) {
         const int top = int((height() - lines.size() * metrics.height()) / 2) + i * metrics.height();
-        painter.drawText(QRect(box.left(), top, box.width(), metrics.height()), Qt::AlignVCenter | Qt::AlignLeft,
-                         lines[i]);
+        paintSet(painter, QRect(box.left(), top, box.width(), metrics.height()), lines[i], font);
     }
 }
 

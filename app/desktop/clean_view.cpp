@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/core/text.h"
 #include "app/desktop/ask_panel.h"
 #include "app/desktop/pen_layer.h"
 #include "app/desktop/pinned_settings.h"
@@ -18,6 +19,7 @@
 #include "app/desktop/talk_work.h"
 #include "app/desktop/view_area.h"
 #include "app/panels/follow_theme.h"
+#include "lessons/talk_html.h"
 
 namespace app {
 namespace {
@@ -51,7 +53,7 @@ CleanView::CleanView(Document& document, CueModel& cues, const SceneOpener& open
     setWindowTitle(tr("Shadescope, presentation"));
     setAutoFillBackground(true);
     m_title->setObjectName("cueTitle");
-    m_title->setTextFormat(Qt::PlainText);
+    m_title->setTextFormat(Qt::RichText);
     m_title->setWordWrap(true);
     arrange();
     connect(&document.stepper(), &Stepper::changed, this, &CleanView::showStep);
@@ -94,7 +96,7 @@ void CleanView::arrange() {
 // The choices are at the right: in place of the algorithm for a question, narrow beside the answer.
 void CleanView::showQuestion() {
     m_title->setVisible(m_ask->asks());
-    m_title->setText(m_ask->title());
+    m_title->setText(toQString(lessons::sentenceHtml(m_ask->title().toStdString())));
     m_sliders->setVisible(m_sliders->count() > 0 && (!m_ask->asks() || m_ask->isAnswer()));
     m_ask->setFixedWidth(int((m_ask->isAnswer() ? kAnswerWidth : kAskWidth) * width()));
     showStep();

@@ -216,7 +216,7 @@ protected:
         ASSERT_TRUE(out.open(QIODevice::WriteOnly));
         out.write(
             "[[cue]]\nname = \"ask\"\nask = \"Which?\"\nchoices = [\"One\", \"<b>Two</b>\", \"Three\"]\nright = \"B\"\n"
-            "scene = \"pyramid\"\npixel = [268, 281]\n[[cue]]\nname = \"answer\"\ncaption = \"It is two.\"\n"
+            "scene = \"pyramid\"\npixel = [268, 281]\n[[cue]]\nname = \"answer\"\ncaption = \"It is <2>: k_r.\"\n"
             "scene = \"pyramid\"\npixel = [268, 281]\n[[cue]]\nname = \"other\"\nscene = \"pyramid\"\n");
         out.close();
         ASSERT_TRUE(window.openFile(file));
@@ -235,7 +235,7 @@ TEST_F(AskingTalk, AQuestionHasItsChoicesAndNoNumbersThenComesTheAnswer) {
     EXPECT_EQ(view.ask().accessibleName(), "Which?. A: One; B: <b>Two</b>; C: Three");
     press("PgDown");
     ASSERT_TRUE(waitForFrame());
-    EXPECT_EQ(title.text(), "It is two.");
+    EXPECT_EQ(title.text(), "It is &lt;2&gt;: k<sub>r</sub>.") << "the file's text is text; symbols are set";
     EXPECT_TRUE(view.ask().isAnswer());
     EXPECT_TRUE(view.ask().accessibleName().contains("B: <b>Two</b>, right"));
     press("PgDown");

@@ -1,5 +1,6 @@
 #include "lessons/prose.h"
 
+#include "lessons/talk_words.h"
 #include "tests/lessons/html_of.h"
 #include "tests/lessons/pyramid_scene.h"
 
@@ -11,6 +12,24 @@ Prose proseFrom(std::string_view text, const pipeline::Scene& scene) {
     const auto prose = parseProse({&line, 1}, {scene});
     EXPECT_TRUE(prose) << text;
     return prose ? *prose : Prose{};
+}
+
+TEST(SetPieces, HaveTheSymbolsOfTheLecturesBelowAndRaised) {
+    using Script = SetPiece::Script;
+    using Pieces = std::vector<SetPiece>;
+    EXPECT_EQ(setPieces("I = k_r I_max"), (Pieces{{"I = k"}, {"r", Script::Below}, {" I"}, {"max", Script::Below}}));
+    EXPECT_EQ(setPieces("k_s c_l (R·e)^p, largest"), (Pieces{{"k"},
+                                                             {"s", Script::Below},
+                                                             {" c"},
+                                                             {"l", Script::Below},
+                                                             {" (R·e)"},
+                                                             {"p", Script::Raised},
+                                                             {", largest"}}));
+    // Names of buffers, settings and files, and powers of two stay as they are written.
+    for (const char* plain : {"z_view", "back_face_culling", "mask_r", "k_ambient", "2^32", ""}) {
+        const Pieces whole = *plain ? Pieces{{plain}} : Pieces{};
+        EXPECT_EQ(setPieces(plain), whole) << plain;
+    }
 }
 
 TEST(ProseText, AFrameFillsTheHoles) {
