@@ -1,10 +1,12 @@
 #include "lessons/site.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <functional>
+#include <numeric>
 #include <set>
 
 #include "lessons/handout.h"
@@ -72,10 +74,13 @@ public:
         m_parts.sharedCore = kCoreFile, m_parts.index = kIndexFile;
         std::set<std::string> pages;
         for (const fs::path& file : manual) pages.insert(file.stem().string());
-        takeTurns(talks, [&](const fs::path& file) { addTalk(file); });
-        takeTurns(library.lessons, [&](const Lesson& lesson) { addLesson(lesson); });
-        takeTurns(scenes, [&](const pipeline::BuiltInScene& scene) { addScene(scene); });
-        takeTurns(manual, [&](const fs::path& file) { addManual(file, pages); });
+        std::vector<std::string> noEntries;
+        takeTurns(talks, m_talks, [&](const fs::path& file, std::string& entry) { addTalk(file, entry); });
+        takeTurns(library.lessons, m_lessons,
+                  [&](const Lesson& lesson, std::string& entry) { addLesson(lesson, entry); });
+        takeTurns(scenes, m_scenes,
+                  [&](const pipeline::BuiltInScene& scene, std::string& entry) { addScene(scene, entry); });
+        takeTurns(manual, noEntries, [&](const fs::path& file, std::string&) { addManual(file, pages); });
         std::ranges::stable_sort(m_turns, {}, &Turn::place);
         for (const Turn& turn : m_turns) turn.make();
         if (m_stop.stop_requested()) return Error{{}, "stopped", {}};
@@ -85,16 +90,29 @@ public:
     }
 
 private:
-    // Kinds of pages are spread evenly: a talk takes much longer than a page of the manual, and only a mixture tells from
+    // Each kind of page is spread evenly over the time, and so are the first and the last pages of a kind: a talk takes
+    // much longer than a page of the manual, the last lesson thirty times as long as the first. Only a mixture tells from
     // the time so far how much is left.
     struct Turn {
         double place;  // 0 to 1
         std::function<void()> make;
     };
+    // 1/2, 1/4, 3/4, 1/8, …: sorted by it, things from everywhere in their list come at any time (van der Corput).
+    static double spread(std::size_t n) {
+        double place = 0, digit = 0.5;
+        for (++n; n > 0; n /= 2, digit /= 2) place += double(n % 2) * digit;
+        return place;
+    }
+    // entries: of the index, in the order of the things.
     template <class Things, class Make>
-    void takeTurns(const Things& things, Make make) {
-        for (std::size_t i = 0; i < things.size(); ++i)
-            m_turns.push_back({(double(i) + 0.5) / double(things.size()), [make, &thing = things[i]] { make(thing); }});
+    void takeTurns(const Things& things, std::vector<std::string>& entries, Make make) {
+        entries.resize(things.size());
+        std::vector<std::size_t> order(things.size());
+        std::iota(order.begin(), order.end(), 0);
+        std::ranges::sort(order, {}, spread);
+        for (std::size_t i = 0; i < order.size(); ++i)
+            m_turns.push_back({(double(i) + 0.5) / double(order.size()),
+                               [make, &thing = things[order[i]], &entry = entries[order[i]]] { make(thing, entry); }});
     }
     void add(std::string name, std::string bytes) { m_site.files.emplace_back(std::move(name), std::move(bytes)); }
     // False: stopped.
@@ -118,7 +136,7 @@ private:
     }
     void leaveOut(const std::string& name, const std::string& why) { m_site.leftOut.push_back(name + ": " + why); }
 
-    void addTalk(const fs::path& file) {
+    void addTalk(const fs::path& file, std::string& entry) {
         if (!begin("talk " + file.stem().string())) return;
         if (!m_draw) return leaveOut(file.filename().string(), "this build draws no views");
         const auto parts = talkParts();
@@ -128,34 +146,34 @@ private:
         if (!isMade(page)) return;
         for (const std::string& line : page->leftOut) leaveOut(file.filename().string(), line);
         const std::string name = "talk-" + file.stem().string() + ".html";
-        m_talks += fmt::format("<li>{}<p>{} cues, {} minutes.</p></li>\n",
-                               link(name, list->title.empty() ? file.stem().string() : list->title), list->cues.size(),
-                               list->minutes);
+        entry = fmt::format("<li>{}<p>{} cues, {} minutes.</p></li>\n",
+                            link(name, list->title.empty() ? file.stem().string() : list->title), list->cues.size(),
+                            list->minutes);
         add(name, std::move(page->html));
     }
 
-    void addLesson(const Lesson& lesson) {
+    void addLesson(const Lesson& lesson, std::string& entry) {
         if (!begin("lesson " + lesson.name)) return;
         auto page = makeLivePage(lesson, m_parts, m_stop);
         auto handout = makeHandout(lesson, m_stop);
         if (!isMade(page) || !isMade(handout)) return;
         for (const Error& error : page->leftOut) leaveOut(lesson.name, format(error));
         const std::string live = "lesson-" + lesson.name + ".html", paper = "lesson-" + lesson.name + "-paper.html";
-        m_lessons += fmt::format("<li>{} <span class=\"note\">{}, {} pages, {}</span><p>{}</p></li>\n",
-                                 link(live, lesson.title), escapedHtml(lesson.lecture), lesson.pages.size(),
-                                 link(paper, "on paper"), escapedHtml(lesson.summary));
+        entry = fmt::format("<li>{} <span class=\"note\">{}, {} pages, {}</span><p>{}</p></li>\n",
+                            link(live, lesson.title), escapedHtml(lesson.lecture), lesson.pages.size(),
+                            link(paper, "on paper"), escapedHtml(lesson.summary));
         add(live, std::move(page->html));
         add(paper, std::move(handout->pages));
     }
 
-    void addScene(const pipeline::BuiltInScene& scene) {
+    void addScene(const pipeline::BuiltInScene& scene, std::string& entry) {
         if (!begin("scene " + scene.name)) return;
         const auto read = pipeline::readScene(scene.file);
         if (!isMade(read)) return;
         auto page = makeLivePage(*read, scene.title, scene.look, {}, m_parts, m_stop);
         if (!isMade(page)) return;
         const std::string name = "scene-" + scene.name + ".html";
-        m_scenes += fmt::format("<li>{}<p>{}</p></li>\n", link(name, scene.title), escapedHtml(scene.look));
+        entry = fmt::format("<li>{}<p>{}</p></li>\n", link(name, scene.title), escapedHtml(scene.look));
         add(name, std::move(page->html));
     }
 
@@ -191,7 +209,8 @@ private:
     }
 
     std::string index() const {
-        const auto part = [](std::string_view heading, std::string_view says, const std::string& list) {
+        const auto part = [](std::string_view heading, std::string_view says, const std::vector<std::string>& entries) {
+            const std::string list = fmt::format("{}", fmt::join(entries, ""));
             return list.empty()
                        ? std::string()
                        : fmt::format("<section><h2>{}</h2><p>{}</p><ul>\n{}</ul></section>\n", heading, says, list);
@@ -216,7 +235,8 @@ private:
     std::vector<Turn> m_turns;
     std::size_t m_done = 0, m_all = 0;
     fs::path m_manual;
-    std::string m_style, m_talks, m_lessons, m_scenes;
+    std::string m_style;
+    std::vector<std::string> m_talks, m_lessons, m_scenes;
     std::set<std::string> m_pictures;
     pipeline::Errors m_errors;
     Site m_site;
