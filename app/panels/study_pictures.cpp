@@ -38,6 +38,7 @@ QRect PictureFrame::pictureRect() const {
 
 // Right below the picture, folded where there is room.
 void PictureFrame::paintEvent(QPaintEvent*) {
+    if (m_caption.isEmpty()) return;  // nothing is chosen
     const Theme& theme = Theme::current();
     QPainter painter(this);
     const QRect place = pictureRect(), words(0, place.bottom() + 1, width(), height() - place.height());
