@@ -29,6 +29,10 @@ struct InkedSolid {
     double strength = 1;  // 1 full, 0 gone into the background
 };
 
+struct Segment {
+    Vec3d a, b;
+};
+
 // A line, a little over 1 pixel of the design wide. Its ends may fade into the background: 1 full, 0 gone.
 struct InkedLine {
     Vec3d a, b;

@@ -45,6 +45,18 @@ void addWorldBox(const ViewContent& content, const pipeline::BoundingBox& box, I
     }
 }
 
+std::vector<Segment> markedOutline(const ViewContent& content) {
+    std::vector<Segment> outline;
+    const auto& loop = content.outlinedLoop();
+    for (std::size_t i = 0; i < loop.size(); ++i)
+        outline.push_back({content.mesh->positions[loop[i]], content.mesh->positions[loop[(i + 1) % loop.size()]]});
+    if (!content.markedBox) return outline;
+    std::vector<InkedLine> edges;
+    addWorldBox(content, *content.markedBox, Ink::Outline, edges);
+    for (const InkedLine& edge : edges) outline.push_back({edge.a, edge.b});
+    return outline;
+}
+
 bool isShown(const LightFrustum& frustum, const ViewContent& content, const ViewOptions& options) {
     const bool asked = options.lightFrusta && frustum.texels > 0;
     if (content.map.space != ViewSpace::Light) return asked;

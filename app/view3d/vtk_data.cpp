@@ -137,13 +137,12 @@ vtkSmartPointer<vtkPolyData> edgesData(const ViewMesh& mesh) {
     return data;
 }
 
-vtkSmartPointer<vtkPolyData> loopData(const ViewMesh& mesh, std::span<const std::uint32_t> loop) {
+vtkSmartPointer<vtkPolyData> segmentsData(std::span<const Segment> segments) {
     auto data = vtkSmartPointer<vtkPolyData>::New();
     auto points = newPoints();
     auto cells = vtkSmartPointer<vtkCellArray>::New();
-    for (const std::uint32_t vertex : loop) addPoint(*points, mesh.positions[vertex]);
-    for (std::size_t i = 0; i < loop.size(); ++i) {
-        const vtkIdType ids[2]{vtkIdType(i), vtkIdType((i + 1) % loop.size())};
+    for (const Segment& segment : segments) {
+        const vtkIdType ids[2]{addPoint(*points, segment.a), addPoint(*points, segment.b)};
         cells->InsertNextCell(2, ids);
     }
     data->SetPoints(points);

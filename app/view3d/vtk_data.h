@@ -24,7 +24,7 @@ enum class Detail : unsigned char { Full, Coarse };  // Coarse: only where the m
 vtkSmartPointer<vtkPolyData> facesData(const ViewMesh& mesh, Detail detail, FacesShown shown, double strength,
                                        const ThemeColors& colors);
 vtkSmartPointer<vtkPolyData> edgesData(const ViewMesh& mesh);
-vtkSmartPointer<vtkPolyData> loopData(const ViewMesh& mesh, std::span<const std::uint32_t> loop);
+vtkSmartPointer<vtkPolyData> segmentsData(std::span<const Segment> segments);  // without colours
 // What of a line's strength is missing, is the background's.
 vtkSmartPointer<vtkPolyData> linesData(std::span<const InkedLine> lines, const ThemeColors& colors,
                                        const QColor& background);

@@ -198,7 +198,7 @@ private:
                 addSphere({m_content.map.toSpace(bounds.sphere.centre), bounds.sphere.radius}, Ink::Edge, m_view.camera,
                           lines);
         }
-        if (m_content.markedBox) addWorldBox(m_content, *m_content.markedBox, Ink::Text, lines);
+        for (const Segment& edge : markedOutline(m_content)) m_drawing.obstacles.push_back({edge.a, edge.b});
         m_drawing.vertex = m_content.markedVertex;
         for (const LightFrustum& frustum : m_content.frusta)
             if (isShown(frustum, m_content, m_options)) addLightFrustum(frustum, m_drawing);

@@ -7,7 +7,6 @@
 #include <vtkRenderer.h>
 
 #include <cmath>
-#include <span>
 #include <utility>
 
 #include "app/view3d/vtk_data.h"
@@ -16,7 +15,7 @@ namespace app {
 
 namespace {
 
-constexpr double kLineWidth = 1.25, kPickedOuter = 5, kPickedInner = 2.5;  // pixels of the design
+constexpr double kLineWidth = 1.25;  // pixels of the design
 
 }  // namespace
 
@@ -25,8 +24,7 @@ WorldScene::WorldScene(vtkOpenGLRenderWindow& window)
       m_over(vtkSmartPointer<vtkRenderer>::New()),
       m_ground{addLayer(*m_world), {}},
       m_mesh(*m_world),
-      m_pickedOuter(addLayer(*m_world)),
-      m_pickedInner(addLayer(*m_world)),
+      m_marks(*m_world),
       m_planes(*m_world),
       m_lines{addLayer(*m_world), {}},
       m_solids(*m_world, *m_over),
@@ -39,8 +37,6 @@ WorldScene::WorldScene(vtkOpenGLRenderWindow& window)
     m_mesh.addGlass(*m_world);
     pullLines(m_ground.layer, -16);  // a floor in the ground's plane covers the grid
     pullLines(m_lines.layer, 2);
-    pullLines(m_pickedOuter, 4);
-    pullLines(m_pickedInner, 6);
 }
 
 WorldScene::~WorldScene() = default;
@@ -48,11 +44,7 @@ WorldScene::~WorldScene() = default;
 void WorldScene::setContent(std::shared_ptr<const ViewContent> content, const std::vector<InkedLine>& ground) {
     m_content = std::move(content);
     m_ground.lines = ground;
-    static const ViewMesh kNone;
-    const ViewMesh& mesh = m_content ? *m_content->mesh : kNone;
-    const auto loop = m_content ? std::span(m_content->outlinedLoop()) : std::span<const std::uint32_t>();
-    m_pickedOuter.mapper->SetInputData(loopData(mesh, loop));
-    m_pickedInner.mapper->SetInputData(loopData(mesh, loop));
+    m_marks.setContent(m_content.get());
     if (m_mesh.setContent(m_content)) m_planes.forgetPicture();
     setOptions(m_options);
     colorLines();
@@ -79,8 +71,6 @@ void WorldScene::setBackground(const QColor& color) {
 void WorldScene::setColors(const ThemeColors& colors) {
     m_colors = colors;
     setBackground(colors.view);
-    setColor(*m_pickedOuter.actor, Qt::black);
-    setColor(*m_pickedInner.actor, Qt::white);
     m_normals.setColors(colors);
     m_solids.setColors(colors);
     m_mesh.setColors(colors);
@@ -100,8 +90,7 @@ void WorldScene::setView(const ViewFrame& view, const Drawing& drawing, double p
     m_mesh.setView(view, pixelRatio);
     setWidth(m_ground.layer, kLineWidth * markPixel);
     setWidth(m_lines.layer, kLineWidth * markPixel);
-    setWidth(m_pickedOuter, kPickedOuter * markPixel);
-    setWidth(m_pickedInner, kPickedInner * markPixel);
+    m_marks.setScale(markPixel);
     m_lines.lines = drawing.lines;
     showLines(m_lines);
     m_solids.show(drawing, m_colors);

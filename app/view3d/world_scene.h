@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "app/view3d/mark_layers.h"
 #include "app/view3d/mesh_layers.h"
 #include "app/view3d/normal_glyphs.h"
 #include "app/view3d/picture_planes.h"
@@ -22,7 +23,7 @@ public:
     WorldScene(const WorldScene&) = delete;
     WorldScene& operator=(const WorldScene&) = delete;
 
-    // The polygons, their edges and normals, the picked polygon's outline, the picture plane.
+    // The polygons, their edges and normals, outlines of what is picked or selected, the picture plane.
     // `ground` lies under them. Null content shows the background alone.
     void setContent(std::shared_ptr<const ViewContent> content, const std::vector<InkedLine>& ground);
     void setOptions(const ViewOptions& options);
@@ -52,7 +53,7 @@ private:
     vtkSmartPointer<vtkRenderer> m_world, m_over;
     Lines m_ground;
     MeshLayers m_mesh;
-    WorldLayer m_pickedOuter, m_pickedInner;
+    MarkLayers m_marks;
     PicturePlanes m_planes;
     Lines m_lines;
     SolidLayers m_solids;

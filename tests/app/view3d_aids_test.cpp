@@ -1,11 +1,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
 
 #include "app/view3d/aids_drawing.h"
 #include "app/view3d/label_places.h"
 #include "app/view3d/point_drawing.h"
+#include "app/view3d/space_content.h"
+#include "app/view3d/space_drawing.h"
 #include "app/view3d/view_content.h"
 #include "app/view3d/world_drawing.h"
 #include "tests/app/view3d_fixture.h"
@@ -89,6 +93,32 @@ TEST(View3dAids, MarksWhatIsSelected) {
     expectNear(marked(Kind::Object, 0).markedBox->max, {470, 150, 150}, 1e-4);
     EXPECT_EQ(app::withSelection(marked(Kind::Polygon, 0), *frame, {}).outlinedLoop(), content.pickedLoop);
     EXPECT_FALSE(marked(Kind::Vertex, 5).markedVertex) << "there is no such vertex";
+}
+
+// The box's twelve edges, x from 200 to 470, y and z from 0 to 150, beside the picked polygon's three; in clip space,
+// where they are projected, as many.
+TEST(View3dAids, AMarkedObjectIsOutlinedByItsBox) {
+    const pipeline::FramePtr frame = test::frameOf(test::pyramid());
+    const ViewContent content = app::contentOf(*frame, kRightFace);
+    EXPECT_EQ(app::markedOutline(content).size(), 3u) << "the picked triangle";
+    const ViewContent marked =
+        app::withSelection(content, *frame, lessons::Selection{lessons::Selection::Kind::Object, 0});
+    const auto outline = app::markedOutline(marked);
+    ASSERT_EQ(outline.size(), 15u);
+    std::array<int, 3> along{};
+    for (const app::Segment& edge : std::span(outline).subspan(3)) {
+        const Vec3d d = glm::abs(edge.b - edge.a);
+        for (int axis = 0; axis < 3; ++axis) {
+            EXPECT_TRUE(std::abs(edge.a[axis] - (axis == 0 ? 200 : 0)) < 1e-4 ||
+                        std::abs(edge.a[axis] - (axis == 0 ? 470 : 150)) < 1e-4);
+            along[std::size_t(axis)] += d[axis] > 1e-4;
+        }
+        EXPECT_NEAR(d.x + d.y + d.z, d.x > 1 ? 270 : 150, 1e-4);
+    }
+    EXPECT_EQ(along, (std::array<int, 3>{4, 4, 4}));
+    const auto clip = app::mapOf(marked, {app::ViewSpace::Clip});
+    ASSERT_TRUE(clip);
+    EXPECT_EQ(app::markedOutline(app::inSpace(marked, *clip)).size(), 15u);
 }
 
 // (N·L) N ends where the plane through L's tip across N cuts N; N·L = 3/√15 = 0.7746.

@@ -94,6 +94,39 @@ TEST_P(EveryTheme, ThePickedPolygonHasAWhiteEdge) {
     EXPECT_GT(countNear(render(content), middleOfEdge, 5, Qt::black), 5);
 }
 
+// White in black around each edge of its box that nothing hides: the upper four.
+TEST_P(EveryTheme, ASelectedObjectHasABoxThatIsSeenWithoutAPickedPixel) {
+    const pipeline::Scene scene = test::pyramid();
+    const auto frame = test::frameOf(scene, app::contentBuffers(scene, false));
+    const lessons::Selection object{lessons::Selection::Kind::Object, 0};
+    const ViewContent content = app::withSelection(app::contentOf(*frame, {}), *frame, object);
+    const QImage image = render(content, ViewPreset::Iso, {.normals = app::NormalsShown::Off});
+    // A quarter of the way along each; x from 200 to 470, y from 0 to 150.
+    for (const Vec3d at :
+         {Vec3d(267.5, 0, 150), Vec3d(267.5, 150, 150), Vec3d(200, 37.5, 150), Vec3d(470, 37.5, 150)}) {
+        EXPECT_GT(countNear(image, place(content, at), 2, Qt::white), 2) << at.x << ", " << at.y;
+        EXPECT_GT(countNear(image, place(content, at), 6, Qt::black), 4) << at.x << ", " << at.y;
+    }
+}
+
+// Polygon 2 lies behind the pyramid from the front; its outline is seen through it, fainter than it is.
+TEST(View3dPicture, AHiddenSelectedPolygonShinesThroughFaintly) {
+    const pipeline::Scene scene = test::pyramid();
+    const auto frame = test::frameOf(scene, app::contentBuffers(scene, false));
+    const ViewContent plain = app::contentOf(*frame, {});
+    const ViewContent marked =
+        app::withSelection(plain, *frame, lessons::Selection{lessons::Selection::Kind::Polygon, 2});
+    const app::ViewOptions options{.normals = app::NormalsShown::Off};
+    const QImage with = render(marked, ViewPreset::Front, options), without = render(plain, ViewPreset::Front, options);
+    const auto at = glm::ivec2(place(plain, {300, 150, 0}, ViewPreset::Front));  // on its lower edge
+    int most = 0;
+    for (int y = at.y - 6; y <= at.y + 6; ++y)
+        for (int x = at.x - 6; x <= at.x + 6; ++x)
+            most = std::max(most, difference(with.pixel(x, y), without.pixel(x, y)));
+    EXPECT_GT(most, 20);
+    EXPECT_EQ(countNear(with, glm::dvec2(at), 6, Qt::black), 0) << "not at full strength";
+}
+
 TEST(View3dPicture, HiddenArrowsShineThroughFaintly) {
     // From the front (looking along +y) polygon 2 lies behind the pyramid.
     const ViewContent content = pyramidContent();
