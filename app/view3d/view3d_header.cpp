@@ -135,6 +135,25 @@ void View3dHeader::addMenus() {
     m_menu = new QMenu(rest);
     rest->setMenu(m_menu);
     rest->setPopupMode(QToolButton::InstantPopup);
+    addSpares();
+}
+
+// The first ones have keys, or the cube in the corner, that do the same.
+void View3dHeader::addSpares() {
+    for (QToolButton* button : {m_cameras, m_orthographic, m_eye, m_lights, m_vectors, m_normals}) {
+        QAction* entry = m_menu->addAction(button->accessibleName());
+        entry->setMenu(button->menu());
+        entry->setCheckable(button->isCheckable());
+        connect(entry, &QAction::triggered, button, &QToolButton::click);
+        m_spares.push_back({button, entry});
+    }
+    connect(m_menu, &QMenu::aboutToShow, this, [this] {
+        for (const auto& [button, entry] : m_spares) {
+            entry->setChecked(button->isChecked());
+            entry->setEnabled(button->isEnabled());
+            entry->setToolTip(button->toolTip());
+        }
+    });
 }
 
 QToolButton* View3dHeader::addToggle(const QString& iconName, const QString& name, const QString& tip) {
@@ -165,18 +184,38 @@ void View3dHeader::applyTheme() {
     arrange();
 }
 
-// What a narrow view can do without: the remark, then the buttons whose keys, or the cube in the corner, do the same.
+// What a narrow view can do without: the remark, the names' second words, then buttons, which are in the menu instead.
 void View3dHeader::arrange() {
     const auto widthOf = [this](const QToolButton* button) { return button->sizeHint().width() + layout()->spacing(); };
-    int buttons = 0;
-    for (const auto* button : findChildren<QToolButton*>())
-        if (!button->isHidden() || button == m_cameras || button == m_orthographic) buttons += widthOf(button);
+    const auto needed = [&] {
+        int sum = 0;
+        for (const auto* button : findChildren<QToolButton*>())
+            if (!button->isHidden() || std::ranges::count(m_spares, button, &Spare::button) > 0) sum += widthOf(button);
+        return sum;
+    };
     const int room = parentWidget()->width() - Theme::current().px(16);
+    setNames(false);
+    int buttons = needed();
     m_remark->setVisible(m_remark->sizeHint().width() + buttons <= room);
-    for (QToolButton* spare : {m_cameras, m_orthographic}) {
-        spare->setVisible(buttons <= room);
-        if (buttons > room) buttons -= widthOf(spare);
+    if (buttons > room) {
+        setNames(true);
+        buttons = needed();
     }
+    for (const auto& [button, entry] : m_spares) {
+        const bool fits = buttons <= room;
+        button->setVisible(fits);
+        entry->setVisible(!fits);
+        if (!fits) buttons -= widthOf(button);
+    }
+}
+
+void View3dHeader::setNames(bool areShort) {
+    const SpaceId id = m_view.space().id();
+    m_space->setText(toQString(areShort ? shortNameOf(id) : nameOf({id.space, id.light})));
+    const LightFrustum* frustum = shownFrustum(m_view.space());
+    if (!frustum) return;
+    const QString face = toQString(nameOfFace(frustum->face));
+    m_face->setText(areShort ? face : tr("face %1").arg(face));
 }
 
 void View3dHeader::showOptions() {
@@ -192,7 +231,6 @@ void View3dHeader::showOptions() {
 void View3dHeader::showSpace() {
     const SpaceId id = m_view.space().id();
     const QString name = toQString(nameOf({id.space, id.light}));
-    m_space->setText(name);
     m_space->setAccessibleName(tr("Space: %1").arg(name));
     m_space->setToolTip(tr("What this view shows: %1 (S the next space)").arg(name));
     showFace();
@@ -251,7 +289,6 @@ void View3dHeader::showFace() {
     m_face->setVisible(frustum && frustum->faces > 1);
     if (!frustum) return arrange();
     const QString name = toQString(nameOfFace(frustum->face));
-    m_face->setText(tr("face %1").arg(name));
     m_face->setAccessibleName(tr("Face %1 of the point light").arg(name));
     arrange();
 }

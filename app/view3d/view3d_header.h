@@ -1,10 +1,12 @@
 #pragma once
 #include <QWidget>
+#include <vector>
 
 #include "app/core/document.h"
 #include "app/view3d/light_frustum.h"
 #include "app/view3d/scene_view.h"
 
+class QAction;
 class QLabel;
 class QMenu;
 class QToolButton;
@@ -36,9 +38,11 @@ private:
     void addToggles();
     void addCameras();
     void addMenus();
+    void addSpares();
     void fillSpaces(QMenu& menu);
     void fillFaces(QMenu& menu);
     void applyTheme();
+    void setNames(bool areShort);
     QString normalsTip() const;
 
     const Document& m_document;
@@ -47,6 +51,12 @@ private:
     QLabel* m_remark;
     QToolButton *m_cameras, *m_orthographic, *m_normals, *m_vectors, *m_lights, *m_eye;
     QMenu* m_menu;
+    // What a narrow header can do without, the first one first: then it is in the menu.
+    struct Spare {
+        QToolButton* button;
+        QAction* entry;
+    };
+    std::vector<Spare> m_spares;
     NormalsShown m_lastNormals = NormalsShown::Polygons;  // what the toggle brings back
 };
 

@@ -74,11 +74,10 @@ std::vector<QRectF> ViewCorners::places() const {
 }
 
 void ViewCorners::show(bool works) {
-    if (m_isBare) {
-        m_legend->setOnly(drawn());
-        if (m_legend->size() != m_legend->sizeHint()) place();
-    }
-    m_legend->setVisible(showsLegend());
+    if (m_isBare) m_legend->setOnly(drawn());
+    const bool hasLegend = showsLegend(), hadLegend = m_legend->isVisibleTo(&m_view);
+    m_legend->setVisible(hasLegend);
+    if (hasLegend != hadLegend || m_legend->size() != m_legend->sizeHint()) place();
     m_cube->setVisible(works && !m_view.space().isPoint());
     m_legend->setOptions(m_view.options());
     m_cube->setCamera(m_view.camera().now(), m_view.space().id().space);
@@ -91,7 +90,7 @@ void ViewCorners::place() {
     m_legend->move(margin, height - margin - m_legend->height());
     m_cube->resize(m_cube->sizeHint());
     // If the two would meet, the cube stands above.
-    const bool narrow = width < m_legend->width() + m_cube->width() + 3 * margin;
+    const bool narrow = m_legend->isVisibleTo(&m_view) && width < m_legend->width() + m_cube->width() + 3 * margin;
     m_cube->move(width - margin - m_cube->width(),
                  height - margin - m_cube->height() - (narrow ? m_legend->height() + margin : 0));
     m_legend->update();

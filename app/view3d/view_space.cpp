@@ -45,6 +45,18 @@ std::string nameOf(SpaceId id) {
     return "At the point";
 }
 
+std::string shortNameOf(SpaceId id) {
+    switch (id.space) {
+        case ViewSpace::World: return "World";
+        case ViewSpace::Eye: return "Eye";
+        case ViewSpace::Clip: return "Clip";
+        case ViewSpace::Screen: return "Screen";
+        case ViewSpace::Light: return "Light " + std::to_string(id.light);
+        case ViewSpace::Point: break;
+    }
+    return "Point";
+}
+
 std::string nameOfFace(int face) {
     static constexpr std::array<const char*, kLightFaces> kNames{"+x", "−x", "+y", "−y", "+z", "−z"};
     return kNames[std::size_t(face) % kNames.size()];

@@ -18,7 +18,8 @@ struct SpaceId {
     int face = -1;  // of a point light's six; -1: the one that sees the most
     auto operator<=>(const SpaceId&) const = default;
 };
-std::string nameOf(SpaceId id);  // "Eye space", "Light 0's space", "Light 0's space, face −x"
+std::string nameOf(SpaceId id);       // "Eye space", "Light 0's space", "Light 0's space, face −x"
+std::string shortNameOf(SpaceId id);  // "Eye", "Light 0", "Point"; no face
 
 // A point light's faces, in the order of its shadow buffer, each by the axis that it looks along.
 constexpr int kLightFaces = 6;
