@@ -6,42 +6,16 @@
 
 #include "app/view3d/label_words.h"
 #include "app/view3d/obstacles.h"
+#include "app/view3d/place_choices.h"
 
 namespace app {
 
 namespace {
 
 // Pixels of the design.
-constexpr double kLetterGap = 21, kTipGap = 17, kBeyondTip = 14, kBorder = 16, kBeside = 14, kAbove = 20, kMark = 10;
+constexpr double kPastCorner = 14, kBorder = 16, kMark = 10, kTip = 6, kGap = 4, kLineRoom = 14;
 
 QRectF around(glm::dvec2 p, double r) { return {p.x - r, p.y - r, 2 * r, 2 * r}; }
-
-glm::dvec2 unit(glm::dvec2 v, glm::dvec2 otherwise) {
-    const double length = glm::length(v);
-    return length > 0 ? v / length : otherwise;
-}
-
-// A few steps that push letters off each other and off tips; each step moves by what is missing.
-void relax(std::vector<PlacedLabel>& labels, const std::vector<glm::dvec2>& tips, double scale) {
-    for (int step = 0; step < 24; ++step)
-        for (PlacedLabel& a : labels) {
-            if (a.label.kind != Label::Kind::Letter) continue;
-            glm::dvec2 push{0.0};
-            for (const PlacedLabel& b : labels) {
-                if (&a == &b || b.label.kind != Label::Kind::Letter) continue;
-                const glm::dvec2 d = a.at - b.at;
-                const double missing = kLetterGap * scale - glm::length(d);
-                // Two letters in one place part sideways, in the order of the list.
-                if (missing > 0) push += 0.5 * missing * unit(d, {&a < &b ? -1.0 : 1.0, 0});
-            }
-            for (const glm::dvec2& tip : tips) {
-                const glm::dvec2 d = a.at - tip;
-                const double missing = kTipGap * scale - glm::length(d);
-                if (missing > 0) push += missing * unit(d, {0, -1});
-            }
-            a.at += 0.6 * push;
-        }
-}
 
 // Where the way from the middle of the view to a point crosses the border.
 glm::dvec2 borderPoint(const Projected& p, glm::dvec2 size, double border) {
@@ -63,10 +37,10 @@ void markCaption(PlacedLabel& placed, const ViewFrame& view) {
     placed.mark = borderPoint(p, view.size, border);
 }
 
-glm::dvec2 inside(glm::dvec2 at, QSizeF size, glm::dvec2 view) {
-    const glm::dvec2 half{size.width() / 2 + 8, size.height() / 2 + 4};
-    return {std::clamp(at.x, half.x, std::max(half.x, view.x - half.x)),
-            std::clamp(at.y, half.y, std::max(half.y, view.y - half.y))};
+// The nearest place to `at` where a text and its halo are whole.
+glm::dvec2 inside(glm::dvec2 at, QSizeF size, const ViewFrame& view) {
+    const glm::dvec2 half = glm::dvec2(size.width(), size.height()) / 2.0 + view.scale * glm::dvec2(8, 4);
+    return glm::clamp(at, half, glm::max(half, view.size - half));
 }
 
 double overlap(const QRectF& a, const QRectF& b) {
@@ -75,113 +49,6 @@ double overlap(const QRectF& a, const QRectF& b) {
 }
 
 bool isInside(glm::dvec2 p, glm::dvec2 view) { return p.x >= 0 && p.y >= 0 && p.x <= view.x && p.y <= view.y; }
-
-// Where a vector leads out of the view: its letter stands beside the shaft there. Nothing where the tip is seen, or where
-// it begins outside as well.
-std::optional<glm::dvec2> exitOf(const Label& letter, const ViewFrame& view) {
-    const Projected foot = project(view.camera, view.size, letter.foot);
-    Projected tip = project(view.camera, view.size, letter.at);
-    if (!foot.inFront || !isInside(foot.at, view.size) || (tip.inFront && isInside(tip.at, view.size))) return {};
-    // The part of it that is before the observer.
-    if (!tip.inFront)
-        tip = project(view.camera, view.size,
-                      glm::mix(letter.foot, letter.at, 0.99 * foot.depth / (foot.depth - tip.depth)));
-    double t = 1;
-    const glm::dvec2 d = tip.at - foot.at;
-    for (int i = 0; i < 2; ++i)
-        if (d[i] != 0) t = std::min(t, ((d[i] > 0 ? view.size[i] : 0) - foot.at[i]) / d[i]);
-    const glm::dvec2 along = unit(d, {0, -1}),
-                     across = along.y > 0 ? glm::dvec2(along.y, -along.x) : glm::dvec2(-along.y, along.x);
-    return foot.at + t * d + kBeyondTip * view.scale * (across - along);
-}
-
-// A letter on what lies over the view would not be seen: off it by the shortest way that stays inside.
-void leave(PlacedLabel& letter, const std::vector<QRectF>& taken, glm::dvec2 view) {
-    const QSizeF size = letter.size;
-    const glm::dvec2 half = glm::dvec2(size.width(), size.height()) / 2.0;
-    for (const QRectF& other : taken) {
-        if (overlap(boxOf(letter), other) == 0) continue;
-        const glm::dvec2 own = letter.at;
-        double least = 1e300;
-        for (const glm::dvec2 tried : {glm::dvec2(own.x, other.top() - half.y - 2),
-                                       {own.x, other.bottom() + half.y + 2},
-                                       {other.left() - half.x - 2, own.y},
-                                       {other.right() + half.x + 2, own.y}}) {
-            const double way = glm::length(tried - own);
-            if (way >= least ||
-                glm::any(glm::greaterThan(glm::abs(tried - inside(tried, size, view)), glm::dvec2(0.5))))
-                continue;
-            least = way;
-            letter.at = tried;
-        }
-    }
-}
-
-// A place that a label may take, and what it costs where nothing is in its way, in square pixels of the design.
-struct Place {
-    glm::dvec2 at;
-    double cost = 0;
-};
-
-// Around a mark: above it and below it, then at its sides, inwards rather than outwards, then farther away.
-std::vector<Place> captionPlaces(const PlacedLabel& caption, const ViewFrame& view) {
-    const double s = view.scale, line = caption.size.height(), half = caption.size.width() / 2;
-    const double inwards = caption.mark.x > view.size.x / 2 ? -1 : 1;
-    std::vector<Place> places;
-    const auto add = [&](double x, double y, double cost) {
-        places.push_back({caption.mark + glm::dvec2(x, y), cost});
-    };
-    for (const double lines : {0, 1, 2, 3})
-        for (const double sign : {-1, 1})
-            for (const double aside : {0, -1, 1})
-                add(aside * (half - 8 * s), sign * (kAbove * s + lines * line),
-                    (sign < 0 ? 0 : 5) + 20 * std::abs(aside) + (caption.atBorder ? 30 : 0));
-    for (const double side : {-1, 1})
-        for (const double away : {0, 40, 80})
-            for (const double lines : {0, -1, 1, -2, 2, -3, 3, -4, 4})
-                add(side * (half + (kBeside + away) * s), lines * line,
-                    (side == inwards ? 10 : 15) + (side == inwards || !caption.atBorder ? 0 : 1e4));
-    return places;
-}
-
-// Beyond the end, and around it.
-std::vector<Place> axisPlaces(const PlacedLabel& axis, glm::dvec2 foot, double scale) {
-    const glm::dvec2 along = kBeyondTip * scale * unit(axis.mark - foot, {0, -1}), across{-along.y, along.x};
-    const glm::dvec2 end = axis.mark;
-    // A thin line behind a letter counts more than a few pixels' way.
-    return {{end + along},
-            {end + along + across, 6},
-            {end + along - across, 6},
-            {end + 2.0 * along, 8},
-            {end + across, 10},
-            {end - across, 10},
-            {end - along + 1.2 * across, 14},
-            {end - along - 1.2 * across, 14}};
-}
-
-// Up or down by lines and farther away, on its own side of the corner or on the other one.
-std::vector<Place> planePlaces(const PlacedLabel& plane, double scale) {
-    std::vector<Place> places;
-    for (const double side : {1, -1})
-        for (const double away : {0, 50, 100, 150})
-            for (const int lines : {0, -1, 1, -2, 2, -3, 3}) {
-                const glm::dvec2 own = plane.at - plane.mark;
-                const double x = own.x + std::copysign(away * scale, own.x);
-                places.push_back(
-                    {plane.mark + glm::dvec2(side * x, own.y + lines * plane.size.height()), side < 0 ? 60.0 : 0});
-            }
-    return places;
-}
-
-// At the middle of its arc, or a little off.
-std::vector<Place> anglePlaces(const PlacedLabel& angle, double scale) {
-    const glm::dvec2 step{angle.size.width() / 2 + 6 * scale, 0.8 * angle.size.height()};
-    std::vector<Place> places;
-    for (const double y : {0.0, -0.5, 0.5, -1.0, 1.0, -1.5, 1.5, -2.0, 2.0, -3.0, 3.0})
-        for (const double x : {0.0, -0.25, 0.25, -0.5, 0.5, -1.0, 1.0, -1.5, 1.5})
-            places.push_back({angle.mark + step * glm::dvec2(x, y), 15 * (x * x + y * y)});
-    return places;
-}
 
 // One label after the other takes the place that costs least.
 class Chooser {
@@ -199,7 +66,7 @@ public:
     void take(const QRectF& box) { m_taken.push_back(box); }
     void take(glm::dvec2 at, double radius) { take(around(at, radius * m_view.scale)); }
 
-    void place(PlacedLabel& label, const std::vector<Place>& places) {
+    void place(PlacedLabel& label, const Target& target) {
         // Square pixels of the design: what a place is worth that was had; what a pixel farther off costs, and words that
         // the line to the mark crosses.
         constexpr double kStay = 250, kAway = 8, kCrossing = 500;
@@ -209,47 +76,59 @@ public:
             return other.label.kind == label.label.kind && other.label.text == label.label.text &&
                    other.atBorder == label.atBorder;
         });
+        const std::vector<Place> places = placesOf(label, target, m_view);
         double least = 1e300;
         PlacedLabel tried = label;
         for (std::size_t i = 0; i < places.size(); ++i) {
-            Place place = places[i];
-            place.at = inside(place.at, label.size, m_view.size);
-            tried.at = place.at;
+            tried.at = inside(places[i].at, label.size, m_view);
             const double away = glm::length(nearest(boxOf(tried), label.mark) - label.mark);
             tried.place = i;
-            tried.led = away > kLed * s;
-            double cost = area * place.cost + kAway * s * away;
+            tried.led = target.isTip && away > kLed * s;
+            double cost = area * places[i].cost + kAway * s * away;
             if (kept != m_before.end() && kept->place == i) cost -= kStay * area;
-            if (cost < least) cost += weight(boxOf(tried), least - cost);
+            if (cost < least) cost += weight(tried, least - cost);
             if (tried.led && cost < least) cost += kCrossing * area * crossings(tried);
             if (cost >= least) continue;
             least = cost;
             label = tried;
         }
-        take(boxOf(label));
+        take(boxOf(label).adjusted(-kGap * s, 0, kGap * s, 0));
     }
 
 private:
     // Words that an arrow or an arc runs through are harder to read than words on a face.
-    static constexpr double kOnLine = 5;
+    static constexpr double kOnLine = 8;
 
-    // Lines too short to be seen as such, of which some stand in hundreds, are in nobody's way.
     void see(const Obstacle& obstacle) {
-        constexpr double kShortest = 8;
+        if (obstacle.size() == 2) return seeLine(obstacle[0], obstacle[1]);
         const auto outline = outlineOf(obstacle, m_view);
-        if (outline && std::max(outline->bounds.width(), outline->bounds.height()) > 2 * kShortest * m_view.scale &&
-            outline->bounds.intersects(QRectF(0, 0, m_view.size.x, m_view.size.y)))
-            m_outlines.push_back({*outline, obstacle.size() == 2 ? kOnLine : 1});
+        if (outline && outline->bounds.intersects(QRectF(0, 0, m_view.size.x, m_view.size.y)))
+            m_faces.push_back(*outline);
     }
-    // What lies under a box, as far as it is below `limit`; words on words are worse than words on a picture.
-    double weight(const QRectF& box, double limit) const {
-        constexpr double kWords = 10;
+    // Lines too short to be seen as such, of which some stand in hundreds, are in nobody's way.
+    void seeLine(Vec3d a, Vec3d b) {
+        constexpr double kShortest = 16;
+        const auto seen = seenPart(a, b, m_view);
+        if (seen && glm::length(seen->b - seen->a) > kShortest * m_view.scale)
+            m_lines.push_back(lineOutline(seen->a, seen->b, kLineRoom * m_view.scale));
+    }
+    // What lies under a label, as far as it is below `limit`; words on words are worse than words on a picture. The halo of
+    // a single letter is enough on a face.
+    double weight(const PlacedLabel& label, double limit) const {
+        constexpr double kWords = 10, kTouch = 400;  // the least, square pixels of the design
+        const QRectF box = boxOf(label);
         double sum = 0;
-        for (const QRectF& other : m_taken) sum += kWords * overlap(box, other);
-        for (const auto& [outline, cost] : m_outlines) {
-            if (sum >= limit) break;
-            sum += cost * covered(outline, box);
-        }
+        for (const QRectF& other : m_taken)
+            if (const double both = overlap(box, other); both > 0)
+                sum += kWords * both + kTouch * m_view.scale * m_view.scale;
+        const auto add = [&](const std::vector<Outline>& outlines, double cost) {
+            for (const Outline& outline : outlines) {
+                if (sum >= limit) return;
+                sum += cost * covered(outline, box);
+            }
+        };
+        add(m_lines, kOnLine);
+        if (label.label.kind != Label::Kind::Letter) add(m_faces, 1);
         return sum;
     }
 
@@ -264,34 +143,32 @@ private:
     const ViewFrame& m_view;
     const std::vector<PlacedLabel>& m_before;
     std::vector<QRectF> m_taken;
-    struct Seen {
-        Outline outline;
-        double cost;  // of a square pixel of it
-    };
-    std::vector<Seen> m_outlines;
+    std::vector<Outline> m_faces, m_lines;
 };
 
-void placeWords(std::vector<PlacedLabel>& labels, const std::vector<glm::dvec2>& tips, const ViewFrame& view,
-                Chooser& chooser) {
+// A label's mark and its target; false where the view shows nothing of what it belongs to.
+bool begin(PlacedLabel& placed, Target& target, const ViewFrame& view) {
     using Kind = Label::Kind;
-    for (const glm::dvec2& tip : tips) chooser.take(tip, 6);
-    for (const PlacedLabel& placed : labels) {
-        if (placed.label.kind == Kind::Caption) chooser.take(placed.mark, kMark);
-        if (placed.label.kind == Kind::Letter || placed.label.kind == Kind::Note) chooser.take(boxOf(placed));
+    const Label& label = placed.label;
+    if (label.kind == Kind::Caption) markCaption(placed, view);
+    placed.size = sizeOf(label);
+    if (label.kind == Kind::Caption) return true;
+    if (label.kind == Kind::Letter || label.kind == Kind::Axis) {
+        const auto seen = seenPart(label.foot, label.at, view);
+        if (!seen) return false;
+        target = {seen->a, seen->b, seen->isWhole};
+        placed.at = placed.mark = seen->b;
+        return true;
     }
-    for (PlacedLabel& angle : labels)
-        if (angle.label.kind == Kind::Angle) chooser.place(angle, anglePlaces(angle, view.scale));
-    // An axis that ends outside has its name there.
-    for (PlacedLabel& axis : labels)
-        if (axis.label.kind == Kind::Axis && isInside(axis.mark, view.size))
-            chooser.place(axis, axisPlaces(axis, project(view.camera, view.size, axis.label.foot).at, view.scale));
-    for (PlacedLabel& plane : labels)
-        if (plane.label.kind == Kind::Plane) chooser.place(plane, planePlaces(plane, view.scale));
-    // Those at the border have the fewest places.
-    for (const bool atBorder : {true, false})
-        for (PlacedLabel& caption : labels)
-            if (caption.label.kind == Kind::Caption && caption.atBorder == atBorder)
-                chooser.place(caption, captionPlaces(caption, view));
+    const Projected p = project(view.camera, view.size, label.at);
+    if (!p.inFront) return false;
+    placed.at = placed.mark = p.at;
+    if (label.kind == Kind::Note && isInside(p.at, view.size)) placed.at = inside(p.at, placed.size, view);
+    if (label.kind != Kind::Plane) return true;
+    const glm::dvec2 d = p.at - project(view.camera, view.size, label.foot).at;
+    if (glm::length(d) > 0) placed.at += kPastCorner * view.scale / glm::length(d) * d;
+    placed.at.x += (d.x < 0 ? -0.5 : 0.5) * placed.size.width();
+    return true;
 }
 
 }  // namespace
@@ -306,43 +183,31 @@ glm::dvec2 nearest(const QRectF& box, glm::dvec2 point) {
 
 std::vector<PlacedLabel> placeLabels(const Drawing& drawing, const ViewFrame& view, const std::vector<QRectF>& taken,
                                      const std::vector<PlacedLabel>& before) {
+    using Kind = Label::Kind;
     std::vector<PlacedLabel> result;
-    std::vector<glm::dvec2> tips;
+    std::vector<Target> targets;
+    Chooser chooser(drawing, view, taken, before);
     for (const Label& label : drawing.labels) {
         PlacedLabel placed{.label = label};
-        const Projected p = project(view.camera, view.size, label.at);
-        if (label.kind == Label::Kind::Caption) {
-            markCaption(placed, view);
-            placed.size = sizeOf(placed.label);
-            result.push_back(placed);
-            continue;
-        }
-        placed.size = sizeOf(label);
-        if (const auto exit = label.kind == Label::Kind::Letter ? exitOf(label, view) : std::nullopt) {
-            placed.at = placed.mark = inside(*exit, placed.size, view.size);
-            result.push_back(placed);
-            continue;
-        }
-        if (!p.inFront) continue;
-        const glm::dvec2 foot = project(view.camera, view.size, label.foot).at;
-        placed.mark = p.at;
-        const bool isThere = label.kind == Label::Kind::Note || label.kind == Label::Kind::Angle;
-        placed.at = isThere ? p.at : p.at + kBeyondTip * view.scale * unit(p.at - foot, {0, -1});
-        if (label.kind == Label::Kind::Plane) placed.at.x += (p.at.x < foot.x ? -0.5 : 0.5) * placed.size.width();
-        if (label.kind == Label::Kind::Letter) tips.push_back(p.at);
+        Target target;
+        if (!begin(placed, target, view)) continue;
+        if (label.kind == Kind::Letter && target.isTip) chooser.take(target.tip, kTip);
+        if (label.kind == Kind::Caption) chooser.take(placed.mark, kMark);
+        if (label.kind == Kind::Note) chooser.take(boxOf(placed));
         result.push_back(placed);
+        targets.push_back(target);
     }
-    relax(result, tips, view.scale);
-    std::vector<QRectF> withMarks = taken;
-    for (const PlacedLabel& placed : result)
-        if (placed.atBorder) withMarks.push_back(around(placed.mark, kMark * view.scale));
-    for (PlacedLabel& placed : result) {
-        if (placed.label.kind != Label::Kind::Letter || !isInside(placed.mark, view.size)) continue;
-        placed.at = inside(placed.at, placed.size, view.size);
-        leave(placed, withMarks, view.size);
-    }
-    Chooser chooser(drawing, view, taken, before);
-    placeWords(result, tips, view, chooser);
+    const auto place = [&](Kind kind, const auto& isMeant) {
+        for (std::size_t i = 0; i < result.size(); ++i)
+            if (result[i].label.kind == kind && isMeant(i)) chooser.place(result[i], targets[i]);
+    };
+    const auto all = [](std::size_t) { return true; };
+    // Those at the border have the fewest places.
+    place(Kind::Letter, [&](std::size_t i) { return !targets[i].isTip; });
+    place(Kind::Letter, [&](std::size_t i) { return targets[i].isTip; });
+    for (const Kind kind : {Kind::Angle, Kind::Plane, Kind::Axis}) place(kind, all);
+    place(Kind::Caption, [&](std::size_t i) { return result[i].atBorder; });
+    place(Kind::Caption, [&](std::size_t i) { return !result[i].atBorder; });
     return result;
 }
 

@@ -17,11 +17,10 @@ struct PlacedLabel {
     bool led = false;       // away from its mark, so that a line leads there
 };
 
-// Letters stand beyond the tips, at least 21 pixels from each other and 17 from every tip where
-// there is room. Captions and the names of axes, planes and angles stand around what they belong to, where they cover no
-// letter, no mark and none of each other and least of what is drawn; captions of marks outside the view at its border. A
-// vector that leads out of the view has its letter where it leaves it. All of them inside the view, and beside what is
-// `taken`.
+// Every label stands beside what it belongs to, where it covers no other one, no mark and least of what is drawn: arrows,
+// arcs and rays before faces. Captions of marks outside the view stand at its border. A vector or an axis that leads out
+// of the view has its letter where it leaves it; one that the view does not show has none. All of them stand inside the
+// view, and beside what is `taken`.
 // `before`: where they stood a moment ago, in a view that moves; a place that is nearly as good as another one is kept.
 std::vector<PlacedLabel> placeLabels(const Drawing& drawing, const ViewFrame& view,
                                      const std::vector<QRectF>& taken = {},

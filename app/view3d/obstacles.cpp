@@ -102,6 +102,31 @@ std::optional<Outline> outlineOf(const Obstacle& obstacle, const ViewFrame& view
     return outline;
 }
 
+// Y.-D. Liang and B. Barsky, "A new concept and method for line clipping", ACM Transactions on Graphics, 1984.
+std::optional<SeenLine> seenPart(Vec3d a, Vec3d b, const ViewFrame& view) {
+    Projected from = project(view.camera, view.size, a), to = project(view.camera, view.size, b);
+    if (!from.inFront && !to.inFront) return {};
+    // Of what begins or ends behind the observer nearly all that is before it.
+    const auto before = [&](Vec3d front, double depth, Vec3d behind, double depthBehind) {
+        return project(view.camera, view.size, glm::mix(front, behind, 0.99 * depth / (depth - depthBehind)));
+    };
+    const bool isWhole = to.inFront;
+    if (!to.inFront) to = before(a, from.depth, b, to.depth);
+    if (!from.inFront) from = before(b, to.depth, a, from.depth);
+    const glm::dvec2 d = to.at - from.at;
+    if (!std::isfinite(d.x) || !std::isfinite(d.y)) return {};
+    double first = 0, last = 1;
+    for (int i = 0; i < 2; ++i) {
+        if (d[i] == 0 && (from.at[i] < 0 || from.at[i] > view.size[i])) return {};
+        if (d[i] == 0) continue;
+        const double toLow = -from.at[i] / d[i], toHigh = (view.size[i] - from.at[i]) / d[i];
+        first = std::max(first, std::min(toLow, toHigh));
+        last = std::min(last, std::max(toLow, toHigh));
+    }
+    if (!(first <= last)) return {};
+    return SeenLine{from.at + first * d, from.at + last * d, isWhole && last == 1};
+}
+
 Outline lineOutline(glm::dvec2 a, glm::dvec2 b, double width) {
     const glm::dvec2 d = (b - a) * (width / (2 * glm::length(b - a))), across{-d.y, d.x};
     Outline outline{{a - across, b - across, b + across, a + across}, {}};

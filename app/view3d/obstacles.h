@@ -18,6 +18,12 @@ struct Outline {
     QRectF bounds;
 };
 std::optional<Outline> outlineOf(const Obstacle& obstacle, const ViewFrame& view);
+// The part of a line from a to b that the view shows, on the screen; nothing where it shows none of it.
+struct SeenLine {
+    glm::dvec2 a{0.0}, b{0.0};
+    bool isWhole = true;  // up to b
+};
+std::optional<SeenLine> seenPart(Vec3d a, Vec3d b, const ViewFrame& view);
 Outline lineOutline(glm::dvec2 a, glm::dvec2 b, double width);
 // How much of a box it covers, square pixels.
 double covered(const Outline& outline, const QRectF& box);

@@ -13,8 +13,8 @@ namespace app {
 
 namespace {
 
-constexpr double kShaftRadius = 2;  // pixels of the design
-constexpr double kGridReach = 3.2;  // of the scene's radius
+constexpr double kShaftRadius = 2, kDiscRadius = 5;  // pixels of the design
+constexpr double kGridReach = 3.2;                   // of the scene's radius
 
 // Grid lines are cut into pieces so that they can fade away from the scene.
 float gridStrength(double distance, double radius) {
@@ -138,9 +138,11 @@ private:
             const ShapePlacement placement{v.base, v.direction, towardsObserver(v.base), unit};
             m_drawing.vectors.push_back(
                 {inkOf(v.code), arrow(v.code, length, kShaftRadius * (v.main ? 1 : 0.6), placement), unit});
+            const Vec3d tip = v.base + length * unit * v.direction;
+            if (!v.main) m_drawing.obstacles.push_back({v.base, tip});
             if (!v.main) continue;
             m_drawing.labels.push_back({.kind = Label::Kind::Letter,
-                                        .at = v.base + length * unit * v.direction,
+                                        .at = tip,
                                         .foot = v.base,
                                         .text = v.letter,
                                         .distance = {},
@@ -162,9 +164,10 @@ private:
         const RayPlace rays = raysOf(light, m_content);
         for (const double k : {-1.0, 0.0, 1.0}) {
             const Vec3d disc = rays.disc + k * rays.aside;
-            mark(Ink::L, ball({0, 0, 0}, 5), disc, {0, 0, 1});
+            mark(Ink::L, ball({0, 0, 0}, kDiscRadius), disc, {0, 0, 1});
             dashedLine(disc, disc - rays.length * light.direction);
-            m_drawing.obstacles.push_back({disc, disc - rays.length * light.direction});
+            m_drawing.obstacles.push_back(
+                {disc + kDiscRadius * unitAt(disc) * light.direction, disc - rays.length * light.direction});
         }
         m_drawing.labels.push_back({.kind = Label::Kind::Caption,
                                     .at = rays.disc,

@@ -68,7 +68,7 @@ TEST(View3dDrawing, CaptionsCoverNothing) {
 }
 
 // The picture of the test above. A vector that leads out of the view, or behind the observer, is named where it leaves
-// it; what lies on the view hides no letter; what is seen nowhere has none to be seen.
+// it; what lies on the view hides no letter; what is seen nowhere has none.
 TEST(View3dDrawing, EveryVectorThatIsSeenHasItsLetter) {
     const glm::dvec2 size{400, 300};
     for (const bool orthographic : {true, false}) {
@@ -94,11 +94,11 @@ TEST(View3dDrawing, EveryVectorThatIsSeenHasItsLetter) {
         letter("H", at(-300, -300), at(-400, -300));
         const QRectF legend(8, 250, 300, 42);
         const auto labels = app::placeLabels(drawing, view, {legend});
-        ASSERT_EQ(labels.size(), 5u);
+        ASSERT_EQ(labels.size(), 4u) << "all but H";
         const QRectF whole(0, 0, size.x, size.y);
         for (const app::PlacedLabel& placed : labels) {
             const QRectF box = app::boxOf(placed);
-            EXPECT_EQ(whole.contains(box), placed.label.text != "H") << placed.label.text;
+            EXPECT_TRUE(whole.contains(box)) << placed.label.text;
             EXPECT_FALSE(box.intersects(legend)) << placed.label.text;
         }
         // N leaves the view at 150/350 of its way, 4 pixels to the right of where it begins.
