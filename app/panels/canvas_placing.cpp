@@ -14,16 +14,16 @@ namespace {
 constexpr std::array kZooms{0.1, 0.125, 0.2,  0.25, 1.0 / 3, 0.5, 2.0 / 3, 1.0,  1.5,  2.0,  3.0,  4.0,  5.0, 6.0,
                             8.0, 10.0,  12.0, 16.,  20.,     24., 32.,     40.0, 48.0, 56.0, 72.0, 96.0, 128.};
 
+QRectF shownBy(const CanvasPlacing& placing, QRectF picture) {
+    return QRectF(placing.toShown(picture.topLeft()), placing.toShown(picture.bottomRight())).normalized();
+}
+
 QPointF middleOf(QPoint pixel) { return QPointF(pixel) + QPointF(0.5, 0.5); }
 
 }  // namespace
 
 QPointF CanvasPlacing::toShown(QPointF picture) const {
     return m_flipped ? upsideDown(picture, m_picture.height()) : picture;
-}
-
-QRectF CanvasPlacing::toShown(QRectF picture) const {
-    return QRectF(toShown(picture.topLeft()), toShown(picture.bottomRight())).normalized();
 }
 
 void CanvasPlacing::setPicture(QSize size, const QRectF& focus) {
@@ -77,12 +77,12 @@ void CanvasPlacing::fit(bool whole) {
     m_part.reset();
     m_fits = true;
     const QRectF all(QPointF(0, 0), QSizeF(m_picture));
-    m_focus = whole || m_worthIt.isEmpty() ? all : toShown(m_worthIt);
+    m_focus = whole || m_worthIt.isEmpty() ? all : shownBy(*this, m_worthIt);
     placeFocus();
 }
 
 void CanvasPlacing::toggleFit() {
-    const bool showsFocus = m_fits && m_focus == toShown(m_worthIt);
+    const bool showsFocus = m_fits && m_focus == shownBy(*this, m_worthIt);
     fit(showsFocus);
     emit moved();
 }
@@ -103,14 +103,15 @@ void CanvasPlacing::showPart(const std::optional<lessons::BufferShown::Zoom>& pa
 }
 
 CanvasPlacing::Look CanvasPlacing::look() const {
-    return {m_fits, toShown(m_focus), m_placement.zoom, toShown(m_placement.toPicture(QRectF(m_view.rect()).center()))};
+    return {m_fits, shownBy(*this, m_focus), m_placement.zoom,
+            toShown(m_placement.toPicture(QRectF(m_view.rect()).center()))};
 }
 
 void CanvasPlacing::follow(const Look& look) {
     m_part.reset();
     m_fits = look.fits;
     if (m_fits) {
-        m_focus = toShown(look.focus);
+        m_focus = shownBy(*this, look.focus);
         return placeFocus();
     }
     place({QRectF(m_view.rect()).center() - toShown(look.center) * look.zoom, look.zoom});
@@ -191,7 +192,7 @@ std::optional<QPoint> CanvasPlacing::pixelAt(QPointF view) const {
 }
 
 QRectF CanvasPlacing::focusInView() const {
-    const QRectF focus = toShown(m_worthIt);
+    const QRectF focus = shownBy(*this, m_worthIt);
     return QRectF(m_placement.toWidget(focus.topLeft()), focus.size() * zoom());
 }
 

@@ -68,7 +68,6 @@ private:
     void place(Placement placement);
     void placeFocus();
     void placePart();
-    QRectF toShown(QRectF picture) const;
 
     const QWidget& m_view;
     QSize m_picture;

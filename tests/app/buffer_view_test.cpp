@@ -154,18 +154,6 @@ TEST_F(BufferViewTest, TheWheelZoomsToTheCursorInWholeSteps) {
     EXPECT_GE(canvas().placing().zoom(), 10);
 }
 
-TEST(BufferCanvas, ZoomStepsAreWholeFromTwoUpAndReversible) {
-    double zoom = 0.1;
-    for (double next; (next = app::CanvasPlacing::nextZoom(zoom, 1)) != zoom; zoom = next) {
-        EXPECT_GT(next, zoom);
-        EXPECT_DOUBLE_EQ(app::CanvasPlacing::nextZoom(next, -1), zoom);
-        if (next >= 2) {
-            EXPECT_EQ(next, std::floor(next));
-        }
-    }
-    EXPECT_GE(zoom, 72);
-}
-
 TEST_F(BufferViewTest, FittingShowsWhatIsDrawnAndThenTheWholePicture) {
     const QRectF seen(canvas().placing().placement().toPicture({0, 0}),
                       canvas().placing().placement().toPicture(QPointF(canvas().width(), canvas().height())));
@@ -174,22 +162,6 @@ TEST_F(BufferViewTest, FittingShowsWhatIsDrawnAndThenTheWholePicture) {
         EXPECT_TRUE(seen.contains(edge.boundingRect()));
     canvas().placing().toggleFit();
     EXPECT_LT(canvas().placing().zoom(), 1.01);  // 640 pixels in 640
-}
-
-// What is worth looking at is near an edge of the picture. More of the picture fills the view, not what is beside it.
-TEST_F(BufferViewTest, FittingLeavesNoEmptyStripWhereThePictureGoesOn) {
-    const app::CanvasPlacing::Look whole = canvas().placing().look();
-    for (const QRectF focus : {QRectF(300, 380, 100, 95), QRectF(5, 200, 60, 80), QRectF(560, 10, 75, 60)}) {
-        canvas().placing().follow({true, focus, 1, focus.center()});
-        const app::Placement at = canvas().placing().placement();
-        const QRectF seen(at.toPicture({0, 0}), at.toPicture(QPointF(canvas().width(), canvas().height())));
-        EXPECT_TRUE(seen.contains(focus));
-        const QRectF picture(0, 0, 640, 480);
-        ASSERT_LE(seen.width(), picture.width());
-        ASSERT_LE(seen.height(), picture.height());
-        EXPECT_TRUE(picture.adjusted(-0.5, -0.5, 0.5, 0.5).contains(seen)) << focus.x();
-    }
-    canvas().placing().follow(whole);
 }
 
 // A picture of a million polygons that is magnified shows few of them.
