@@ -98,13 +98,13 @@ void BugCard::layOut() {
     });
 }
 
-// As its lines are laid out.
+// The editor lays out the lines that it paints. Here all of them are laid out: what is out of sight may be folded too.
 void BugCard::fitText() {
     const QTextDocument& text = *m_text->document();
     // The editor counts a last line that ends at the edge as hidden: it has one more.
     double height = 2 * text.documentMargin() + m_text->fontMetrics().lineSpacing();
     for (QTextBlock block = text.begin(); block.isValid(); block = block.next())
-        height += std::max<double>(block.layout()->boundingRect().height(), m_text->fontMetrics().height());
+        height += text.documentLayout()->blockBoundingRect(block).height();
     m_text->setFixedHeight(int(std::ceil(height)) + m_text->height() - m_text->viewport()->height());
 }
 
