@@ -185,22 +185,29 @@ void View3dHeader::applyTheme() {
 }
 
 // What a narrow view can do without: the remark, the names' second words, then buttons, which are in the menu instead.
+// Nothing is set but to what it is in the end: every frame comes here, and what changes is laid out anew.
 void View3dHeader::arrange() {
     const auto widthOf = [this](const QToolButton* button) { return button->sizeHint().width() + layout()->spacing(); };
-    const auto needed = [&] {
-        int sum = 0;
+    const auto longerBy = [](const QToolButton* button, const QString& text) {
+        const QFontMetrics metrics = button->fontMetrics();
+        return metrics.horizontalAdvance(text) - metrics.horizontalAdvance(button->text());
+    };
+    const auto needed = [&](const Names& names) {
+        int sum = longerBy(m_space, names.space) + (m_face->isHidden() ? 0 : longerBy(m_face, names.face));
         for (const auto* button : findChildren<QToolButton*>())
             if (!button->isHidden() || std::ranges::count(m_spares, button, &Spare::button) > 0) sum += widthOf(button);
         return sum;
     };
     const int room = parentWidget()->width() - Theme::current().px(16);
-    setNames(false);
-    int buttons = needed();
+    Names names = namesIn(false);
+    int buttons = needed(names);
     m_remark->setVisible(m_remark->sizeHint().width() + buttons <= room);
     if (buttons > room) {
-        setNames(true);
-        buttons = needed();
+        names = namesIn(true);
+        buttons = needed(names);
     }
+    m_space->setText(names.space);
+    m_face->setText(names.face);
     for (const auto& [button, entry] : m_spares) {
         const bool fits = buttons <= room;
         button->setVisible(fits);
@@ -209,13 +216,14 @@ void View3dHeader::arrange() {
     }
 }
 
-void View3dHeader::setNames(bool areShort) {
+View3dHeader::Names View3dHeader::namesIn(bool areShort) const {
     const SpaceId id = m_view.space().id();
-    m_space->setText(toQString(areShort ? shortNameOf(id) : nameOf({id.space, id.light})));
-    const LightFrustum* frustum = shownFrustum(m_view.space());
-    if (!frustum) return;
-    const QString face = toQString(nameOfFace(frustum->face));
-    m_face->setText(areShort ? face : tr("face %1").arg(face));
+    Names names{toQString(areShort ? shortNameOf(id) : nameOf({id.space, id.light})), {}};
+    if (const LightFrustum* frustum = shownFrustum(m_view.space())) {
+        const QString face = toQString(nameOfFace(frustum->face));
+        names.face = areShort ? face : tr("face %1").arg(face);
+    }
+    return names;
 }
 
 void View3dHeader::showOptions() {

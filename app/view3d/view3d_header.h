@@ -42,7 +42,10 @@ private:
     void fillSpaces(QMenu& menu);
     void fillFaces(QMenu& menu);
     void applyTheme();
-    void setNames(bool areShort);
+    struct Names {
+        QString space, face;
+    };
+    Names namesIn(bool areShort) const;
     QString normalsTip() const;
 
     const Document& m_document;
