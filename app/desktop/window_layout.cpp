@@ -141,6 +141,7 @@ void WindowLayout::sizePanels() {
     QList<QDockWidget*> docks, left;
     QList<int> widths;
     for (PanelDock* dock : m_docks.sides()) {
+        if (dock->isHidden()) continue;  // its width would be that of the others on its side
         const bool isLeft = m_docks.left().contains(dock), isRenderer = dock->row().id == PanelId::Renderer;
         docks += dock;
         // Cues and renderer have the lesson's place.

@@ -193,6 +193,18 @@ TEST_F(WindowSmall, AStageCardHasItsNameAndItsStateOrSaysThemElsewhere) {
     Theme::current().set(ThemeId::Light);
 }
 
+// 1440 is the least width that has panels at both sides. The panel of another renderer, which is hidden, takes none of it.
+TEST_F(WindowSmall, AWideWindowHasRoomForEveryViewOfAnOpenedScene) {
+    window.resize(1440, 900);
+    openPyramid();
+    settle();
+    EXPECT_TRUE(find<QDockWidget>("scene")->isVisible());
+    EXPECT_TRUE(find<QDockWidget>("inspector")->isVisible());
+    EXPECT_FALSE(find<QDockWidget>("renderer")->isVisible());
+    EXPECT_EQ(window.views().grid().withoutRoom(), 0u);
+    EXPECT_FALSE(find<QLabel>("missingViews")->isVisible());
+}
+
 // Whatever the letters: the dialog stands on its screen, and each of its buttons stands in the dialog or is scrolled to.
 TEST_F(WindowSmall, DialogsStandOnTheirScreenWithTheirButtonsInReach) {
     openPyramid();
