@@ -22,6 +22,7 @@
 #include "app/panels/value_slider.h"
 #include "pipeline/export/json.h"
 #include "pipeline/scene/settings_table.h"
+#include "tests/app/small_screen.h"
 
 namespace {
 
@@ -69,14 +70,7 @@ CaseResult resultOf(std::size_t which, bool holds) {
 
 TEST_F(CheckPanelTest, FitsASmallScreenInEveryTheme) {
     panel.show();
-    for (const app::ThemeId theme : {app::ThemeId::Dark, app::ThemeId::Projector, app::ThemeId::Light}) {
-        app::Theme::current().set(theme);
-        QCoreApplication::sendPostedEvents();
-        panel.resize(1280, 720);
-        QCoreApplication::processEvents();
-        EXPECT_EQ(panel.size(), QSize(1280, 720)) << int(theme) << ": the least is " << panel.minimumSizeHint().width()
-                                                  << " by " << panel.minimumSizeHint().height();
-    }
+    test::expectFitsASmallScreen(panel);
 }
 
 // Titles keep room for sixteen broad letters; ours and the bound, which the details have too, go before.

@@ -13,6 +13,7 @@
 #include "app/panels/study_pictures.h"
 #include "app/panels/study_run.h"
 #include "app/panels/study_sweep.h"
+#include "tests/app/small_screen.h"
 #include "tests/app/study_panel_fixture.h"
 
 namespace {
@@ -27,14 +28,7 @@ struct StudyWindowTest : test::StudyPanelTest {};
 
 TEST_F(StudyWindowTest, FitsASmallScreenInEveryTheme) {
     panel.show();
-    for (const app::ThemeId theme : {app::ThemeId::Dark, app::ThemeId::Projector, app::ThemeId::Light}) {
-        app::Theme::current().set(theme);
-        QCoreApplication::sendPostedEvents();
-        panel.resize(1280, 720);
-        QCoreApplication::processEvents();
-        EXPECT_EQ(panel.size(), QSize(1280, 720)) << int(theme) << ": the least is " << panel.minimumSizeHint().width()
-                                                  << " by " << panel.minimumSizeHint().height();
-    }
+    test::expectFitsASmallScreen(panel);
 }
 
 // Whatever the letters, and back to its size after a theme that needs more room.
