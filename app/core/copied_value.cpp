@@ -9,6 +9,8 @@
 
 namespace app {
 
+QString clearedText(const QString& stored) { return QStringLiteral("nothing drawn (cleared to %1)").arg(stored); }
+
 QString copiedValue(const pipeline::AnyBuffer& buffer, glm::ivec2 pixel, bool isDrawn) {
     assert(pixel.x >= 0 && std::size_t(pixel.x) < buffer.columns());
     assert(pixel.y >= 0 && std::size_t(pixel.y) < buffer.rows());
@@ -25,7 +27,7 @@ QString copiedValue(const pipeline::AnyBuffer& buffer, glm::ivec2 pixel, bool is
         },
         buffer.data);
     return QStringLiteral("%1 at %2, %3: ").arg(toQString(buffer.name.text())).arg(pixel.x).arg(pixel.y) +
-           (isDrawn ? numbers.join(' ') : QStringLiteral("nothing drawn (cleared to %1)").arg(numbers.join(' ')));
+           (isDrawn ? numbers.join(' ') : clearedText(numbers.join(' ')));
 }
 
 QString whyNoValue(const pipeline::BufferInfo& info) {

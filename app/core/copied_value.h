@@ -12,6 +12,9 @@ namespace app {
 // nothing was drawn: "n_dot_l.0 at 5, 5: nothing drawn (cleared to 0)".
 QString copiedValue(const pipeline::AnyBuffer& buffer, glm::ivec2 pixel, bool isDrawn);
 
+// "nothing drawn (cleared to 0)": an element that holds what its buffer was cleared to.
+QString clearedText(const QString& stored);
+
 // Why a picked pixel has no value in such a buffer, one sentence; empty if it has one.
 QString whyNoValue(const pipeline::BufferInfo& info);
 

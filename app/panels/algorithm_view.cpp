@@ -9,6 +9,7 @@
 #include "app/core/spoken.h"
 #include "app/core/text.h"
 #include "app/panels/code_words.h"
+#include "app/panels/folded_text.h"
 #include "app/panels/follow_theme.h"
 #include "lessons/talk_words.h"
 
@@ -20,21 +21,6 @@ using pipeline::LineStatus;
 namespace {
 
 constexpr double kPitch = 1.62;  // of a line, in sizes of its letters
-
-// A text in lines, parted at its spaces: at least one, and one word to a line where no more fits.
-template <class First, class Others>
-QStringList folded(const QString& text, First fitsFirst, Others fitsOthers) {
-    QStringList lines{{}};
-    for (const QString& word : text.split(QLatin1Char(' '))) {
-        const QString longer = lines.back().isEmpty() ? word : lines.back() + QLatin1Char(' ') + word;
-        const bool fits = lines.size() == 1 ? fitsFirst(longer) : fitsOthers(longer);
-        if (fits || lines.back().isEmpty())
-            lines.back() = longer;
-        else
-            lines << word;
-    }
-    return lines;
-}
 
 }  // namespace
 
@@ -142,7 +128,7 @@ AlgorithmView::Placed AlgorithmView::place(const Sheet& sheet, std::size_t numbe
     Placed placed;
     placed.row = number, placed.rect = line, placed.line = line.height();
     const int room = line.width() - left - gap;
-    placed.code = folded(toQString(row.text), codeFits(room), codeFits(room - sheet.hanging()));
+    placed.code = foldedAtSpaces(toQString(row.text), codeFits(room), codeFits(room - sheet.hanging()));
     const QString values = valuesOf(row);
     const QFontMetrics metrics(showsNumbers(row) ? bold(sheet.code) : sheet.words);
     const auto valuesFit = [&](const QString& part) {
@@ -152,7 +138,7 @@ AlgorithmView::Placed AlgorithmView::place(const Sheet& sheet, std::size_t numbe
     const int end = left + (placed.code.size() > 1 ? sheet.hanging() : 0) + codeWidth(sheet.code, placed.code.back());
     placed.valuesBelow =
         isBranch || (!values.isEmpty() && end + 2 * gap + metrics.horizontalAdvance(values) > line.width());
-    placed.values = placed.valuesBelow ? folded(values, valuesFit, valuesFit) : QStringList(values);
+    placed.values = placed.valuesBelow ? foldedAtSpaces(values, valuesFit, valuesFit) : QStringList(values);
     const int way = isBranch ? QFontMetrics(sheet.words).horizontalAdvance(wayOf(row)) : 0;
     placed.wayBelow =
         isBranch && !placed.values.isEmpty() &&

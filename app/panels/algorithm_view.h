@@ -9,7 +9,8 @@
 namespace app {
 
 // An algorithm with the line that a step is at: numbers, code, values at the right end. The comparison of a branch has a
-// line of its own below it. Code and values that are too long are folded. Arrow keys ask for the line before and after, Ctrl+click for the one that is clicked.
+// line of its own below it. Code and values that are too long are folded. Arrow keys ask for the line before and after,
+// Ctrl+click for the one that is clicked.
 class AlgorithmView : public QWidget {
     Q_OBJECT
 public:

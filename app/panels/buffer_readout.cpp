@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/core/copied_value.h"
 #include "app/core/shadow_texel.h"
 #include "app/core/theme.h"
 #include "app/panels/buffer_canvas.h"
@@ -123,8 +124,7 @@ QString PixelReadout::at(QPoint pixel) const {
     if (!shown.content.shapes) {
         const QString value =
             elementText(shown.buffer, std::size_t(pixel.x()), std::size_t(pixel.y()), shown.look.channel).join(' ');
-        return place + " → " + (shown.hasValue(pixel) ? value : tr("nothing drawn (cleared to %1)").arg(value)) +
-               m_compare.readout(pixel);
+        return place + " → " + (shown.hasValue(pixel) ? value : clearedText(value)) + m_compare.readout(pixel);
     }
     const int polygon = nearestPolygonAt(*shown.content.shapes, QPointF(pixel) + QPointF(0.5, 0.5));
     return polygon < 0 ? place : place + QString(" → polygon %1").arg(polygon);

@@ -18,8 +18,9 @@ class CheckKnob;
 class CheckPictures;
 class FittingChoice;
 
-// The stiff and extreme cases: on top how many hold; on the left all with what they gave, on the right the chosen one with the knob that
-// makes it stiff. They run when the panel is first shown.
+// The stiff and extreme cases: on top how many hold; on the left all with what they gave, on the right the chosen one
+// with the knob that makes it
+// stiff. They run when the panel is first shown.
 class CheckPanel : public QWidget {
     Q_OBJECT
 public:

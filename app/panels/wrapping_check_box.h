@@ -4,6 +4,8 @@
 #include <QStyleOptionButton>
 #include <algorithm>
 
+#include "app/panels/folded_text.h"
+
 namespace app {
 
 // A check box whose words take as many lines as they need.
@@ -40,17 +42,8 @@ private:
                                          fontMetrics().size(Qt::TextShowMnemonic, text.isEmpty() ? "x" : text), this);
     }
     QString folded(int width) const {
-        QString lines, line;
-        for (const QString& word : m_words.split(QLatin1Char(' '))) {
-            const QString longer = line.isEmpty() ? word : line + QLatin1Char(' ') + word;
-            if (line.isEmpty() || sizeOf(longer).width() <= width) {
-                line = longer;
-                continue;
-            }
-            lines += line + QLatin1Char('\n');
-            line = word;
-        }
-        return lines + line;
+        const auto fits = [&](const QString& part) { return sizeOf(part).width() <= width; };
+        return foldedAtSpaces(m_words, fits, fits).join(QLatin1Char('\n'));
     }
 
     QString m_words;

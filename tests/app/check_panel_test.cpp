@@ -77,37 +77,24 @@ TEST_F(CheckPanelTest, FitsASmallScreenInEveryTheme) {
 TEST_F(CheckPanelTest, TitlesStayLegibleInLargeLettersAndNothingIsOutOfReach) {
     panel.setGroup(Group::Geometry);
     panel.show();
-    for (const double scale : {1.0, 1.25, 1.5, 2.0}) {
-        for (const QSize size : {QSize(1024, 640), QSize(1280, 720), QSize(1366, 768)}) {
-            SCOPED_TRACE(testing::Message() << size.width() << " wide, text " << scale);
-            app::Theme::current().setScale(scale);
-            panel.resize(size);
-            QCoreApplication::processEvents();
-            EXPECT_EQ(panel.size(), size);
-            const QFontMetrics metrics(app::Theme::current().text(13));
-            EXPECT_GE(cases().columnWidth(1), metrics.averageCharWidth() * 16);
-            EXPECT_EQ(cases().horizontalScrollBar()->maximum(), 0);
-            auto& panes = part<app::FoldingPanes>();
-            panes.bringToFront(1);
-            QCoreApplication::processEvents();
-            const auto& open = part<QPushButton>("checkOpen");
-            EXPECT_TRUE(open.isVisible());
-            EXPECT_LE(open.mapTo(&panel, QPoint(open.width(), 0)).x(), panel.width());
-            panes.bringToFront(0);
-        }
-    }
-    app::Theme::current().setScale(1);
+    test::onSmallScreens(panel, {1.0, 1.25, 1.5, 2.0}, [&] {
+        const QFontMetrics metrics(app::Theme::current().text(13));
+        EXPECT_GE(cases().columnWidth(1), metrics.averageCharWidth() * 16);
+        EXPECT_EQ(cases().horizontalScrollBar()->maximum(), 0);
+        auto& panes = part<app::FoldingPanes>();
+        panes.bringToFront(1);
+        QCoreApplication::processEvents();
+        const auto& open = part<QPushButton>("checkOpen");
+        EXPECT_TRUE(open.isVisible());
+        EXPECT_LE(open.mapTo(&panel, QPoint(open.width(), 0)).x(), panel.width());
+        panes.bringToFront(0);
+    });
 }
 
 TEST_F(CheckPanelTest, RunningAllBringsTheCasesToTheFront) {
     panel.show();
     wait();
-    app::Theme::current().setScale(2);
-    panel.resize(1024, 640);
-    QCoreApplication::processEvents();
-    auto& panes = part<app::FoldingPanes>();
-    ASSERT_TRUE(panes.isFolded());
-    panes.bringToFront(1);
+    ASSERT_NO_FATAL_FAILURE(test::foldToSecondPart(panel));
     EXPECT_FALSE(cases().isVisible());
     auto& run = part<QPushButton>("checkRunAll");
     EXPECT_TRUE(panel.rect().contains(QRect(run.mapTo(&panel, QPoint()), run.size())));

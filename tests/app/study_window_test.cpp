@@ -33,32 +33,24 @@ TEST_F(StudyWindowTest, FitsASmallScreenInEveryTheme) {
 
 // Whatever the letters, and back to its size after a theme that needs more room.
 TEST_F(StudyWindowTest, NothingOfItIsOutOfReachInLargeLetters) {
-    for (const double scale : {1.0, 1.5, 2.0}) {
-        for (const QSize size : {QSize(1024, 640), QSize(1280, 720), QSize(1366, 768)}) {
-            SCOPED_TRACE(testing::Message() << size.width() << " wide, text " << scale);
-            app::Theme::current().setScale(scale);
-            panel.resize(size);
+    test::onSmallScreens(panel, {1.0, 1.5, 2.0}, [&] {
+        auto& panes = part<app::FoldingPanes>();
+        auto& names = part<QWidget>("paneNames");
+        EXPECT_EQ(names.isVisible(), panes.isFolded());
+        const auto isInside = [&](const QWidget& there) {
+            EXPECT_TRUE(there.isVisible());
+            EXPECT_TRUE(panel.rect().contains(QRect(there.mapTo(&panel, QPoint()), there.size())));
+            EXPECT_GE(there.width(), there.minimumSizeHint().width());
+        };
+        for (const char* name : {"studySweep", "studySetUp", "studyBegin", "studyExport"})
+            isInside(part<QWidget>(name));
+        for (int pane = 0; pane < 2; ++pane) {
+            panes.bringToFront(pane);
             QCoreApplication::processEvents();
-            EXPECT_EQ(panel.size(), size);
-            auto& panes = part<app::FoldingPanes>();
-            auto& names = part<QWidget>("paneNames");
-            EXPECT_EQ(names.isVisible(), panes.isFolded());
-            const auto isInside = [&](const QWidget& there) {
-                EXPECT_TRUE(there.isVisible());
-                EXPECT_TRUE(panel.rect().contains(QRect(there.mapTo(&panel, QPoint()), there.size())));
-                EXPECT_GE(there.width(), there.minimumSizeHint().width());
-            };
-            for (const char* name : {"studySweep", "studySetUp", "studyBegin", "studyExport"})
-                isInside(part<QWidget>(name));
-            for (int pane = 0; pane < 2; ++pane) {
-                panes.bringToFront(pane);
-                QCoreApplication::processEvents();
-                isInside(pane == 0 ? static_cast<QWidget&>(plot()) : part<QWidget>("studyPoints"));
-            }
-            panes.bringToFront(0);
+            isInside(pane == 0 ? static_cast<QWidget&>(plot()) : part<QWidget>("studyPoints"));
         }
-    }
-    app::Theme::current().setScale(1);
+        panes.bringToFront(0);
+    });
     panel.resize(1024, 640);
     for (const app::ThemeId theme : {app::ThemeId::Projector, app::ThemeId::Light}) app::Theme::current().set(theme);
     QCoreApplication::processEvents();
@@ -97,12 +89,7 @@ TEST_F(StudyWindowTest, TheBarHasOneButtonWhichMeasuresOrCancels) {
 }
 
 TEST_F(StudyWindowTest, MeasuringBringsThePlotToTheFront) {
-    app::Theme::current().setScale(2);
-    panel.resize(1024, 640);
-    QCoreApplication::processEvents();
-    auto& panes = part<app::FoldingPanes>();
-    ASSERT_TRUE(panes.isFolded());
-    panes.bringToFront(1);
+    ASSERT_NO_FATAL_FAILURE(test::foldToSecondPart(panel));
     EXPECT_FALSE(plot().isVisible());
     part<QPushButton>("studyBegin").click();
     EXPECT_TRUE(plot().isVisible());
