@@ -1,13 +1,15 @@
 #include "app/panels/check_panel.h"
 
+#include <QApplication>
+#include <QClipboard>
 #include <QKeyEvent>
 #include <QLabel>
-#include <QProgressBar>
 #include <QPushButton>
 #include <QVBoxLayout>
 #include <algorithm>
 
 #include "app/core/text.h"
+#include "app/panels/check_bar.h"
 #include "app/panels/check_details.h"
 #include "app/panels/check_knob.h"
 #include "app/panels/check_pictures.h"
@@ -31,14 +33,19 @@ CheckPanel::CheckPanel(Document& document, QWidget* parent)
     m_selected =
         std::size_t(std::ranges::find_if(caseTable(), [](const Case& one) { return !one.knob.label.empty(); }) -
                     caseTable().begin());
-    auto* bar = makeBar();
+    m_bar = new CheckBar(this);
     const QList<QWidget*> parts{makeLeft(), makeRight()};
     auto* panes = new FoldingPanes(parts, {tr("Cases"), tr("Details")}, this);
     panes->setWishes({860, 820});
     auto* column = new QVBoxLayout(this);
-    column->addLayout(bar);
+    column->addWidget(m_bar);
     column->addWidget(panes, 1);
-    connect(m_runAll, &QPushButton::clicked, panes, [panes] { panes->bringToFront(0); });
+    connect(m_bar, &CheckBar::groupChosen, this, &CheckPanel::setGroup);
+    connect(m_bar, &CheckBar::runAsked, this, [this, panes] {
+        run({});
+        panes->bringToFront(0);
+    });
+    connect(m_bar, &CheckBar::copyAsked, this, [this] { QApplication::clipboard()->setText(report()); });
     connect(&document, &Document::sceneOpened, this, [this] { m_open.reset(); });
     followTheme(this, [this, column] {
         const Theme& theme = Theme::current();
@@ -87,11 +94,9 @@ void CheckPanel::finish(double seconds, bool cancelled) {
     showState();
 }
 
-void CheckPanel::chooseGroup(int choice) { setGroup(choice == 0 ? std::nullopt : std::optional(Group(choice - 1))); }
-
 void CheckPanel::setGroup(std::optional<Group> group) {
     m_group = group;
-    m_groups->setCurrent(group ? int(*group) + 1 : 0);
+    m_bar->setGroup(group);
     m_cases->setCases(m_results, group);
     if (!m_cases->contains(m_selected)) {
         const auto table = caseTable();
@@ -120,22 +125,9 @@ void CheckPanel::showSelected() {
 void CheckPanel::showState() {
     const auto known = std::ranges::count_if(m_results, [](const auto& result) { return result.has_value(); });
     const auto hold = std::ranges::count_if(m_results, [](const auto& result) { return result && result->holds; });
-    const QString time = m_seconds > 0 ? tr(", in %1 s").arg(m_seconds, 0, 'f', 1) : QString();
-    m_head->setText(m_job        ? tr("%1 of %2 have run").arg(m_arrived).arg(m_asked)
-                    : known == 0 ? tr("No case has run")
-                                 : tr("%1 of %2 hold%3").arg(hold).arg(known).arg(time));
-    m_bar->setVisible(m_job != nullptr);
-    m_bar->setRange(0, int(std::max<std::size_t>(m_asked, 1)));
-    m_bar->setValue(m_job ? int(m_arrived) : 0);
-    const QString busy = tr("The cases are running.");
-    m_runAll->setEnabled(!m_job);
-    m_runAll->setToolTip(m_job ? busy : tr("Runs all cases of the catalogue."));
+    m_bar->showState({m_job != nullptr, m_arrived, m_asked, std::size_t(known), std::size_t(hold), m_seconds});
     m_runOne->setEnabled(!m_job);
-    m_runOne->setToolTip(m_job ? busy : tr("Runs %1 alone.").arg(toQString(chosenCase().id)));
-    m_copy->setEnabled(!m_job && known > 0);
-    m_copy->setToolTip(m_job       ? busy
-                       : known > 0 ? tr("Copies what every case gave, as JSON: what check --json prints.")
-                                   : tr("No case has run."));
+    m_runOne->setToolTip(m_job ? tr("The cases are running.") : tr("Runs %1 alone.").arg(toQString(chosenCase().id)));
     m_command->setText(m_group ? tr("also: shadescope check --group %1").arg(toQString(name(*m_group)))
                                : tr("also: shadescope check"));
 }

@@ -8,7 +8,6 @@
 #include "app/panels/check_cases.h"
 
 class QLabel;
-class QProgressBar;
 class QPushButton;
 
 namespace app {
@@ -16,7 +15,7 @@ namespace app {
 class CheckDetails;
 class CheckKnob;
 class CheckPictures;
-class FittingChoice;
+class CheckBar;
 
 // The stiff and extreme cases: on top how many hold; on the left all with what they gave, on the right the chosen one
 // with the knob that makes it
@@ -46,11 +45,9 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
-    QLayout* makeBar();
     QWidget* makeLeft();
     QWidget* makeRight();
     const pipeline::check::Case& chosenCase() const;
-    void chooseGroup(int choice);  // 0: all
     void fitGroups();
     void take(const pipeline::check::CaseResult& result);
     void finish(double seconds, bool cancelled);
@@ -71,10 +68,9 @@ private:
     std::optional<pipeline::check::Group> m_group;
     std::size_t m_selected = 0;
     std::optional<std::size_t> m_open;  // the case that is the document's scene
-    QLabel *m_head, *m_command, *m_message, *m_noKnob;
-    QProgressBar* m_bar;
-    QPushButton *m_runAll, *m_runOne, *m_copy;
-    FittingChoice* m_groups;
+    QLabel *m_command, *m_message, *m_noKnob;
+    CheckBar* m_bar;
+    QPushButton* m_runOne;
     CheckCases* m_cases;
     CheckDetails* m_details;
     CheckKnob* m_knob;

@@ -1,56 +1,19 @@
 // What of the cases stands where.
 #include <QApplication>
-#include <QClipboard>
 #include <QLabel>
-#include <QProgressBar>
 #include <QPushButton>
 #include <QVBoxLayout>
 
 #include "app/core/text.h"
+#include "app/panels/check_bar.h"
 #include "app/panels/check_details.h"
 #include "app/panels/check_knob.h"
 #include "app/panels/check_panel.h"
 #include "app/panels/check_pictures.h"
-#include "app/panels/elided_label.h"
-#include "app/panels/fitting_choice.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/surface.h"
 
 namespace app {
-
-// What all of them gave, which group is on show, and the one button.
-QLayout* CheckPanel::makeBar() {
-    m_head = new ElidedLabel(this);
-    m_head->setObjectName("checkHead");
-    m_bar = new QProgressBar(this);
-    m_bar->setTextVisible(false);
-    m_bar->setAccessibleName(tr("Cases that have run"));
-    const QStringList groups{tr("All"),   tr("Geometry"), tr("Camera"), tr("Raster"),
-                             tr("Depth"), tr("Shading"),  tr("Shadow"), tr("Limits")};
-    m_groups = new FittingChoice(groups, tr("Group of cases"), "checkGroupList", this);
-    m_copy = new QPushButton(tr("Copy"), this);
-    m_copy->setObjectName("checkCopy");
-    m_runAll = new QPushButton(tr("Run all again"), this);
-    m_runAll->setObjectName("checkRunAll");
-    m_runAll->setProperty("kind", "primary");
-    auto* bar = new QHBoxLayout;
-    bar->addWidget(m_head, 3);
-    bar->addWidget(m_bar, 2);
-    for (QWidget* part :
-         {static_cast<QWidget*>(m_groups), static_cast<QWidget*>(m_copy), static_cast<QWidget*>(m_runAll)})
-        bar->addWidget(part);
-    connect(m_groups, &FittingChoice::chosen, this, &CheckPanel::chooseGroup);
-    connect(m_runAll, &QPushButton::clicked, this, [this] { run({}); });
-    connect(m_copy, &QPushButton::clicked, this, [this] { QApplication::clipboard()->setText(report()); });
-    followTheme(this, [this, bar] {
-        const Theme& theme = Theme::current();
-        bar->setContentsMargins(theme.px(4), 0, 0, 0);
-        bar->setSpacing(theme.px(8));
-        m_head->setFont(theme.text(15, 600));
-        m_bar->setFixedHeight(theme.px(8));
-    });
-    return bar;
-}
 
 QWidget* CheckPanel::makeLeft() {
     auto* content = new QWidget(this);
@@ -118,7 +81,7 @@ QWidget* CheckPanel::makeRight() {
 // In a narrow window the groups are a list, and the command, which the manual has, goes.
 void CheckPanel::fitGroups() {
     const bool isNarrow = width() < Theme::current().px(1180);
-    m_groups->setNarrow(isNarrow);
+    m_bar->setNarrow(isNarrow);
     m_command->setVisible(!isNarrow);
 }
 
