@@ -141,11 +141,11 @@ void WindowLayout::sizePanels() {
     QList<QDockWidget*> docks, left;
     QList<int> widths;
     for (PanelDock* dock : m_docks.sides()) {
-        if (dock->isHidden()) continue;  // its width would be that of the others on its side
         const bool isLeft = m_docks.left().contains(dock), isRenderer = dock->row().id == PanelId::Renderer;
-        docks += dock;
         // Cues and renderer have the lesson's place.
         if (isLeft && dock->row().id != PanelId::Cues && !isRenderer) left += dock;
+        if (dock->isHidden()) continue;  // its width would be that of the others on its side
+        docks += dock;
         widths += dockWidth(isRenderer ? (isWide() ? 384 : 300) : isLeft ? 296 : isWide() ? 456 : 384);
     }
     m_window.resizeDocks(docks, widths, Qt::Horizontal);
