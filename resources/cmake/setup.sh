@@ -29,27 +29,80 @@ logged() {
     fi
 }
 
+# cannotBuild WHAT HOW: what is missing, what to type, and what needs neither. Fails.
+cannotBuild() {
+    say "$1."
+    say "$2"
+    say "The portable folder of Shadescope and its live pages need no packages and no compiler: resources/manual/install.md."
+    return 1
+}
+
+# Elsewhere than on Debian: what to type, with the names that packages have there as far as they are known.
+howToInstall() {
+    local manager
+    for manager in dnf pacman brew; do
+        command -v $manager > /dev/null || continue
+        case $manager in
+            dnf) echo "Type: sudo dnf install $(packagesOf dnf | paste -sd ' ')" ;;
+            pacman) echo "Type: sudo pacman -S --needed $(packagesOf pacman | paste -sd ' ')" ;;
+            brew) echo "Type: brew install $(packagesOf brew | paste -sd ' ')" ;;
+        esac
+        return
+    done
+    echo "Install a C++20 compiler, CMake 3.25, Ninja and the libraries under [build] of resources/packages.txt, which has their names in Debian"
+}
+
 # installPackages SECTION...: those that are not there yet; the network is needed only for them.
 installPackages() {
-    local wanted missing log apt
-    # Elsewhere than on Debian the packages have other names; CMake says which are missing.
-    command -v apt-get > /dev/null || return 0
+    local wanted missing='' log apt tool
+    if ! command -v apt-get > /dev/null; then
+        for tool in c++ cmake ninja; do
+            command -v $tool > /dev/null || missing+="${missing:+, }$tool"
+        done
+        # Which libraries are missing CMake finds out.
+        [ -z "$missing" ] || cannotBuild "These programs are missing: $missing" "$(howToInstall)"
+        return
+    fi
     wanted=$(packagesOf "$@")
     missing=$(comm -13 \
         <(dpkg-query -W -f '${db:Status-Status} ${Package}\n' $wanted 2> /dev/null | sed -n 's/^installed //p' | sort -u) \
         - <<< "$wanted" | paste -sd ' ')
     [ -n "$missing" ] || return 0
     if [ "$(id -u)" != 0 ] && ! command -v sudo > /dev/null; then
-        say "These packages are missing, and there is no sudo to install them with: $missing"
-        return 1
+        cannotBuild "These packages are missing, and there is no sudo to install them with: $missing" \
+            "Type as root: apt-get update && apt-get install --no-install-recommends $missing"
+        return
     fi
     say "Installing packages: $missing"
     log=$(mktemp)
     # Another installation may hold the lock: wait for it.
     apt="env DEBIAN_FRONTEND=noninteractive apt-get -q -y -o DPkg::Lock::Timeout=600"
-    logged "$log" asRoot $apt update
-    logged "$log" asRoot $apt install --no-install-recommends $missing
+    if ! { asRoot $apt update; asRoot $apt install --no-install-recommends $missing; } > "$log" 2>&1 < /dev/null; then
+        cannotBuild "The packages could not be installed; $(whyNotInstalled "$log")" \
+            "With a network and the right to install, type: sudo apt-get update && sudo apt-get install --no-install-recommends $missing"
+        return
+    fi
     rm -f "$log"
+}
+
+# whyNotInstalled LOG: the last error in it.
+whyNotInstalled() {
+    local why
+    why=$(sed -n 's/^\(E\|Err\|sudo\): *//p' "$1" | tail -1 | cut -c1-150)
+    echo "${why:+"$why "}(all of apt's text: $1)"
+}
+
+# configure PRESET
+configure() {
+    local log="$root/build/$1/configure.log" missing
+    if command -v apt-get > /dev/null; then
+        logged "$log" cmake --preset "$1"
+        return
+    fi
+    cmake --preset "$1" > "$log" 2>&1 < /dev/null && return
+    missing=$(sed -n '/^CMake Error/,$ { s/.*Could NOT find \([A-Za-z0-9_+-]*\).*/\1/p; s/.*provided by "\([^"]*\)".*/\1/p; s/.*No package .\([a-z0-9+-]*\). found.*/\1/p; }' "$log" |
+        sort -u | paste -sd ' ')
+    cannotBuild "CMake finds no ${missing:-library or compiler that it needs}; its text is in $log" "$(howToInstall)"
 }
 
 # build PRESET TARGET: configures when it has to, then builds what changed since the last time.
@@ -63,7 +116,7 @@ build() {
     if [ ! -e "$folder/.configured" ] || [ "$root/CMakePresets.json" -nt "$folder/.configured" ]; then
         say "Configuring, preset $1"
         cd "$root"
-        logged "$folder/configure.log" cmake --preset "$1"
+        configure "$1" || return
         cd - > /dev/null
         touch "$folder/.configured"
     fi
