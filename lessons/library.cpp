@@ -42,6 +42,18 @@ std::vector<Lesson> inOrder(std::vector<Lesson> lessons) {
     return ordered;
 }
 
+std::filesystem::path sheetFolder() { return pipeline::resourceFolder() / "sheets"; }
+
+// The folders with a lesson in them, sorted.
+std::vector<std::string> namesIn(const std::filesystem::path& folder) {
+    std::vector<std::string> names;
+    std::error_code ignored;  // a folder that cannot be listed has no lessons
+    for (const auto& entry : std::filesystem::directory_iterator(folder, ignored))
+        if (std::filesystem::exists(entry.path() / kFile, ignored)) names.push_back(entry.path().filename().string());
+    std::ranges::sort(names);
+    return names;
+}
+
 }  // namespace
 
 // Where the program is installed the lessons stand among its resources, in the source tree beside them.
@@ -52,13 +64,14 @@ std::filesystem::path lessonFolder() {
     return std::filesystem::is_directory(inside, ignored) ? inside : resources.parent_path() / "lessons";
 }
 
-std::vector<std::string> lessonNames() {
-    std::vector<std::string> names;
-    std::error_code ignored;  // a folder that cannot be listed has no lessons
-    for (const auto& entry : std::filesystem::directory_iterator(lessonFolder(), ignored))
-        if (std::filesystem::exists(entry.path() / kFile, ignored)) names.push_back(entry.path().filename().string());
-    std::ranges::sort(names);
-    return names;
+std::vector<std::string> lessonNames() { return namesIn(lessonFolder()); }
+
+std::vector<std::string> sheetTemplateNames() { return namesIn(sheetFolder()); }
+
+std::filesystem::path sheetTemplateAt(const std::filesystem::path& path) {
+    std::filesystem::path folder = lessonAt(path);
+    if (folder.empty() && !path.has_parent_path()) folder = lessonAt(sheetFolder() / path);
+    return folder;
 }
 
 Result<pipeline::Scene> sceneOfLesson(std::string_view name, const std::filesystem::path& folder,

@@ -29,6 +29,12 @@ pipeline::Result<Lesson> findLesson(std::string_view name, const pipeline::Stop&
 // The folder of a lesson that somebody calls by a path: the folder itself, or a file lesson.md; empty where it is neither.
 std::filesystem::path lessonAt(const std::filesystem::path& path);
 
+// The folder of a template of sheets: as lessonAt finds it, else the program's own template of that name, as "light".
+// Empty if there is neither.
+std::filesystem::path sheetTemplateAt(const std::filesystem::path& path);
+// The names of the program's own templates, sorted.
+std::vector<std::string> sheetTemplateNames();
+
 // Where the lessons' folders are.
 std::filesystem::path lessonFolder();
 

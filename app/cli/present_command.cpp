@@ -40,8 +40,9 @@ pipeline::Errors cueErrors(const lessons::CueList& list, const std::filesystem::
     return errors;
 }
 
-int checkTalk(const std::string& cues) {
+int checkTalk(const std::string& named) {
     const Interrupt interrupt;
+    const std::string cues = lessons::cueFileAt(named).string();
     const auto list = lessons::readCueFile(cues, interrupt.token());
     const pipeline::Errors errors = list ? cueErrors(*list, cues, interrupt.token()) : list.errors();
     if (interrupt.asked()) {
@@ -62,7 +63,7 @@ int checkTalk(const std::string& cues) {
     return kDone;
 }
 
-int exportTalk(const std::string& cues, const std::string& file, const CliHost& host) {
+int exportTalk(const std::string& named, const std::string& file, const CliHost& host) {
     if (!host.drawCueView) {
         tell("shadescope present export: this build has no window, and draws no views\n");
         return kWrongUsage;
@@ -72,7 +73,8 @@ int exportTalk(const std::string& cues, const std::string& file, const CliHost& 
         return kWrongUsage;
     }
     const Interrupt interrupt;
-    const std::filesystem::path folder = std::filesystem::path(cues).parent_path();
+    const std::filesystem::path cues = lessons::cueFileAt(named);
+    const std::filesystem::path folder = cues.parent_path();
     const auto list = lessons::readCueFile(cues, interrupt.token());
     if (!list) {
         printErrors(list.errors());
@@ -107,8 +109,9 @@ void declarePresent(CLI::App& program, const CliHost& host, int& status) {
         bool check = false;
     };
     const auto options = std::make_shared<Options>();
-    auto* list = command->add_option(
-        "FILE", options->cues, "A cue list; FILE:CUE begins with another cue than the first, by its name or number");
+    auto* list = command->add_option("FILE", options->cues,
+                                     "A cue list, or lecture1, lecture2 or tour; FILE:CUE begins with another cue than "
+                                     "the first, by its name or number");
     list->type_name("[:CUE]");
     command
         ->add_flag("--check", options->check,

@@ -23,9 +23,10 @@ struct SheetRequest {
 };
 
 int runSheet(const SheetRequest& request) {
-    const std::filesystem::path folder = lessons::lessonAt(request.lesson);
+    const std::filesystem::path folder = lessons::sheetTemplateAt(request.lesson);
     if (folder.empty()) {
-        tell("{}: no lesson.md there, expected the folder of a lesson with \"vary\" in its header\n", request.lesson);
+        tell("{}: no lesson.md there, expected the folder of a lesson with \"vary\" in its header, or {}\n",
+             request.lesson, fmt::join(lessons::sheetTemplateNames(), ", "));
         return kBadInput;
     }
     const auto made = lessons::readSheetTemplate(folder);
@@ -61,7 +62,8 @@ void declareSheet(CLI::App& program, const CliHost&, int& status) {
     CLI::App* command = program.add_subcommand(
         "sheet", "Write variants of a lesson for paper, each with other numbers, and their keys");
     const auto request = std::make_shared<SheetRequest>();
-    command->add_option("LESSON", request->lesson, "The folder of a lesson whose header says what varies")->required();
+    command->add_option("LESSON", request->lesson, "The folder of a lesson whose header says what varies, or light")
+        ->required();
     declareFolder(*command, request->folder, "The folder to write into, made when it is missing")->required();
     command->add_option("--variants", request->options.count, "How many sheets")
         ->check(CLI::Range(1, 500))

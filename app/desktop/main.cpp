@@ -73,7 +73,7 @@ int openWindow(int, char**, const std::string&, const lessons::CueName&, bool) {
 int present(int argc, char** argv, bool session) {
     if (argc != 3) return refuse("present takes one cue list: present FILE, or present FILE:CUE");
     const auto named = lessons::parseCueName(argv[2]);
-    const lessons::CueName cue = named ? *named : lessons::CueName{argv[2], {}};
+    const lessons::CueName cue = named ? *named : lessons::CueName{lessons::cueFileAt(argv[2]), {}};
     const auto list = lessons::readCueFile(cue.file);
     const auto found = !list              ? pipeline::Result<std::size_t>(list.errors())
                        : cue.name.empty() ? pipeline::Result<std::size_t>(0)

@@ -7,6 +7,7 @@
 
 #include "lessons/state/state_text.h"
 #include "pipeline/core/text.h"
+#include "pipeline/formats/built_in_scenes.h"
 #include "pipeline/formats/scene_folder.h"
 #include "pipeline/formats/toml_scene.h"
 #include "pipeline/formats/toml_writer.h"
@@ -141,9 +142,17 @@ Result<std::size_t> findCue(const CueList& list, std::string_view name) {
                                              pipeline::insteadOf(name, names))};
 }
 
+std::filesystem::path cueFileAt(const std::filesystem::path& path) {
+    std::error_code ignored;
+    if (std::filesystem::is_regular_file(path, ignored) || path.has_parent_path()) return path;
+    std::filesystem::path own = pipeline::resourceFolder() / "manual" / path;
+    if (own.extension() != kCueEnding) own += kCueEnding;
+    return std::filesystem::is_regular_file(own, ignored) ? own : path;
+}
+
 Result<CueName> parseCueName(std::string_view text) {
     const auto splitAt = [&](std::size_t colon) {
-        return CueName{std::filesystem::path(text.substr(0, colon)), std::string(text.substr(colon + 1))};
+        return CueName{cueFileAt(text.substr(0, colon)), std::string(text.substr(colon + 1))};
     };
     const std::size_t first = text.find(':');
     if (first == text.npos) return Error{{}, "no cue " + pipeline::inQuotes(text), "FILE:NAME or FILE:NUMBER"};

@@ -49,7 +49,11 @@ std::optional<std::size_t> asking(const CueList& list, std::size_t cue);
 // By its name, or by its number from 1 where no cue has that name. Errors name the nearest.
 pipeline::Result<std::size_t> findCue(const CueList& list, std::string_view name);
 
-// "FILE:NAME", the file the shortest beginning that exists, or where none does the shortest.
+// The file of a list: the path as given if there is such a file, else the program's own list of that name, with or
+// without its ending ("lecture1"). The path as given if there is neither.
+std::filesystem::path cueFileAt(const std::filesystem::path& path);
+
+// "FILE:NAME", the file the shortest beginning that cueFileAt finds, or where it finds none the shortest.
 struct CueName {
     std::filesystem::path file;
     std::string name;

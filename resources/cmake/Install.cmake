@@ -2,7 +2,9 @@
 # lessons and manual in share/shadescope where the program looks for them, and what a desktop reads.
 include(GNUInstallDirs)
 install(TARGETS shadescope RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-install(DIRECTORY resources/scenes resources/starter DESTINATION ${CMAKE_INSTALL_DATADIR}/shadescope)
+install(DIRECTORY resources/scenes resources/starter resources/sheets DESTINATION ${CMAKE_INSTALL_DATADIR}/shadescope)
+# Talks by name: present lecture1, export --cue lecture2:3.
+install(DIRECTORY resources/manual DESTINATION ${CMAKE_INSTALL_DATADIR}/shadescope FILES_MATCHING PATTERN "*.cues")
 install(DIRECTORY lessons/ DESTINATION ${CMAKE_INSTALL_DATADIR}/shadescope/lessons
   FILES_MATCHING PATTERN "*.md" PATTERN "*.scene" PATTERN "*.toml" PATTERN "*.des" PATTERN "*.png"
   PATTERN expression EXCLUDE PATTERN state EXCLUDE)
@@ -16,7 +18,7 @@ install(FILES ${commands}/_shadescope DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/v
 install(FILES ${commands}/shadescope.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
 if(SHADESCOPE_WINDOW)
   install(DIRECTORY resources/manual resources/pictures DESTINATION ${CMAKE_INSTALL_DATADIR}/shadescope
-    FILES_MATCHING PATTERN "*.md" PATTERN "*.png" PATTERN "*.cues")
+    FILES_MATCHING PATTERN "*.md" PATTERN "*.png")
   set(desktop ${PROJECT_SOURCE_DIR}/resources/desktop)
   install(FILES ${desktop}/shadescope.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications)
   install(FILES ${desktop}/shadescope.metainfo.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/metainfo)

@@ -257,6 +257,22 @@ TEST(CueList, AFileAndACueInOneWord) {
     EXPECT_FALSE(parseCueName((folder / "a.cues").string()));
 }
 
+// A talk that comes with the program needs no path, so that an installed program opens it too.
+TEST(CueList, TheProgramsOwnListsAreFoundByName) {
+    const auto own = pipeline::resourceFolder() / "manual" / "lecture1.cues";
+    EXPECT_EQ(cueFileAt("lecture1"), own);
+    EXPECT_EQ(cueFileAt("lecture1.cues"), own);
+    EXPECT_EQ(parseCueName("lecture1:3")->file, own);
+    // Neither in another folder nor by a path that leads out of the manual's.
+    EXPECT_EQ(cueFileAt("./lecture1"), "./lecture1");
+    EXPECT_EQ(cueFileAt("../manual/lecture1"), "../manual/lecture1");
+    EXPECT_EQ(cueFileAt("no_such_talk"), "no_such_talk");
+    // A file of the reader's own wins.
+    const test::TemporaryFolder folder;
+    test::writeText(folder / "lecture1", "");
+    EXPECT_EQ(cueFileAt(folder / "lecture1"), folder / "lecture1");
+}
+
 // A model that was opened by itself: its size changes the camera along, its up axis every object and the camera. What is
 // kept of it are settings, in an order that makes the same scene again, also where the camera was set by hand.
 TEST(WindowState, AFramedModelIsKeptAsSettings) {
