@@ -62,14 +62,16 @@ std::string wrongUsage(const ExportOptions& options, const CliHost& host) {
     return {};
 }
 
-// Why a chosen format cannot hold this scene, if so.
-std::string refused(const pipeline::Scene& scene, const std::vector<std::string>& formats) {
-    for (const std::string& format : formats) {
+// Takes out the formats that cannot hold this scene. One line for each: the format and the reason.
+std::vector<std::string> takeRefused(const pipeline::Scene& scene, std::vector<std::string>& formats) {
+    std::vector<std::string> reasons;
+    std::erase_if(formats, [&](const std::string& format) {
         const pipeline::FrameExporter* exporter = pipeline::findFrameExporter(format);
         const std::string why = exporter ? exporter->refuses(scene) : std::string();
-        if (!why.empty()) return fmt::format("--format {}: {}", format, why);
-    }
-    return {};
+        if (!why.empty()) reasons.push_back(fmt::format("--format {}: {}", format, why));
+        return !why.empty();
+    });
+    return reasons;
 }
 
 // Buffers asked for by name that no chosen format can hold; the manifest alone would not be read.
@@ -218,10 +220,9 @@ int runExport(ExportOptions options, const CliHost& host) {
     if (!options.cue.empty() && !takeCue(options, interrupt.token(), status)) return status;
     const auto scene = loadScene(options.scene, interrupt.token(), status);
     if (!scene) return status;
-    if (const std::string why = refused(*scene, options.formats); !why.empty()) {
-        tell("shadescope export: {}\n", why);
-        return kWrongUsage;
-    }
+    for (const std::string& why : takeRefused(*scene, options.formats))
+        tell("{}{}\n", options.formats.empty() ? "shadescope export: " : "left out: ", why);
+    if (options.formats.empty()) return kWrongUsage;
     std::optional<pipeline::Place> at;
     std::optional<pipeline::StageId> until = pipeline::findStage(options.frame.until);
     if (!options.at.empty()) {
