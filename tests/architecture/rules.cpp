@@ -305,7 +305,7 @@ Breaches strangersAtTheTop(const std::vector<std::string>& names) {
                                                "CMakeLists.txt", "pipeline", "app", "lessons", "tests", "resources",
                                                // what tools and people look for here
                                                "run", "test", "README.md", "LICENSE", "CONTRIBUTING.md", "CHANGELOG.md",
-                                               "CMakePresets.json"};
+                                               "SECURITY.md", "CITATION.cff", "CMakePresets.json"};
     Breaches breaches;
     for (const std::string& name : names) {
         if (!allowed.contains(name) && !name.starts_with('.'))
