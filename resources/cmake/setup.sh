@@ -105,7 +105,7 @@ configure() {
     cannotBuild "CMake finds no ${missing:-library or compiler that it needs}; its text is in $log" "$(howToInstall)"
 }
 
-# build PRESET TARGET: configures when it has to, then builds what changed since the last time.
+# build PRESET TARGET...: configures when it has to, then builds what changed since the last time.
 build() {
     local folder="$root/build/$1"
     mkdir -p "$folder"
@@ -120,7 +120,7 @@ build() {
         cd - > /dev/null
         touch "$folder/.configured"
     fi
-    if ! NINJA_STATUS='%f of %t: ' ninja -C "$folder" "$2" 2>&1 < /dev/null | followBuild "$folder/build.log"; then
+    if ! NINJA_STATUS='%f of %t: ' ninja -C "$folder" "${@:2}" 2>&1 < /dev/null | followBuild "$folder/build.log"; then
         cat "$folder/build.log" >&2
         say "The build failed. This text is in $folder/build.log."
         return 1
