@@ -4,7 +4,6 @@
 #include <QAbstractButton>
 #include <QApplication>
 #include <QLineEdit>
-#include <QSettings>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTextBrowser>
@@ -16,15 +15,8 @@ namespace app {
 // The real panel on a real document: pages set the window, numbers come from frames.
 class LessonPanelTest : public testing::Test {
 protected:
-    static void SetUpTestSuite() {
-        QCoreApplication::setOrganizationName("shadescope-test");
-        QCoreApplication::setApplicationName("lesson-panel-test");
-        QSettings::setDefaultFormat(QSettings::IniFormat);
-    }
     LessonPanelTest() {
         // Progress of its own, which goes with the folder.
-        QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, settingsFolder.path());
-        QSettings().clear();
         qputenv("XDG_DATA_HOME", settingsFolder.path().toUtf8());
         panel = std::make_unique<LessonPanel>(document);
         panel->resize(420, 700);

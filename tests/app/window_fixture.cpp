@@ -4,13 +4,11 @@
 #include <QApplication>
 #include <QFile>
 #include <QMessageBox>
-#include <QSettings>
 #include <QTest>
 #include <QTimer>
 #include <algorithm>
 
 #include "app/core/scene_opener.h"
-#include "app/core/theme.h"
 #include "app/desktop/view_area.h"
 #include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_view.h"
@@ -29,8 +27,6 @@ QString ownScene(const char* name, const QString& folder) {
 }
 
 WindowTest::WindowTest() {
-    QSettings().clear();
-    Theme::current().set(ThemeId::Light);
     window.opener().setPatience(std::chrono::minutes(1));
     window.setGeometry(0, 0, 1600, 900);
     window.show();
@@ -38,8 +34,6 @@ WindowTest::WindowTest() {
     QApplication::setActiveWindow(&window);
     EXPECT_TRUE(QTest::qWaitForWindowExposed(&window));
 }
-
-WindowTest::~WindowTest() { Theme::current().set(ThemeId::Light); }
 
 void WindowTest::openPyramid() {
     ASSERT_TRUE(window.openFile(resourceScene("pyramid.scene")));

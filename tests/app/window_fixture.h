@@ -21,7 +21,6 @@ class BufferCanvas;
 class WindowTest : public testing::Test {
 protected:
     WindowTest();
-    ~WindowTest() override;
 
     Document& document() { return window.document(); }
     void openPyramid();
