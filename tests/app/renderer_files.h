@@ -20,6 +20,7 @@ namespace app {
 inline pipeline::Scene smallCheckMe() {
     pipeline::Scene scene = pipeline::readScene(pipeline::resourceFolder() / "starter/check_me.toml").value();
     scene.settings.width = 160, scene.settings.height = 100;
+    scene.settings.shadowSize = 128;  // the frame of each known error has one
     scene.camera.screenDistance = 165;
     return scene;
 }
@@ -45,6 +46,15 @@ inline void handIn(const QString& folder, pipeline::Defect defect,
         const auto buffer = *frame->buffer({id});
         writeAnew(buffer, folder + '/' + QString::fromStdString(buffer.name.text()) + ".npy");
     }
+}
+
+// Until the stages are compared. Where something differs the search for its name, a frame for each known error, goes on.
+inline bool waitForStages(const RendererCheck& renderer) {
+    return QTest::qWaitFor(
+        [&] {
+            return renderer.work() != RendererCheck::Work::Stages && (renderer.report() || !renderer.errors().empty());
+        },
+        120000);
 }
 
 // Until the stages and, where something differs, the names are there.
