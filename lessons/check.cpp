@@ -36,6 +36,7 @@ public:
 
     Errors run() {
         checkHalf(m_page.first, m_context);
+        add(heldErrorsOf(m_page, m_frames, m_context.stop));
         if (m_page.then) checkHalf(*m_page.then, {.frame = *m_frames.then, .stop = m_context.stop});
         if (!m_page.question) return std::move(m_errors);
         for (const Prose* text : textsOf(question())) fill(*text, m_context);
@@ -245,18 +246,6 @@ private:
     Context m_context;
     Errors m_errors;
 };
-
-std::size_t wordsIn(const Prose& prose) {
-    const std::string text = withGaps(prose);
-    std::size_t words = 0;
-    bool inside = false;
-    for (const char c : text) {
-        const bool blank = c == ' ' || c == '\n' || c == '\t';
-        words += !blank && !inside;
-        inside = !blank;
-    }
-    return words;
-}
 
 void checkHeader(const Lesson& lesson, Errors& errors) {
     const SourceLocation where{lesson.pages.back().where.file, 1, 1};  // the first may be another lesson's

@@ -18,6 +18,13 @@ pipeline::Errors checkLesson(const Lesson& lesson, const pipeline::Stop& stop = 
 // looked for in the texts.
 pipeline::Errors leaksOf(const Page& page, const Context& context);
 
+// Of checkLesson: what the words of a page, and what a hand can move on it, break of the rules that
+// resources/manual/write-a-lesson.md lists.
+pipeline::Errors heldErrorsOf(const Page& page, const PageFrames& frames, const pipeline::Stop& stop);
+
+// How many words a text has; a hole counts as one.
+std::size_t wordsIn(const Prose& prose);
+
 // How long a lesson takes: a word a third of a second, half a minute a page, a minute and a half a question. Minutes.
 double minutesOf(const Lesson& lesson);
 

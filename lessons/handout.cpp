@@ -16,6 +16,7 @@
 #include "pipeline/export/staging.h"
 #include "pipeline/inspect/formula_parts.h"
 #include "pipeline/inspect/pixel_report.h"
+#include "pipeline/run/runner.h"
 
 namespace lessons {
 
@@ -146,9 +147,26 @@ private:
         return html;
     }
 
+    // What a hand would move, in three places.
+    std::string stripHtml(const Half& half, const pipeline::FramePtr& frame, const Hidden& hidden) const {
+        std::string figures;
+        std::vector<std::string> numbers;
+        for (const std::string& values : half.held.strip) {
+            const auto scene = pipeline::withSettings(half.state.scene, values);
+            if (!scene) continue;  // lesson check says why
+            pipeline::FrameRequest request;
+            request.wanted = frame->wanted(), request.stop = m_stop;
+            const auto moved = runFrame(std::make_shared<const pipeline::Scene>(*scene), request, frame);
+            if (moved) figures += figuresHtml({*scene, half.state.window}, moved, hidden, m_stop);
+            numbers.push_back(values.substr(values.find('=') + 1));
+        }
+        return figures + element("p class=remark", fmt::format("From left to right: {}", fmt::join(numbers, ", "))) +
+               '\n';
+    }
     // Figures, text, and the equation unless it is hidden with the numbers of the pixel.
     std::string half(const Half& half, const pipeline::FramePtr& frame, const Hidden& hidden, Pictures& pictures) {
-        const std::string figures = figuresHtml(half.state, frame, hidden, m_stop);
+        const std::string figures =
+            half.held.strip.empty() ? figuresHtml(half.state, frame, hidden, m_stop) : stripHtml(half, frame, hidden);
         std::string text = figures.empty() ? std::string() : "<div class=pictures>\n" + figures + "</div>\n";
         text += html(half.paper, {.frame = *frame, .stop = m_stop}, pictures);
         if (!hidden.hides(Part::Inspector) && !hidden.hides(Part::Equation))

@@ -20,7 +20,7 @@ pipeline::FrameRequest requestFor(const Half& half) {
         else if (const auto needed = buffersFor(buffer, recipe, scene))
             request.wanted |= *needed;
     }
-    request.wanted |= buffersOf(half.text) | buffersOf(half.paper);
+    request.wanted |= buffersOf(half.text) | buffersOf(half.paper) | buffersOf(half.held);
     return request;
 }
 

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "lessons/held.h"
 #include "lessons/question.h"
 #include "lessons/state/window_state.h"
 #include "pipeline/core/result.h"
@@ -35,6 +36,8 @@ struct Half {
     PageState state;
     Prose text;   // in the window
     Prose paper;  // in a handout: differs where paragraphs begin with "screen:" or "paper:"
+    Held held{};
+    std::vector<std::string> sets{};  // keys of the settings that this half sets itself
 };
 
 // Parts of the window that may tell an answer.

@@ -30,7 +30,7 @@ constexpr std::array<std::string_view, 11> kHeaderKeys{"title", "lecture", "minu
                                                        "next",  "returns", "scene",   "set",     "let"};
 constexpr std::array<std::string_view, 5> kFirstKeys{"set", "let", "scene", "hides", "panels"};
 constexpr std::array<std::string_view, 2> kSecondKeys{"set", "let"};
-constexpr std::array<std::string_view, 3> kRepeatedKeys{"set", "let", "can"};
+constexpr std::array<std::string_view, 4> kRepeatedKeys{"set", "let", "can", "hold"};
 // Paragraphs for the window or for paper alone; the first one is no key.
 constexpr std::string_view kScreenMark = "screen: ", kPaperMark = "paper: ";
 constexpr std::array<std::string_view, 2> kMarkWords{"screen", "paper"};
@@ -42,6 +42,7 @@ bool isThen(const Line& line) { return trimmed(line).text == "## then"; }
 template <std::size_t n>
 std::vector<std::string_view> withWindowKeys(const std::array<std::string_view, n>& keys) {
     std::vector<std::string_view> all(kWindowKeys.begin(), kWindowKeys.end());
+    all.insert(all.end(), kHeldKeys.begin(), kHeldKeys.end());
     all.insert(all.end(), keys.begin(), keys.end());
     return all;
 }
@@ -57,9 +58,8 @@ public:
     Result<Lesson> read(const std::set<std::size_t>& wanted = {}) {
         Lesson lesson;
         header(lesson);
-        if (m_at == m_lines.size()) {
+        if (m_at == m_lines.size())
             m_complaints.add({m_file, int(m_lines.size()), 0}, "the file has no page", "a line \"# HEADING\"");
-        }
         for (std::size_t number = 1; m_at < m_lines.size(); ++number)
             lesson.pages.push_back(page(wanted.empty() || wanted.contains(number)));
         if (!m_complaints.empty()) return m_complaints.take();
@@ -76,6 +76,10 @@ private:
         for (; m_at < m_lines.size() && !isEnd(m_lines[m_at]); ++m_at) {
             if (isBlank(m_lines[m_at])) continue;
             const auto entry = entryIn(m_lines[m_at]);
+            if (!entry && !found.empty() && found.back().key == "play" && m_lines[m_at].text.starts_with("  ")) {
+                found.back().value.push_back(trimmed(m_lines[m_at]));
+                continue;
+            }
             if (!entry || has(others, entry->key) || has(kMarkWords, entry->key)) break;
             if (isKnown(*entry, {keys, kRepeatedKeys, {}}, found, m_complaints)) found.push_back(*entry);
         }
@@ -201,11 +205,12 @@ private:
         addNames(names, settings, *scene);
         if (text.empty()) m_complaints.add(page.where, "this page has no text", "Markdown below its keys");
         setText(page.first, text, names);
+        page.first.held = heldFrom(settings, *scene, names, {}, m_complaints);
         if (!question.empty()) page.question = questionFrom(question, *scene, names, m_complaints);
         if (!then) return page;
 
         if (question.empty()) m_complaints.add(*then, "found \"## then\" without a question before it");
-        Half half{page.first.state, {}, {}};
+        Half half{page.first.state, {}, {}, {}, {}};
         set(half.state.scene, {&thenSettings}, *then);
         if (half.state.scene != page.first.state.scene) names.erase("answer");  // it is a number of the first half
         if (m_complaints.empty()) {  // else what is wrong with the first half is said twice
@@ -217,6 +222,9 @@ private:
         if (thenText.empty()) m_complaints.add(*then, "this half has no text", "Markdown below its keys");
         addNames(names, thenSettings, half.state.scene);
         setText(half, thenText, names);
+        half.held = heldFrom(thenSettings, half.state.scene, names, page.first.held, m_complaints);
+        for (const Entry& entry : thenSettings)
+            if (entry.key == "set") half.sets.emplace_back(pipeline::assignedKey(entry.line().text));
         page.then = std::move(half);
         return page;
     }
@@ -332,10 +340,6 @@ private:
     std::map<std::string, std::optional<pipeline::Scene>> m_scenes;
     Complaints m_complaints;
 };
-
-}  // namespace
-
-namespace {
 
 // A page whose question returns, as it begins another lesson.
 Page again(Page page, const Lesson& lesson, const Lesson::Return& from, const LessonText& text) {

@@ -1,0 +1,107 @@
+// The keys that let a hand move something: how they are read, what a page may not do with them.
+#include "lessons/check.h"
+#include "lessons/lesson.h"
+#include "tests/lessons/pyramid_scene.h"
+
+namespace lessons {
+namespace {
+
+// A header of five lines; the heading is line 6, so `keys` begin in line 7.
+pipeline::Result<Lesson> read(const std::string& keys, const std::string& rest = "\nText.\n") {
+    return parseLesson("title: T\nlecture: L\nsummary: S\ncan: do it\nscene: pyramid\n# One\n" + keys + rest,
+                       "lesson.md",
+                       [](std::string_view) -> pipeline::Result<pipeline::Scene> { return pyramidScene(); });
+}
+Held heldOf(const std::string& keys) {
+    const auto lesson = read(keys);
+    EXPECT_TRUE(lesson) << format(lesson.errors());
+    return lesson ? lesson->pages[0].first.held : Held{};
+}
+std::string errorsOf(const std::string& keys) {
+    const auto lesson = read(keys);
+    return lesson ? "" : format(lesson.errors());
+}
+const std::string kQuestion = "\nText.\nquestion: Row?\nanswer: 310\nhint: Look.\nworks: So it is.\n";
+
+TEST(Held, ReadsWhatCanBeHeld) {
+    const Held held = heldOf(
+        "hold: light.0 around 0, 0, 75 | Lamp\nhold: object.0.rz on 200, 0, 0 | Pyramid\n"
+        "hold: material.0.n from 1 to 512 | Exponent | n\n");
+    ASSERT_EQ(held.holds.size(), 3u);
+    EXPECT_EQ(held.holds[0].kind, pipeline::Hold::Kind::LampAtInfinity);
+    EXPECT_EQ(held.holds[0].keys, (std::vector<std::string>{"light.0.x", "light.0.y", "light.0.z"}));
+    EXPECT_EQ(held.holds[0].point, pipeline::Vec3d(0, 0, 75));
+    EXPECT_EQ(held.holds[1].kind, pipeline::Hold::Kind::Turn);
+    EXPECT_EQ(held.holds[1].axis, pipeline::Vec3d(0, 0, 1));
+    EXPECT_EQ(held.holds[2].symbol, "n");
+    EXPECT_EQ(held.holds[2].high, 512);
+    EXPECT_EQ(heldOf("hold: camera | Eye\n").holds[0].keys, (std::vector<std::string>{"camera.theta", "camera.phi"}));
+    // Along the viewing axis of lecture 1's camera, θ = 45°, φ = 60°: (−0.6124, −0.6124, −0.5).
+    const pipeline::Vec3d axis = heldOf("hold: object.0 along view from -50 to 50 | Pyramid\n").holds[0].axis;
+    EXPECT_NEAR(axis.x, -0.6124, 1e-4);
+    EXPECT_NEAR(axis.z, -0.5, 1e-4);
+}
+
+TEST(Held, APlayHasItsConditionAndItsFindingBelowIt) {
+    const Held held =
+        heldOf("hold: camera | Eye\nplay: Go up.\n  until: setting(camera.phi) < 5\n  done: It is flat from here.\n");
+    ASSERT_TRUE(held.play);
+    EXPECT_EQ(held.play->text, "Go up.");
+    EXPECT_EQ(held.play->until.text, "setting(camera.phi) < 5");
+    EXPECT_EQ(held.play->done, "It is flat from here.");
+    EXPECT_NE(errorsOf("hold: camera | Eye\nplay: Go up.\n").find("lesson.md:8:1: this play has no end"),
+              std::string::npos);
+    EXPECT_NE(errorsOf("hold: camera | Eye\nplay: Go up.\n  until: 5\n  done: Up.\n").find("expected a condition"),
+              std::string::npos);
+}
+
+TEST(Held, SaysWhatIsNoHold) {
+    for (const char* wrong :
+         {"light.0 | Lamp", "light.0 around 0, 0 | Lamp", "light.0 on ground | Lamp", "light.1 around 0, 0, 0 | Lamp",
+          "object.3 along x from 0 to 1 | Box", "object.0 along w from 0 to 1 | Box", "object.0.rq on 0, 0, 0 | Box",
+          "shading from 0 to 1 | Shading", "material.0.n from 5 to 2 | n", "material.0.n from -5 to 2 | n",
+          "material.0.n from 1 to 9", "", "nonsense | X"})
+        EXPECT_EQ(errorsOf("hold: " + std::string(wrong) + '\n').substr(0, 12), "lesson.md:7:") << wrong;
+    EXPECT_NE(errorsOf("figure: pie\n"), "");
+    EXPECT_NE(errorsOf("pixels: soft\n"), "");
+    EXPECT_NE(errorsOf("hold: camera | Eye\nstrip: 1, 2\n"), "");
+    EXPECT_NE(errorsOf("strip: 1, 2, 3\n"), "");
+}
+
+TEST(Held, TheSecondHalfKeepsTheHoldsAndSaysWhatItSets) {
+    const auto lesson = read("hold: camera | Eye\nplay: Go.\n  until: setting(camera.phi) < 5\n  done: Up.\n",
+                             kQuestion + "## then\nset: shading = phong\nText.\n");
+    ASSERT_TRUE(lesson) << format(lesson.errors());
+    EXPECT_EQ(lesson->pages[0].then->held.holds.size(), 1u);
+    EXPECT_FALSE(lesson->pages[0].then->held.play) << "a play is before the question";
+    EXPECT_EQ(lesson->pages[0].then->sets, std::vector<std::string>{"shading"});
+    const auto none = read("hold: camera | Eye\n", kQuestion + "## then\nhold: none\nText.\n");
+    ASSERT_TRUE(none);
+    EXPECT_TRUE(none->pages[0].then->held.holds.empty());
+}
+
+TEST(Held, AHandDoesNotLeadToTheSecondHalf) {
+    const auto faults = [](const std::string& keys, const std::string& then) {
+        const auto lesson = read(keys, kQuestion + then);
+        return lesson ? format(checkLesson(*lesson)) : format(lesson.errors());
+    };
+    const std::string hold = "hold: material.0.n from 1 to 64 | Exponent | n\n";
+    EXPECT_EQ(faults(hold, "## then\nset: material.0.n = 8\nText.\n"), "") << "it is 8 already";
+    EXPECT_NE(faults(hold, "## then\nset: material.0.n = 4\nText.\n")
+                  .find("material.0.n is held, and the second half sets it"),
+              std::string::npos);
+    EXPECT_NE(
+        faults(hold + "hides: z_view\nshows: {largest(z_view)}\n", "").find("reads z_view, which this page hides"),
+        std::string::npos);
+    EXPECT_NE(
+        faults(hold + "play: Go.\n  until: setting(material.0.n) = 8\n  done: There.\n", "").find("from the beginning"),
+        std::string::npos);
+    std::string words = "\n";
+    for (int i = 0; i < 61; ++i) words += "word ";
+    const auto long_ = read(hold, words + kQuestion);
+    ASSERT_TRUE(long_) << format(long_.errors());
+    EXPECT_NE(format(checkLesson(*long_)).find("words before the question, expected at most 60"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace lessons
