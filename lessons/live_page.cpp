@@ -5,7 +5,9 @@
 
 #include <fmt/format.h>
 
+#include "lessons/expression/value.h"
 #include "lessons/handout.h"
+#include "lessons/lesson_text.h"
 #include "lessons/library.h"
 #include "lessons/live_text.h"
 #include "lessons/misconceptions.h"
@@ -87,6 +89,21 @@ std::string coreElement(const LiveParts& parts) {
     return "<script type=\"application/octet-stream\" id=\"core\">" + pipeline::base64(parts.core) + "</script>";
 }
 
+// The lesson after this one, with its page where the site has one.
+Json nextJson(const Lesson& lesson, const LiveParts& parts) {
+    const auto text = lesson.next.empty() ? pipeline::Result<LessonText>(Error{}) : otherLesson(lesson.next);
+    if (!text) return {};
+    std::string title = lesson.next;
+    int minutes = 0;
+    for (const Line& line : linesOf(text->text, text->file)) {
+        const auto entry = entryIn(line);
+        if (!entry) break;  // the header is at an end
+        if (entry->key == "title") title = entry->line().text;
+        if (entry->key == "minutes") minutes = int(numberIn(entry->line().text).value_or(0));
+    }
+    return {{"title", title}, {"minutes", minutes}, {"file", parts.index.empty() ? "" : livePageFile(lesson.next)}};
+}
+
 // The page of a lesson's text. folderName: of its folder; empty where it has none.
 Result<LivePage> makePage(const LessonText& from, const std::string& folderName, const LiveParts& parts,
                           const pipeline::Stop& stop) {
@@ -137,6 +154,8 @@ Result<LivePage> makePage(const LessonText& from, const std::string& folderName,
                     {"lecture", lesson.lecture},
                     {"summary", lesson.summary},
                     {"name", lesson.name},
+                    {"can", lesson.can},
+                    {"next", nextJson(lesson, parts)},
                     {"version", pipeline::programVersion()},
                     {"lesson", from.text},
                     {"texts", texts},
@@ -233,11 +252,13 @@ std::string sceneLesson(const pipeline::Scene& scene, std::string_view title, st
 Result<LiveParts> liveParts() {
     LiveParts parts;
     // The script's files in their order, one after the other.
-    static constexpr std::array<std::string_view, 10> kScripts{"core.js",  "view.js",     "pictures.js", "stages.js",
+    static constexpr std::array<std::string_view, 12> kScripts{"core.js",  "view.js",     "pictures.js", "stages.js",
                                                                "pixel.js", "settings.js", "worker.js",   "lesson.js",
-                                                               "space.js", "page.js"};
-    std::vector<std::pair<std::string_view, std::string*>> files{
-        {"page.html", &parts.page}, {"tokens.css", &parts.style}, {"page.css", &parts.style}};
+                                                               "space.js", "stage.js",    "end.js",      "page.js"};
+    std::vector<std::pair<std::string_view, std::string*>> files{{"page.html", &parts.page},
+                                                                 {"tokens.css", &parts.style},
+                                                                 {"page.css", &parts.style},
+                                                                 {"stage.css", &parts.style}};
     parts.script = "'use strict';\n";
     for (const std::string_view name : kScripts) files.emplace_back(name, &parts.script);
     for (const auto& [name, text] : files) {

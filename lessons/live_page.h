@@ -28,6 +28,9 @@ struct LivePage {
     pipeline::Errors leftOut = {};  // pictures that no lesson may bring along, with the place of their page
 };
 
+// The file of a lesson's page in a site.
+inline std::string livePageFile(const std::string& lesson) { return "lesson-" + lesson + ".html"; }
+
 // The lesson in a folder, or in the text of a lesson.md whose scenes `sceneNamed` finds. Errors: what is wrong with it,
 // FILE:LINE:COLUMN; "stopped".
 pipeline::Result<LivePage> makeLivePage(const Lesson& lesson, const LiveParts& parts, const pipeline::Stop& stop = {});

@@ -158,7 +158,7 @@ private:
         auto handout = makeHandout(lesson, m_stop);
         if (!isMade(page) || !isMade(handout)) return;
         for (const Error& error : page->leftOut) leaveOut(lesson.name, format(error));
-        const std::string live = "lesson-" + lesson.name + ".html", paper = "lesson-" + lesson.name + "-paper.html";
+        const std::string live = livePageFile(lesson.name), paper = "lesson-" + lesson.name + "-paper.html";
         entry = fmt::format("<li>{} <span class=\"note\">{}, {} pages, {}</span><p>{}</p></li>\n",
                             link(live, lesson.title), escapedHtml(lesson.lecture), lesson.pages.size(),
                             link(paper, "on paper"), escapedHtml(lesson.summary));

@@ -72,6 +72,8 @@ pipeline::BufferSet shownAlways();
 // Runs the reader's frame again, with what is wanted now; fresh: nothing is reused. The frame of the author is the
 // reader's as long as it has all that is wanted and no setting has moved.
 void runOwn(bool fresh = false);
+// What the page reads of the reader's frame beside its views; its text and its question have frames of their own.
+pipeline::BufferSet readByPage(const OpenLesson& open);
 // Takes over a scene, whose frame has yet to run.
 void take(pipeline::Scene scene);
 

@@ -5,6 +5,7 @@
 #include "lessons/hidden.h"
 #include "lessons/live_text.h"
 #include "lessons/results.h"
+#include "lessons/state/view_tree.h"
 #include "pipeline/core/text.h"
 
 // The lesson's pages and their questions, judged by the engine of the program.
@@ -110,41 +111,74 @@ Json hiddenJson() {
     return json;
 }
 
-// The buffer beside the one that a half shows: the first of a few that it does not hide; nothing where it shows more.
-std::optional<pipeline::BufferName> secondBuffer(const lessons::Half& half) {
-    using pipeline::BufferId;
-    const std::vector<pipeline::BufferName> shown = shownBuffers(half.state);
-    if (shown.size() != 1) return {};
-    const lessons::Hidden hidden = lessons::hiddenOn(page(), isSettled());
-    std::vector<pipeline::BufferName> choices{{BufferId::PolygonId}, {BufferId::ZView}, {BufferId::Color}};
-    if (!half.state.scene.lights.empty()) choices.insert(choices.begin(), {BufferId::NDotL, 0});
-    const auto fits = [&](const pipeline::BufferName& name) {
-        return name != shown[0] && std::ranges::find(hidden.buffers, name) == hidden.buffers.end();
-    };
-    const auto found = std::ranges::find_if(choices, fits);
-    return found == choices.end() ? shown[0] : *found;
+// How the half looks at its buffers: of each view what it shows, and what that is compared with.
+Json viewsJson(const lessons::WindowState& window) {
+    constexpr std::string_view kSetting = "setting ";
+    Json views = Json::array();
+    for (const lessons::BufferShown& view : window.views) {
+        Json json{{"buffer", view.buffer},
+                  {"channel", index(view.channel)},
+                  {"range", view.range ? Json(*view.range) : Json()},
+                  {"overlays", view.overlays},
+                  {"zoom", view.zoom ? Json{view.zoom->factor, view.zoom->center[0], view.zoom->center[1]} : Json()},
+                  {"against", ""}};
+        if (view.compared && view.compared->with.starts_with(kSetting))
+            json.update({{"against", view.compared->with.substr(kSetting.size())},
+                         {"mode", view.compared->mode},
+                         {"wipe", view.compared->wipe},
+                         {"metric", view.compared->metric}});
+        views.push_back(std::move(json));
+    }
+    return views;
+}
+
+// The 3D view beside the buffers; empty where the half has none.
+std::string spaceOf(const lessons::WindowState& window) {
+    const auto tree = lessons::arrangementOf(window.arrangement);
+    const bool has = tree && contains(*tree, {lessons::ViewLeaf::Kind::Space, 0});
+    return has && !window.spaces.empty() ? window.spaces.front().space : std::string();
+}
+
+std::string selectedWords(const lessons::WindowState& window) {
+    static constexpr std::array<const char*, 4> kKinds{"object", "polygon", "vertex", "light"};
+    if (!window.selected) return {};
+    return fmt::format("{} {}", kKinds[std::size_t(window.selected->kind)], window.selected->index);
+}
+
+Json heldJson(const lessons::Held& held) {
+    return {{"figure", held.figure ? Json(lessons::kFigureNames[std::size_t(*held.figure)]) : Json()},
+            {"hard", held.hardPixels},
+            {"strip", held.strip},
+            {"play", held.play ? Json{{"text", held.play->text}, {"done", held.play->done}} : Json()}};
+}
+
+// What is in the hand stays there through the answer, unless the second half sets it itself.
+std::string stillHeld() {
+    if (!page().then || !isSettled()) return {};
+    pipeline::Assignments kept;
+    for (const pipeline::Hold& hold : page().first.held.holds)
+        for (const auto& value : valuesOf(*core().own.scene, hold))
+            if (std::ranges::find(page().then->sets, value.first) == page().then->sets.end()) kept.push_back(value);
+    return pipeline::toText(kept);
 }
 
 int givePage() {
     OpenLesson& open = opened();
+    // As in the window and on paper: whatever the reader changes, the text says what the author meant.
+    const lessons::Context context{.frame = open.then ? *open.half : *open.first, .changed = &open.changed};
     const lessons::Half& half = open.then ? *page().then : page().first;
     const lessons::WindowState& window = half.state.window;
     Errors errors;
-    Json buffers = Json::array();
-    for (const lessons::BufferShown& view : window.views)
-        buffers.push_back({{"buffer", view.buffer},
-                           {"channel", index(view.channel)},
-                           {"range", view.range ? Json(*view.range) : Json()}});
-    if (const auto second = secondBuffer(half))
-        buffers.push_back(
-            {{"buffer", second->text()}, {"channel", index(lessons::ShownChannel::All)}, {"range", Json()}});
+    Json pins = Json::object();
+    for (const auto& [number, pixel] : window.pins) pins[std::to_string(number)] = pixel;
+    const bool keepsFigure = page().first.held.figure || (page().then && page().then->held.figure);
     Json json{{"number", open.page},
               {"count", open.lesson.pages.size() - returningPages(open.lesson)},
               {"name", pageName(open.lesson, open.page)},
               {"returns", page().from.has_value()},
               {"answered", std::ranges::any_of(open.progress, [](const auto& one) { return !one.tries.empty(); })},
               {"heading", page().heading},
-              {"text", html(half.text, {.frame = *core().own.frame}, errors)},
+              {"text", html(half.text, context, errors)},
               {"then", open.then},
               {"has_then", page().then.has_value()},
               {"stage", pipeline::stageInfo(window.stage).name},
@@ -154,7 +188,12 @@ int givePage() {
               {"channel", window.channel},
               {"condition", window.condition},
               {"mix", window.mix},
-              {"buffers", buffers},
+              {"buffers", viewsJson(window)},
+              {"pins", pins},
+              {"selected", selectedWords(window)},
+              {"space", spaceOf(window)},
+              {"held", heldJson(half.held)},
+              {"keeps_figure", keepsFigure},
               {"in_play", settingsInPlay()},
               {"hidden", hiddenJson()},
               {"question", page().question ? questionJson(errors) : Json()}};
@@ -197,6 +236,14 @@ Json parsed(const char* text, int size) { return Json::parse(textAt(text, size),
 
 }  // namespace
 
+pipeline::BufferSet readByPage(const OpenLesson& open) {
+    const auto& question = open.lesson.pages[open.page].question;
+    const auto* until = question ? std::get_if<lessons::UntilQuestion>(&question->kind) : nullptr;
+    const lessons::Page& page = open.lesson.pages[open.page];
+    const pipeline::BufferSet held = buffersOf((open.then ? *page.then : page.first).held);
+    return until && !open.then ? held | until->holds.buffers : held;
+}
+
 // lesson: lesson.md, whose scenes are files of the page by the names that it has for them, with ".toml"; a lesson that has a page in
 // it is the file "NAME/lesson.md", with its scenes below NAME. html: of each of
 // its texts in the order of liveTexts(), a JSON array.
@@ -220,7 +267,10 @@ WEB_CALL(lesson) int webLesson(const char* text, int size, const char* html, int
     for (std::size_t i = 0; i < prose.size(); ++i)
         if (!texts[i].is_string() || !lessons::dress(*prose[i], texts[i].get<std::string>()))
             return refuse("the texts of this page are not its lesson's");
+    double points = 0;
+    for (const Page& page : open.lesson.pages) points += page.question ? page.question->points : 0;
     return give({{"title", open.lesson.title},
+                 {"points", points},
                  {"pages", open.lesson.pages.size()},
                  {"returning", returningPages(open.lesson)}});
 }
@@ -229,17 +279,21 @@ WEB_CALL(lesson) int webLesson(const char* text, int size, const char* html, int
 WEB_CALL(page) int webPage(int number, int then) {
     OpenLesson& open = opened();
     if (number < 0 || std::size_t(number) >= open.lesson.pages.size()) return refuse("no such page");
+    const bool goesOn = then != 0 && std::size_t(number) == open.page && !open.then && core().own.scene;
+    const std::string kept = goesOn ? stillHeld() : std::string();
     open.page = std::size_t(number);
     open.then = then != 0 && page().then && isSettled();
     const auto run = [&](const lessons::Half& half, pipeline::FrameRequest request) {
         request.threads = 1;
         request.wanted |= shownAlways();
-        if (const auto second = secondBuffer(half)) request.wanted.set(index(second->id));
         return runFrame(std::make_shared<const pipeline::Scene>(half.state.scene), request, core().own.frame);
     };
     open.first = run(page().first, lessons::requestFor(page()));
     open.half = open.then ? run(*page().then, lessons::requestForThen(page())) : open.first;
     core().own = {open.half->sharedScene(), open.half, nullptr, {}, nullptr, {}, nullptr};
+    if (!kept.empty())
+        if (auto scene = pipeline::withSettings(*core().own.scene, kept); scene && checkScene(*scene).empty())
+            take(std::move(scene).value());
     core().other.reset();
     const lessons::WindowState& window = (open.then ? *page().then : page().first).state.window;
     const auto mix = pipeline::parseMix(window.mix, open.half->scene().lights.size());
@@ -249,7 +303,7 @@ WEB_CALL(page) int webPage(int number, int then) {
     return given;
 }
 
-// The page again, with the numbers of the reader's frame.
+// The page again, with what its question has become.
 WEB_CALL(read) int webRead() { return givePage(); }
 
 // {"typed": "0.5"}, {"chosen": [1]}, {"order": [1, 0]}, {"pick": {"x": 3, "y": 4, "polygon": 2}}, or {} for the reader's own frame.

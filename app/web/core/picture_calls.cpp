@@ -1,9 +1,11 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "app/web/core/core.h"
 #include "pipeline/buffers/buffer2d.h"
 #include "pipeline/buffers/palette.h"
+#include "pipeline/inspect/compare.h"
 
 // Buffers, and the pictures that they make.
 
@@ -18,7 +20,7 @@ namespace {
 std::vector<std::uint8_t> s_pixels;  // RGBA of the last picture
 std::optional<AnyBuffer> s_buffer;   // keeps the memory that the page reads
 
-ShownScene& shownOf(int which) { return which == 0 || !core().other ? core().own : *core().other; }
+ShownScene& shownOf(int which) { return which != 1 || !core().other ? core().own : *core().other; }
 
 Json placeJson(const AnyBuffer& buffer) {
     const void* start = std::visit([](const auto& span) { return static_cast<const void*>(span.data()); }, buffer.data);
@@ -82,6 +84,26 @@ void paint(const AnyBuffer& buffer, std::span<const T> numbers, pipeline::Tile p
         }
 }
 
+// How the reader's picture differs from the one that it is compared with. name: "color AE", buffer and metric.
+std::optional<pipeline::BufferDifference> differenceOf(std::string_view name) {
+    const std::size_t space = name.find(' ');
+    const auto metrics = pipeline::metricTable();
+    const auto metric =
+        std::ranges::find(metrics, space == name.npos ? "AE" : name.substr(space + 1), &pipeline::MetricInfo::name);
+    if (!core().other || metric == metrics.end()) {
+        refuse("nothing to compare with");
+        return {};
+    }
+    const auto a = bufferNamed(core().own, name.substr(0, space)),
+               b = bufferNamed(*core().other, name.substr(0, space));
+    if (!a || !b) return {};
+    if (const std::string why = whyNotComparable(*a, *b); !why.empty()) {
+        refuse(why);
+        return {};
+    }
+    return compareBuffers(*a, *b, -1, metric->id, {}, {});
+}
+
 }  // namespace
 
 // The names of the buffers that the frame holds.
@@ -97,14 +119,22 @@ WEB_CALL(buffer) int webBuffer(const char* text, int size, int which) {
     return s_buffer ? give(placeJson(*s_buffer)) : 0;
 }
 
-// RGBA in the window's palette; where nothing is drawn, alpha 0. which: 0 the reader's, 1 what it is compared with.
+// RGBA in the window's palette; where nothing is drawn, alpha 0. which: 0 the reader's, 1 what it is compared with, 2 the
+// difference of both, of "BUFFER METRIC".
 // first, last: the ends of the palette where `own` is not 0, else the range that shows all. Of a buffer of the picture's
 // size the part from column x and row y on, else all.
 WEB_CALL(picture)
 int webPicture(const char* text, int size, int which, int channel, int own, double first, double last, int x, int y,
                int width, int height) {
     const pipeline::Frame& frame = shownOf(which).now();
-    const auto buffer = bufferNamed(shownOf(which), textAt(text, size));
+    std::optional<AnyBuffer> buffer;
+    std::optional<pipeline::BufferDifference> difference;
+    if (which == 2) {
+        difference = differenceOf(textAt(text, size));
+        if (difference) buffer = difference->values;
+    } else {
+        buffer = bufferNamed(shownOf(which), textAt(text, size));
+    }
     if (!buffer) return 0;
     const pipeline::BufferInfo& info = *buffer->info;
     const PaletteRange range = own ? PaletteRange{first, last} : rangeOf(*buffer, frame.scene().settings.depthFormat);
@@ -126,6 +156,7 @@ int webPicture(const char* text, int size, int which, int channel, int own, doub
     json["part"] = {part.min.x, part.min.y, part.max.x - part.min.x, part.max.y - part.min.y};
     json["stops"] = stops;
     json["scale"] = info.palette == pipeline::Palette::Sequential || info.palette == pipeline::Palette::Diverging;
+    if (difference) json["largest"] = difference->largest, json["differing"] = difference->differing;
     json["first"] = range.first, json["last"] = range.last;
     json["channels"] = info.channels;
     return give(json);

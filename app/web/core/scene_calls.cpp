@@ -77,9 +77,9 @@ WEB_CALL(open) int webOpen(const char* name, int nameSize, const char* text, int
     return give({{"name", core().own.scene->name}});
 }
 
-// "KEY=VALUE".
+// "KEY=VALUE", or several with "; " between them: the scene is checked once all of them hold.
 WEB_CALL(set) int webSet(const char* text, int size) {
-    auto scene = pipeline::withSetting(*core().own.scene, textAt(text, size));
+    auto scene = pipeline::withSettings(*core().own.scene, textAt(text, size));
     if (!scene) return refuse(scene.errors());
     if (const Errors errors = pipeline::checkSceneAndMemory(*scene); !errors.empty()) return refuse(errors);
     take(std::move(scene).value());
@@ -106,12 +106,7 @@ WEB_CALL(want) int webWant(const char* text, int size) {
                 wanted |= *needed;  // else its picture says why
         }
     }
-    if (const auto& open = core().lesson) {
-        wanted |= shownAlways();
-        const lessons::Page& page = open->lesson.pages[open->page];
-        wanted |= lessons::requestFor(page).wanted;
-        if (open->then) wanted |= lessons::requestForThen(page).wanted;
-    }
+    if (const auto& open = core().lesson) wanted |= shownAlways() | readByPage(*open);
     core().wanted = wanted;
     return give(true);
 }
@@ -169,7 +164,7 @@ WEB_CALL(compare) int webCompare(const char* text, int size) {
         core().other.reset();
         return give(true);
     }
-    auto scene = pipeline::withSetting(*core().own.scene, assignment);
+    auto scene = pipeline::withSettings(*core().own.scene, assignment);
     if (!scene) return refuse(scene.errors());
     if (const Errors errors = pipeline::checkSceneAndMemory(*scene); !errors.empty()) return refuse(errors);
     ShownScene other;

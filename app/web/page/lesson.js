@@ -5,30 +5,52 @@ let verdict = null;
 
 function drawLesson() {
   one('#count').textContent = page.returns ? `question ${page.number + 1} of ${data.returning} that returns` : page.count > 1 ? `page ${page.name} of ${page.count}` : '';
-  one('#previous').hidden = one('#next').hidden = data.pages === 1;
-  one('#previous').disabled = page.number === 0, one('#next').disabled = page.number + 1 === data.pages;
   one('#heading').textContent = page.heading;
   fillHtml(one('#text'), page.text);
   document.title = page.heading + ' – ' + data.title;
-  const hidden = one('#hidden');
-  hidden.hidden = page.hidden.count === 0;
-  hidden.textContent = page.hidden.count === 1 ? '1 thing is hidden until you answer.' : `${page.hidden.count} things are hidden until you answer.`;
+  drawDots();
   drawQuestion();
+}
+
+/** A mark for each page: where one is, and which are answered. */
+function drawDots() {
+  one('#dots').hidden = data.pages === 1;
+  fillKept(one('#dots'), Array.from({ length: data.pages }, (_, i) => [`page ${i}`, () => {
+    const name = i < data.returning ? `Question ${i + 1} that returns` : `Page ${i - data.returning + 1}`;
+    const button = element('button', { type: 'button', ariaLabel: name, title: name }, element('i'));
+    button.addEventListener('click', () => guarded(() => openPage(i)));
+    return button;
+  }]));
+  all('#dots button').forEach((button, i) => {
+    button.classList.toggle('done', i in data.made.points);
+    if (i === view.page && one('#end').hidden) button.setAttribute('aria-current', 'page');
+    else button.removeAttribute('aria-current');
+  });
+  const got = Object.values(data.made.points).reduce((all, points) => all + points, 0);
+  one('#points').textContent = data.points > 0 ? `${shortNumber(got, 4)} of ${shortNumber(data.points)} ${data.points === 1 ? 'point' : 'points'}` : '';
 }
 
 function drawQuestion() {
   const box = one('#question'), question = page.question;
   one('#saveanswers').hidden = !page.answered;
+  one('#look').hidden = data.isScene || !mayLookInside() || !one('#end').hidden;
+  one('#look').setAttribute('aria-pressed', String(view.inside));
   box.hidden = !question;
+  const isOpen = question && !question.settled, atEnd = view.page + 1 >= data.pages;
+  one('#goon').hidden = !question?.settled || !page.has_then || page.then;
+  one('#goback').hidden = !page.then;
+  one('#next').hidden = isOpen || !one('#goon').hidden || data.isScene;
+  one('#next').textContent = atEnd ? 'Finish' : 'Next page';
   if (!question) return;
-  box.className = 'question ' + question.state.replace(' ', '-');
-  box.classList.toggle('clicked', question.kind === 'click' && !question.settled);
+  if (question.settled) data.made.points[view.page] = question.points, drawDots();
+  box.classList.toggle('settled', question.settled), box.classList.toggle('right', question.state === 'right');
+  box.classList.toggle('wrong', isOpen && verdict !== null);
   fillHtml(one('#asked'), question.text);
   drawAnswer(question);
   const said = one('#said');
   said.replaceChildren();
   if (verdict) {
-    const [mark, word] = { right: ['●', 'Right'], known: ['△', verdict.name], 'not yet': ['△', 'Not yet'], again: ['○', 'Once more'] }[verdict.mark];
+    const [mark, word] = { right: ['●', verdict.given || 'Right'], known: ['△', verdict.name], 'not yet': ['△', 'Not yet'], again: ['○', 'Once more'] }[verdict.mark];
     said.append(element('p', { className: 'mark ' + verdict.mark.replace(' ', '-'), textContent: `${mark} ${word}` }));
     const words = element('div');
     fillHtml(words, verdict.said);
@@ -44,9 +66,9 @@ function drawQuestion() {
   one('#hint').hidden = question.settled || left === 0, one('#hint').textContent = `Hint (${left} left)`;
   one('#giveup').hidden = question.settled;
   one('#worth').textContent = question.settled ? `${points(question.points)} of ${shortNumber(question.full)}`
-    : `worth ${points(question.worth)}` + (question.tries_left === null ? '' : `, ${question.tries_left} ${question.tries_left === 1 ? 'try' : 'tries'} left`);
+    : `worth ${shortNumber(question.worth)}` + (question.tries_left === null ? '' : `, ${question.tries_left} ${question.tries_left === 1 ? 'try' : 'tries'} left`);
   const solution = one('#solution');
-  solution.hidden = !question.solution;
+  solution.hidden = !question.solution, solution.open = question.state === 'shown';
   if (question.solution) {
     fillHtml(one('#solved'), question.solution.answer);
     one('#works').replaceChildren(...question.solution.steps.map(line => {
@@ -55,8 +77,6 @@ function drawQuestion() {
       return item;
     }));
   }
-  one('#goon').hidden = !question.settled || !page.has_then || page.then;
-  one('#goback').hidden = !page.then;
 }
 
 /** "Not yet: too small." below a mark that says "Not yet" is "Too small." @param {Element} box @param {string} word */
@@ -189,9 +209,12 @@ function given() {
 }
 
 function check() {
-  const found = core.ask('check', JSON.stringify(given()));
-  verdict = found;
+  const answer = given(), found = core.ask('check', JSON.stringify(answer));
+  verdict = { ...found, given: found.mark === 'right' ? answer.typed : '' };
+  if (found.mark === 'known') data.made.mistakes.push([found.name, page.name]);
   readAgain();
+  if (page.question.settled && page.has_then && found.mark === 'right') showThen();
+  else one(page.question.settled ? '#foot' : '#help').scrollIntoView({ block: 'nearest' });
   say(all('#said > *').map(part => part.textContent.replace(/^[●△○] /, '')).join('. '));
 }
 
@@ -220,11 +243,11 @@ function startLesson() {
     readAgain();
     say('The answer: ' + one('#solved').textContent);
     for (const assignment of page.question.answer || []) setSetting(...splitAssignment(assignment));
+    if (!page.question.answer && page.has_then) showThen();
   });
-  does('#goon', () => openPage(view.page, true));
+  does('#goon', showThen);
   does('#goback', () => openPage(view.page, false));
-  does('#previous', () => openPage(view.page - 1));
-  does('#next', () => openPage(view.page + 1));
+  does('#next', () => (view.page + 1 < data.pages ? openPage(view.page + 1) : showEnd()));
 }
 
 /** @param {string} assignment @returns {[string, string]} */

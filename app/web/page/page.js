@@ -2,10 +2,11 @@
 
 function draw() {
   page = core.ask('read');
+  drawLesson();
+  if (!view.inside) return void (drawPixel(), drawHeld());
   buffers = core.ask('buffers');
   drawStages();
   drawPixel();
-  drawLesson();
   drawSettings();
   fillCompare();
   drawPictures();
@@ -13,33 +14,59 @@ function draw() {
   drawSpace();
 }
 
+/** Among the instruments a second picture stands beside the one that a half shows. @returns {View[]} */
+function picturesInside() {
+  const shown = page.buffers.slice(0, 2).map(({ buffer, channel, range }) => ({ buffer, channel: channel > 2 ? -1 : channel, range }));
+  const second = ['n_dot_l.0', 'polygon_id', 'color'].find(name => name !== shown[0].buffer && buffers.some(buffer => buffer.name === name));
+  return shown.length > 1 ? shown : [...shown, { buffer: second, channel: -1, range: null }];
+}
+
 /** @param {number} number @param {boolean} [then] */
 function openPage(number, then = false) {
   if (number < 0 || number >= data.pages) return;
   const had = document.activeElement;
+  keepPicture();
+  one('#end').hidden = true, one('main').hidden = false;
   if (number !== view.page || then !== view.then) verdict = null;
   page = core.ask('page', number, then ? 1 : 0);
+  if (page.question && !page.question.settled && !data.isScene) view.inside = false;
+  document.documentElement.classList.toggle('inside', view.inside);
   Object.assign(view, { page: number, then: page.then, pixel: page.pixel, channel: page.channel, level: page.level, step: null, condition: page.condition, mix: page.mix, compare: '', was: '', own: {} });
-  view.pictures = page.buffers.slice(0, 2).map(({ buffer, channel, range }) => ({ buffer, channel: channel > 2 ? -1 : channel, range }));
-  settings = core.ask('settings');
+  settings = core.ask('settings'), buffers = core.ask('buffers');
+  view.pictures = picturesInside();
   forgetFrame();
   isLong = false;  // the page's own frame is there
   runFrame();
+  held = core.ask('holds');
   view.part = view.fit = partDrawn();
-  if (page.place) {
-    const made = core.ask('step', view.level, 0, page.place);
-    view.step = made.last ? null : made;
-  }
-  view.space = hides('inspector') ? 'world' : 'point';
+  if (view.inside) goToPlace();
+  view.space = page.space === 'world' || hides('inspector') ? 'world' : 'point';
   one('#settingsbox').open = !page.question && page.in_play.length === 0;
   one('#question').known = one('#answer').known = null;
+  one('#question').classList.remove('lit');
   drawPixel();
   aimSpace();
+  buildStage();
   draw();
   one('#lessonbox').scrollTop = 0;
-  if (had && had !== document.body && !takesKeys(had)) one('#heading').focus();  // the page is read from its beginning
+  if (had && had !== document.body && !takesKeys(had)) one('#heading').focus({ preventScroll: true });  // the page is read from its beginning
   say(`${page.heading}. ${one('#count').textContent}`);
 }
+
+/** The instruments in place of the stage, or the stage again. @param {boolean} inside */
+function lookInside(inside) {
+  if (inside === view.inside || !mayLookInside() || data.isScene) return;
+  view.inside = inside;
+  document.documentElement.classList.toggle('inside', inside);
+  if (!inside) view.step = null;
+  buildStage();
+  isLong = false;
+  runFrame(draw);
+  say(inside ? 'The instruments are shown.' : 'The picture is shown.');
+}
+
+/** Once nothing is hidden any more. */
+const mayLookInside = () => !page.question || page.question.settled;
 
 /** @param {string} text @param {string} type @param {string} name */
 function saveFile(text, type, name) {
@@ -61,31 +88,47 @@ function saveAnswers() {
 }
 
 const kKeys = {
+  '?': () => one('#help').showModal(),
+  i: () => lookInside(!view.inside),
+  PageDown: () => (view.page + 1 < data.pages ? openPage(view.page + 1) : undefined),
+  PageUp: () => openPage(view.page - 1),
+};
+const kInsideKeys = {
   '.': () => step(1),
   ',': () => step(-1),
   a: () => { one('#algorithmbox').open = !one('#algorithmbox').open; },
-  '?': () => one('#help').showModal(),
-  PageDown: () => openPage(view.page + 1),
-  PageUp: () => openPage(view.page - 1),
 };
+
+/** What a digit does: the end of a stage inside, else an option, or the beginning of a number. @param {string} key */
+function digitKey(key) {
+  if (!/^[0-9]$/.test(key)) return undefined;
+  if (view.inside) return /^[1-6]$/.test(key) ? () => one(`#stages li:nth-child(${key}) button`).click() : undefined;
+  if (!page.question || page.question.settled) return undefined;
+  const option = all('#answer .option input')[Number(key) - 1];
+  return option ? () => option.click() : undefined;
+}
 
 function startKeys() {
   addEventListener('keydown', event => {
     if (event.ctrlKey || event.metaKey || event.altKey || one('#help').open) return;
     if (/** @type {Element} */ (event.target).matches('input[type=text], select, textarea')) return;
-    const work = /^[1-6]$/.test(event.key) ? () => one(`#stages li:nth-child(${event.key}) button`).click() : kKeys[event.key];
+    const typed = one('#typed');
+    if (typed && takesKeys(typed) && /^[0-9]$/.test(event.key)) return void typed.focus();  // which takes the digit
+    const work = digitKey(event.key) || kKeys[event.key] || (view.inside ? kInsideKeys[event.key] : undefined);
     if (!work) return;
     event.preventDefault();
     guarded(work);
   });
   one('#keys').addEventListener('click', () => one('#help').showModal());
   one('#close').addEventListener('click', () => one('#help').close());
+  one('#look').addEventListener('click', () => guarded(() => lookInside(!view.inside)));
   one('#save').addEventListener('click', () => guarded(saveScene));
   one('#saveanswers').addEventListener('click', () => guarded(saveAnswers));
-  addEventListener('resize', () => soon('draw', () => { drawPictures(), drawSpace(); }));
+  addEventListener('resize', () => soon('draw', () => { if (view.inside) drawPictures(), drawSpace(); }));
   matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => guarded(drawSpace));
   // The address names a page, nothing else.
   addEventListener('hashchange', () => guarded(() => openPage(firstPage())));
+  addEventListener('beforeprint', () => guarded(drawPaper));
 }
 
 /** ?page=3 or #3: of the lesson's own pages, from 1. Without either, the questions that return. */
@@ -101,12 +144,15 @@ async function start() {
     throw new Error('This browser is too old: the page needs Chromium 91, Firefox 113, Safari 16.4 or newer.');
   const began = performance.now();
   data = JSON.parse(one('#data').textContent);
+  data.made = { points: {}, mistakes: [], pictures: {} };
   core = await Core.start(await unpackedCore());
   for (const [name, text] of Object.entries(data.files)) core.ask('file', name, text);
   const lesson = core.ask('lesson', data.lesson, JSON.stringify(data.texts));
-  data.pages = lesson.pages, data.returning = lesson.returning;
+  data.pages = lesson.pages, data.returning = lesson.returning, data.points = lesson.points, data.isScene = data.name === '';
+  view.inside = data.isScene;
+  document.documentElement.classList.toggle('scene', data.isScene);
   one('#title').textContent = lesson.title;
-  startStages(), startPictures(), startPixel(), startSettings(), startLesson(), startSpace(), startKeys();
+  startStage(), startStages(), startPictures(), startPixel(), startSettings(), startLesson(), startSpace(), startKeys();
   openPage(firstPage());
   requestAnimationFrame(() => {
     const root = document.documentElement;

@@ -4,25 +4,9 @@ const kValuesFrom = 44;  // CSS pixels that a pixel needs for its numbers to sta
 
 /** The part where something is drawn, with the picked pixel, in the picture's proportions; all where that is most of it. */
 function partDrawn() {
-  const [width, height] = pictureSize();
-  const ids = core.numbers(core.ask('buffer', 'polygon_id', 0));
-  let left = width, right = -1, top = height, bottom = -1;
-  for (let y = 0, i = 0; y < height; ++y)
-    for (let x = 0; x < width; ++x, ++i)
-      if (ids[i] >= 0) {
-        if (x < left) left = x;
-        if (x > right) right = x;
-        if (y < top) top = y;
-        if (y > bottom) bottom = y;
-      }
-  if (right < left) return [0, 0, width, height];
-  if (view.pixel) {
-    left = Math.min(left, view.pixel[0]), right = Math.max(right, view.pixel[0]);
-    top = Math.min(top, view.pixel[1]), bottom = Math.max(bottom, view.pixel[1]);
-  }
-  const wide = Math.ceil(Math.max(right - left + 9, (bottom - top + 9) * width / height));
+  const [width, height] = pictureSize(), [left, top, w, h] = boxDrawn(4), wide = Math.ceil(Math.max(w, h * width / height));
   if (wide > 0.8 * width) return [0, 0, width, height];
-  return partAround((left + right) / 2, (top + bottom) / 2, wide);
+  return partAround(left + w / 2 - 0.5, top + h / 2 - 0.5, wide);
 }
 
 /** @param {number} x @param {number} y @param {number} wide */

@@ -51,7 +51,7 @@ function drawPixel() {
   const hidden = hides('inspector');
   report = view.pixel && !hidden ? core.ask('inspect', ...view.pixel, view.channel) : null;
   head.hidden = !report;
-  if (hidden) return fillKept(box, [kept('Hidden until you answer the question.')]);
+  if (hidden) return fillKept(box, []);
   if (!report) return fillKept(box, [kept('Click a pixel to see why it has its colour.')]);
   one('#pixel').textContent = report.pixel.join(', ');
   drawSwatch(report.color);

@@ -3,9 +3,10 @@
 function drawSettings() {
   const hidden = hides('settings');
   one('#settingsbox').hidden = hidden;
-  one('#inplay').hidden = hidden && !isUntil();
-  const inPlay = page.in_play.map(settingOf).filter(setting => setting);
-  one('#inplay').hidden = inPlay.length === 0 || (hidden && !isUntil());
+  // What a hand holds needs no slider; before the answer only a question that is answered by settings has some.
+  const isHeld = () => !view.inside && held.holds.length > 0, isOpen = page.question && !page.question.settled;
+  const inPlay = page.in_play.filter(() => !isHeld()).map(settingOf).filter(setting => setting);
+  one('#inplay').hidden = inPlay.length === 0 || (view.inside ? hidden && !isUntil() : isOpen && !isUntil());
   fillControls(one('#inplay'), inPlay);
   const groups = new Map();
   for (const setting of settings) {
@@ -19,7 +20,7 @@ function drawSettings() {
     box.known = known;
     box.replaceChildren(...[...groups.keys()].map(name => element('details', {}, element('summary', { textContent: name }), element('div', { className: 'controls' }))));
   }
-  [...groups.values()].forEach((list, i) => fillControls(box.children[i].lastElementChild, list));
+  if (view.inside) [...groups.values()].forEach((list, i) => fillControls(box.children[i].lastElementChild, list));
   one('#putback').hidden = Object.keys(view.own).length === 0;
 }
 
@@ -96,20 +97,21 @@ async function setSetting(key, text) {
   return runFrame(() => {
     view.was = was;
     if (!sameSize) view.pixel = null, view.part = view.fit = partDrawn();
-    draw();
+    if (view.inside) draw();
+    else drawPixel(), drawHeld();
   });
 }
 
 /** The calls that make the reader's frame. @returns {any[][]} */
-const frameCalls = () => [['frame', 0], ...(view.compare ? [['compare', view.compare]] : [])];
+const frameCalls = () => (other => [['frame', 0], ...(other ? [['compare', other]] : [])])(view.inside ? view.compare : comparison());
 
 /** The reader's frame with what is shown, then `work`; at once, or in the worker where the frame before took long.
  * @param {() => void} [work] @returns {Promise<void>|undefined} */
 function runFrame(work = () => {}) {
   if (!isLong) {
     wantShown();
-    for (const [name, ...values] of frameCalls()) core.call(name, ...values);
-    frameIsThere();
+    const [milliseconds] = frameCalls().map(([name, ...values]) => core.call(name, ...values));
+    frameIsThere(milliseconds);
     work();
     return undefined;
   }
@@ -121,17 +123,26 @@ function runFrame(work = () => {}) {
 
 /** Wants what the views show, of what there is, beside what the core wants for a page. */
 function wantShown() {
-  core.ask('want', view.pictures.map(shown => shown.buffer).filter(name => core.call('want', name)).join(','));
+  const names = (view.inside ? view.pictures : page.buffers).map(shown => shown.buffer);
+  core.ask('want', names.filter(name => core.call('want', name)).join(','));
 }
 
 /** Whether the last frame took so long that the page would stand still. */
 let isLong = false;
 
-/** Steps begin anew. */
-function frameIsThere() {
-  view.step = null;
-  plan = core.ask('plan'), mesh = null;
-  isLong = plan.milliseconds > kLongFrame;
+/** To the moment inside the frame that the half names. */
+function goToPlace() {
+  if (!page.place) return;
+  const made = core.ask('step', view.level, 0, page.place);
+  view.step = made.last ? null : made;
+}
+
+/** Steps begin anew. @param {number} milliseconds */
+function frameIsThere(milliseconds) {
+  view.step = null, mesh = null;
+  if (view.inside) plan = core.ask('plan');
+  else goToPlace();
+  isLong = milliseconds > kLongFrame;
 }
 
 /** What a setting is stays; what it is set to moves. A choice may bring others with it. */

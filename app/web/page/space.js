@@ -59,7 +59,7 @@ function drawSpace() {
   const pen = penOf(context);
   if (view.space === 'world') drawWorld(context, pen, box, here);
   else if (here) drawPoint(context, pen, box, here);
-  else pen.words(hides('inspector') ? 'Hidden until you answer the question.' : 'Pick a pixel of a surface to see its vectors.', [box.width / 2, box.height / 2], colorOf('text2'));
+  else pen.words(hides('inspector') ? '' : 'Pick a pixel of a surface to see its vectors.', [box.width / 2, box.height / 2], colorOf('text2'));
   canvas.setAttribute('aria-label', here ? 'Vectors at the picked point: ' + Object.entries(here.vectors).map(([name, v]) => `${name} (${v.map(x => withMinus(x.toFixed(3))).join(', ')})`).join('; ') : 'No vectors: no lit surface is picked.');
 }
 

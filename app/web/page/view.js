@@ -84,6 +84,7 @@ function keepFocus(had) {
 
 /** @typedef {{buffer: string, channel: number, range: ?number[]}} View */
 const view = {
+  inside: false,                     // the instruments are shown, not the stage
   page: 0,
   then: false,
   /** @type {View[]} */

@@ -57,7 +57,7 @@ function takeFrame(memory) {
   for (const assignment of since) core.call('set', assignment);
   const waited = afterFrame;
   afterFrame = [];
-  frameIsThere();
+  frameIsThere(core.ask('plan').milliseconds);
   for (const { work } of waited) guarded(work);
   for (const { done } of waited) done();
   if (since.length && !running) sendFrame();

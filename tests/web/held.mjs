@@ -1,0 +1,212 @@
+// Lesson pages that are held: what a hand moves, what it may not tell, by mouse, finger and keys. Arguments: the program,
+// and the core.
+import { execFileSync } from 'node:child_process';
+import fs from 'node:fs';
+import os from 'node:os';
+import path from 'node:path';
+import { launch } from './browser.mjs';
+
+const [program] = process.argv.slice(2), shots = process.env.SHADESCOPE_SHOTS;
+const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'shadescope-held-'));
+let failed = 0, held = 0;
+/** @param {string} claim @param {any} true_ @param {any} [found] */
+function expect(claim, true_, found = '') {
+  if (true_) return void ++held;
+  ++failed;
+  console.log(`FAILED: ${claim}${found === '' ? '' : ': ' + JSON.stringify(found)}`);
+}
+const kSizes = [['390', { width: 390, height: 844, mobile: true }, ''], ['1366', { width: 1366, height: 768 }, ''], ['projector', { width: 1280, height: 720 }, '&projector=1'], ['dark', { width: 1366, height: 768, dark: true }, '']];
+const write = name => {
+  const file = path.join(folder, name + '.html');
+  execFileSync(program, ['lesson', 'export', name, '--live', '-o', file], { stdio: ['ignore', 'ignore', 'inherit'] });
+  return 'file://' + file;
+};
+const middle = selector => `(b => [b.x + b.width / 2, b.y + b.height / 2, b.width, b.height])(document.querySelector(${JSON.stringify(selector)}).getBoundingClientRect())`;
+
+const browser = await launch();
+/** A drag by mouse, in a few moves. */
+async function drag(p, from, to, { release = true, modifiers = 0 } = {}) {
+  const mouse = (type, [x, y]) => p.ask('Input.dispatchMouseEvent', { type, x, y, button: 'left', buttons: 1, clickCount: 1, modifiers });
+  await mouse('mousePressed', from);
+  for (let i = 1; i <= 5; ++i) await mouse('mouseMoved', from.map((v, k) => v + (to[k] - v) * i / 5)), await settle(p);
+  if (release) await mouse('mouseReleased', to);
+  await settle(p);
+}
+const settle = p => p.run('new Promise(done => requestAnimationFrame(() => requestAnimationFrame(() => done(1))))');
+const picture = '(c => { const d = c.getContext("2d").getImageData(0, 0, c.width, c.height).data; let h = 0; for (let i = 0; i < d.length; ++i) h = (h * 31 + d[i]) | 0; return h; })(cells[0].canvases[0])';
+
+try {
+  const names = JSON.parse(execFileSync(program, ['lesson', 'list', '--json'], { encoding: 'utf8' })).map(lesson => lesson.name);
+  const files = Object.fromEntries(['diffuse', 'depth-precision', 'smooth'].map(name => [name, write(name)]));
+
+  // Whatever half holds something: its grips are large, in the room, and a way there and back is the same.
+  for (const [name, file] of Object.entries(files))
+    for (const [size, options, query] of kSizes) {
+      const p = await browser.open(`${file}?page=1${query}`, options);
+      expect(`${name} starts at ${size}`, await p.run('document.querySelector("#wrong").hidden'), await p.run('document.querySelector("#wrong").textContent'));
+      const small = await p.run('grips.filter(grip => !grip.button.hidden && (grip.button.offsetWidth < 44 || grip.button.offsetHeight < 44)).length');
+      expect(`${name}: grips have 44 px at ${size}`, (await p.run('grips.length')) > 0 && small === 0, small);
+      const cut = await p.run('grips.filter(grip => { const b = grip.bubble.getBoundingClientRect(), s = document.querySelector(".stage").getBoundingClientRect(); return !grip.bubble.hidden && (b.left < s.left - 1 || b.right > s.right + 1 || b.top < s.top - 1); }).map(grip => grip.words)');
+      expect(`${name}: words stay on the stage at ${size}`, cut.length === 0, cut);
+      const [bottom, height] = await p.run('[document.querySelector("#asked").getBoundingClientRect().bottom, innerHeight]');
+      expect(`${name}: the question is in view at ${size}`, bottom <= height, [bottom, height]);
+      expect(`${name}: nothing says hidden at ${size}`, !/hidden/i.test(await p.run('document.body.innerText')));
+      expect(`${name}: no instrument before the answer at ${size}`, await p.run('[...document.querySelectorAll(".instrument")].every(part => part.offsetParent === null) && document.querySelector("#look").hidden'));
+      expect(`${name}: no scrolling sideways at ${size}`, await p.run('document.documentElement.scrollWidth <= innerWidth'));
+      if (shots) await settle(p), await p.shot(path.join(shots, `${size}-${name}-1.png`));
+      const words = await p.run('document.querySelector("#text").textContent.split(/\\s+/).filter(word => word).length');
+      expect(`${name}: at most 60 words before the question`, words <= 60, words);
+      await p.run('core.ask("show"), readAgain(), showThen()');
+      await settle(p);
+      expect(`${name}: the second half opens at ${size}`, await p.run('page.then'), await p.run('document.querySelector("#wrong").textContent'));
+      if (shots) await new Promise(done => setTimeout(done, 1600)), await p.shot(path.join(shots, `${size}-${name}-1-then.png`));
+      expect(`${name}: no error at ${size}`, p.log.length === 0, p.log);
+      await p.close();
+    }
+
+  // The lamp: by mouse.
+  const p = await browser.open(files.diffuse + '?page=1', { width: 1366, height: 768 });
+  const text = await p.run('document.querySelector("#text").textContent'), before = await p.run(picture);
+  let [x, y] = await p.run(middle('.grip.lamp'));
+  await drag(p, [x, y], [x + 150, y + 60]);
+  const [tx, ty] = await p.run(middle('.grip.lamp'));
+  expect('the grip stays under the pointer', Math.hypot(tx - x - 150, ty - y - 60) < 3, [tx - x, ty - y]);
+  expect('the picture follows', (await p.run(picture)) !== before);
+  expect('the text before the question stays', (await p.run('document.querySelector("#text").textContent')) === text);
+  expect('the value is said at release', /Lamp: N·L/.test(await p.run('document.querySelector("#status").textContent')), await p.run('document.querySelector("#status").textContent'));
+  const kept = await p.run('held.holds[0].values');
+  await drag(p, [tx, ty], [tx - 90, ty], { release: false });
+  expect('a drag goes on', (await p.run('held.holds[0].values')) !== kept);
+  await p.ask('Input.dispatchKeyEvent', { type: 'keyDown', key: 'Escape', windowsVirtualKeyCode: 27 });
+  await settle(p);
+  expect('Esc takes it back', (await p.run('held.holds[0].values')) === kept, await p.run('held.holds[0].values'));
+  await p.ask('Input.dispatchMouseEvent', { type: 'mouseReleased', x: tx, y: ty, button: 'left' });
+  expect('and leaves no step', (await p.run('undo.length')) === 1);
+  await p.run('putHand(undo.pop())');
+  expect('undo goes back to the beginning', (await p.run('held.holds[0].values')) === (await p.run('held.holds[0].own')));
+  // Behind the ball the play has its end.
+  [x, y] = await p.run(middle('.grip.lamp'));
+  const [rx, ry] = await p.run(middle('#room'));
+  await drag(p, [x, y], [rx + 400, ry]);
+  expect('the play has its end', (await p.run('document.querySelector("#play").textContent')) === 'Darker it does not get.', await p.run('[document.querySelector("#play").textContent, held.shows]'));
+  expect('and the lamp is behind', await p.run('document.querySelector(".grip.lamp").classList.contains("behind")'));
+  // The question is judged by the page's own frame, wherever the lamp is.
+  await p.run('document.querySelector("#typed").value = "7848", document.querySelector("#answer").requestSubmit()');
+  expect('a mistake has its name', (await p.run('verdict.mark')) === 'known' || (await p.run('verdict.mark')) === 'not yet');
+  if (shots) await p.shot(path.join(shots, '1366-diffuse-1-wrong.png'));
+  const hand = await p.run('held.holds[0].values');
+  await p.run('document.querySelector("#typed").value = "48", document.querySelector("#answer").requestSubmit()');
+  await settle(p);
+  expect('48 is right with the lamp behind', await p.run('verdict.mark === "right" && page.then'), await p.run('JSON.stringify(verdict)'));
+  expect('what is held stays in the hand', (await p.run('held.holds[0].values')) === hand);
+  expect('the keyboard is at Next', (await p.run('document.activeElement.id')) === 'next');
+  expect('the equation follows', /48\.0\+0\.0=48\.0/.test((await p.run('document.querySelector(".sum").textContent')).replace(/[^0-9.+=]/g, '').replace(/^[^4]*/, '')) || (await p.run('document.querySelector(".sum").textContent')).includes('48.0'), await p.run('document.querySelector(".sum").textContent'));
+  const sums = await p.run('document.querySelector(".sum").textContent');
+  await p.run('document.querySelector(".grip.lamp").focus()');
+  for (let i = 0; i < 6; ++i) await p.key('ArrowLeft', 8), await settle(p);
+  expect('arrow keys move the lamp, and the equation', (await p.run('document.querySelector(".sum").textContent')) !== sums);
+  await p.key('Home'), await settle(p);
+  expect('Home puts it back', (await p.run('held.holds[0].values')) === (await p.run('held.holds[0].own')));
+  await p.run('document.activeElement.blur()');
+  await p.key('i'), await settle(p);
+  expect('I looks inside', await p.run('view.inside && document.querySelector("#stages").offsetParent !== null'));
+  await p.key('i'), await settle(p);
+  expect('and back', await p.run('!view.inside && cells[0].canvases[0].offsetParent !== null'));
+  const [step, frame] = await p.run(`(() => { const time = work => { const best = []; for (let i = 0; i < 9; ++i) { const began = performance.now(); work(i); best.push(performance.now() - began); } return best.sort((a, b) => a - b)[0]; }; isLong = false; const at = i => core.ask('nudge', 0, i % 2 ? 1 : -1, 0, 1); return [time(i => { isLong = false; putHand(at(i)); }), time(i => { core.ask('set', at(i)); core.call('frame', 0); })]; })()`);
+  console.log(`One step of the lamp: ${step.toFixed(1)} ms, its frame alone: ${frame.toFixed(1)} ms`);
+  await p.close();
+
+  // By finger: a drag moves the lamp and scrolls nothing.
+  const t = await browser.open(files.diffuse + '?page=1', { width: 390, height: 844, mobile: true });
+  await t.ask('Emulation.setTouchEmulationEnabled', { enabled: true });
+  const [fx, fy] = await t.run(middle('.grip.lamp')), lampBefore = await t.run('held.holds[0].values');
+  const touch = (type, points) => t.ask('Input.dispatchTouchEvent', { type, touchPoints: points });
+  await touch('touchStart', [{ x: fx, y: fy }]);
+  for (let i = 1; i <= 5; ++i) await touch('touchMove', [{ x: fx + 8 * i, y: fy - 12 * i }]), await settle(t);
+  await touch('touchEnd', []);
+  await settle(t);
+  expect('a finger moves the lamp', (await t.run('held.holds[0].values')) !== lampBefore);
+  expect('and scrolls nothing', (await t.run('scrollY')) === 0);
+  await t.close();
+
+  // By keys alone, from the first grip to the end of the page; without motion.
+  const k = await browser.open(files.diffuse + '?page=1', { width: 1366, height: 768 });
+  await k.ask('Emulation.setEmulatedMedia', { features: [{ name: 'prefers-reduced-motion', value: 'reduce' }] });
+  await k.run('document.querySelector("#heading").focus()');
+  let reached = '';
+  await k.run('document.querySelector("#room").focus(), document.activeElement.blur()');
+  for (let i = 0; i < 30 && !/grip/.test(reached); ++i) await k.key('Tab'), reached = await k.run('document.activeElement.className');
+  expect('Tab reaches the lamp', /lamp/.test(reached), reached);
+  await k.key('ArrowUp', 8), await settle(k);
+  for (const digit of '48') await k.key(digit);
+  expect('a digit goes to the field', (await k.run('document.querySelector("#typed").value')) === '48', await k.run('document.activeElement.id'));
+  await k.key('Enter'), await settle(k);
+  expect('Enter checks', await k.run('page.then'));
+  await k.key('Enter'), await settle(k);
+  expect('and goes on', await k.run('!page.then && view.page === data.returning + 1'));
+  await k.close();
+
+  // The near plane: on the axis of the codes.
+  const d = await browser.open(files['depth-precision'] + '?page=1', { width: 1366, height: 768 });
+  const own = await d.run('settingOf("camera.near").text');
+  [x, y] = await d.run(middle('.grip.number'));
+  await drag(d, [x, y], [x + 420, y]);
+  expect('the near plane moves along its axis', Number(await d.run('settingOf("camera.near").text')) > 5, await d.run('settingOf("camera.near").text'));
+  expect('its play ends', (await d.run('document.querySelector("#play").textContent')).includes('Half of all codes'), await d.run('document.querySelector("#play").textContent'));
+  if (shots) await d.shot(path.join(shots, '1366-depth-precision-1-moved.png'));
+  await d.run('core.ask("show"), readAgain(), showThen()');
+  expect('the second half sets its own near plane', (await d.run('settingOf("camera.near").text')) === own);
+  const lost = await d.run('Number(held.shows.replace(/[^0-9]/g, ""))');
+  expect('blue loses pixels', lost > 1000, await d.run('held.shows'));
+  [x, y] = await d.run(middle('.grip.number'));
+  await drag(d, [x, y], [x + 200, y]);
+  expect('and fewer with a farther near plane', (await d.run('Number(held.shows.replace(/[^0-9]/g, ""))')) < lost, await d.run('held.shows'));
+  await d.close();
+
+  // The ball: by its own surface; the line between two pictures.
+  const s = await browser.open(files.smooth + '?page=1', { width: 1366, height: 768 });
+  const [bx, by] = await s.run(middle('#room'));
+  await drag(s, [bx, by], [bx + 160, by]);
+  expect('the ball turns with the pointer', Number(await s.run('settingOf("object.0.rz").text')) > 10, await s.run('settingOf("object.0.rz").text'));
+  await s.run('core.ask("show"), readAgain(), showThen()');
+  await settle(s);
+  const line = await s.run('cells[0].wipe');
+  [x, y] = await s.run(middle('.grip.line'));
+  await drag(s, [x, y], [x - 120, y]);
+  expect('the line moves', (await s.run('cells[0].wipe')) < line - 0.05, await s.run('cells[0].wipe'));
+  expect('the two pictures differ', await s.run('!cells[0].canvases[1].hidden'));
+  expect('and it is said what they are', /phong/.test(await s.run('cells[0].over.textContent')) && /gouraud/.test(await s.run('cells[0].over.textContent')), await s.run('cells[0].over.textContent'));
+  // To the end: pictures, mistakes, next lesson.
+  await s.run('(() => { for (let i = 0; i < data.pages; ++i) { openPage(i); if (page.question && !page.question.settled) core.ask("show"), readAgain(), page.has_then && openPage(i, true); } showEnd(); })()');
+  expect('the end has a picture of each page', (await s.run('document.querySelectorAll("#end figure canvas").length')) >= 5, await s.run('document.querySelectorAll("#end figure canvas").length'));
+  expect('and what one can do now', (await s.run('document.querySelector("#end").innerText')).includes('You can now'));
+  if (shots) await settle(s), await s.shot(path.join(shots, '1366-end.png'));
+  expect('nothing was written to the console', s.log.length === 0, s.log);
+  await s.close();
+
+  // Every page of every lesson, on the stage: no error, no word of what is hidden, the comparison of its second half.
+  for (const name of names) {
+    const l = await browser.open(write(name), { width: 1366, height: 768 });
+    const found = await l.run(`(() => {
+      const wrong = [], box = document.querySelector('#wrong');
+      for (let i = 0; i < data.pages; ++i) {
+        guarded(() => openPage(i));
+        if (/hidden until/i.test(document.body.innerText)) wrong.push(i + ' says hidden');
+        const hidden = page.hidden.buffers, menus = [...document.querySelectorAll('select, option, title, [title], [aria-label]')].filter(part => part.offsetParent !== null).map(part => part.textContent + part.title + part.ariaLabel).join(' ');
+        for (const name of hidden) if (menus.includes(name)) wrong.push(i + ' names ' + name);
+        if (page.question && !page.question.settled) guarded(() => { core.ask('show'); readAgain(); });
+        if (page.has_then) guarded(() => openPage(i, true));
+        for (const shown of page.buffers) if (shown.against && !(shown.mode === 'a') && core.ask('picture', shown.buffer, 1, -1, 0, 0, 0, 0, 0, 0, 0).pixels === 0) wrong.push(i + ' has no second picture');
+        if (!box.hidden) { wrong.push(i + ': ' + box.textContent); box.hidden = true; }
+      }
+      return wrong;
+    })()`);
+    expect(`every page of ${name} stands on the stage`, found.length === 0 && l.log.length === 0, [found, l.log]);
+    await l.close();
+  }
+} finally {
+  await browser.close();
+  fs.rmSync(folder, { recursive: true, force: true });
+}
+console.log(`${held} claims hold, ${failed} do not`);
+process.exitCode = failed === 0 ? 0 : 1;
