@@ -1,4 +1,4 @@
-// Exports that cannot be written, or are told to stop.
+// Exports that cannot be written, wholly or in part, or are told to stop.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
@@ -66,6 +66,20 @@ TEST(ExportEnds, ASignalThatIsIgnoredStopsNothing) {
     std::signal(SIGHUP, before);
     EXPECT_EQ(done.status, 0) << done.err;
     EXPECT_TRUE(fs::exists(folder / "out/position.csv"));
+}
+
+// opengl draws OpenGL's model alone; the pyramid has Phong's.
+TEST(ExportEnds, AFormatThatCannotHoldTheSceneIsLeftOutWithARemark) {
+    const test::TemporaryFolder folder;
+    const auto out = folder / "out";
+    const auto done = run({"export", "pyramid", "-o", out, "--buffers", "color", "--format", "csv,opengl"});
+    EXPECT_EQ(done.status, 0) << done.err;
+    EXPECT_NE(done.err.find("left out: --format opengl: "), std::string::npos) << done.err;
+    EXPECT_TRUE(fs::exists(out / "color.csv"));
+    EXPECT_FALSE(fs::exists(out / "pyramid.gl.c"));
+    // Where nothing is left to write, the command is wrong.
+    EXPECT_EQ(run({"export", "pyramid", "-o", folder / "none", "--format", "opengl"}).status, 2);
+    EXPECT_FALSE(fs::exists(folder / "none"));
 }
 
 }  // namespace

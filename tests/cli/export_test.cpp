@@ -209,20 +209,6 @@ TEST(Export, OpenGlsCallsAreTheSameWhereTheRunEndsEarly) {
     }
 }
 
-// opengl draws OpenGL's model alone; the pyramid has Phong's.
-TEST(Export, AFormatThatCannotHoldTheSceneIsLeftOutWithARemark) {
-    const test::TemporaryFolder folder;
-    const auto out = folder / "out";
-    const auto done = run({"export", "pyramid", "-o", out, "--buffers", "color", "--format", "csv,opengl"});
-    EXPECT_EQ(done.status, 0) << done.err;
-    EXPECT_NE(done.err.find("left out: --format opengl: "), std::string::npos) << done.err;
-    EXPECT_TRUE(std::filesystem::exists(out / "color.csv"));
-    EXPECT_FALSE(std::filesystem::exists(out / "pyramid.gl.c"));
-    // Where nothing is left to write, the command is wrong.
-    EXPECT_EQ(run({"export", "pyramid", "-o", folder / "none", "--format", "opengl"}).status, 2);
-    EXPECT_FALSE(std::filesystem::exists(folder / "none"));
-}
-
 TEST(Export, SettingsChangeThePicture) {
     const test::TemporaryFolder folder;
     // No light and no ambient light: I_max is 0, and so is every pixel.
