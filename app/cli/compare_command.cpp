@@ -234,7 +234,6 @@ int runCompare(const CompareArguments& arguments) {
     options.strict = arguments.strict, options.hints = arguments.hints;
     const Interrupt interrupt;
     options.stop = interrupt.token();
-    options.frames = std::make_shared<foreign::HypothesisFrames>();
     int status = kDone;
     const auto scene = loadScene(arguments.scene, options.stop, status);
     if (!scene) return status;

@@ -24,7 +24,6 @@ constexpr int kSceneRest = 300;  // milliseconds
 struct RendererCheck::Kept {
     std::shared_ptr<const pipeline::Scene> scene;
     std::shared_ptr<const foreign::Reference> reference;
-    std::shared_ptr<foreign::HypothesisFrames> frames = std::make_shared<foreign::HypothesisFrames>();
 };
 
 struct RendererCheck::Progress {
@@ -151,7 +150,6 @@ void RendererCheck::ask(bool names) {
             foreign::CompareOptions options;
             options.known = names;
             options.stop = control.stop;
-            options.frames = kept->frames;
             options.progress = [&](std::string_view, std::size_t done, std::size_t all) {
                 progress->done = done, progress->all = all;
                 control.progress(all == 0 ? 0 : double(done) / double(all));

@@ -1,7 +1,5 @@
 #include "pipeline/compare/hypotheses.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <tuple>
@@ -130,20 +128,18 @@ public:
             m_wanted.set(index(id));
     }
     BufferId bufferOf(std::size_t file) const { return m_evidence[file].file->name.buffer.id; }
-    std::string key() const { return fmt::format("{} ", int(m_corner)); }  // of frames that are kept
-    bool takenRows() const { return m_taken; }                             // whether most pictures are read bottom-up
+    bool takenRows() const { return m_taken; }  // whether most pictures are read bottom-up
 
     // Of each file the distance with the rows from the top and from the bottom; infinite where it cannot be compared.
     using Distances = std::vector<std::array<double, 2>>;
-    // kept: the frame, where it is kept from one comparison to the next.
-    std::optional<Distances> of(const Scene& scene, const Stop& stop, FramePtr& kept) const {
-        const bool serves = kept && (kept->wanted() & m_wanted) == m_wanted;
-        if (!serves) {
-            const Scene sized = m_factor == 1 ? scene : smaller(scene, m_factor);
-            kept = runFrame(referenceScene(sized, m_corner), {m_wanted, StageId::Shading, 0, stop}, nullptr);
-        }
-        if (!kept) return {};
-        const std::vector<std::uint8_t> open = openPixels(*kept);
+    // The first scene is the right one: what the frames of the others have in common with its frame serves again.
+    std::optional<Distances> of(const Scene& scene, const Stop& stop) {
+        const Scene sized = m_factor == 1 ? scene : smaller(scene, m_factor);
+        const FramePtr frame =
+            runFrame(referenceScene(sized, m_corner), {m_wanted, StageId::Shading, 0, stop}, m_first);
+        if (!frame) return {};
+        if (!m_first) m_first = frame;
+        const std::vector<std::uint8_t> open = openPixels(*frame);
         Distances out(m_evidence.size(), {HUGE_VAL, HUGE_VAL});
         for (std::size_t i = 0; i < out.size(); ++i) {
             const Evidence& one = m_evidence[i];
@@ -153,7 +149,7 @@ public:
                 out[i] = {0, 0};
                 continue;
             }
-            auto values = valuesIn(*kept, one.file->name.buffer);
+            auto values = valuesIn(*frame, one.file->name.buffer);
             if (!values || !values->isSameSize(one.mine[0][0])) continue;
             if (one.file->name.buffer.id == BufferId::VerticesScreen)
                 for (std::size_t v = 0; v < values->count(); ++v)
@@ -228,6 +224,7 @@ private:
     bool m_rowsAreStated, m_taken = false;
     BufferSet m_wanted;
     std::vector<Evidence> m_evidence;
+    FramePtr m_first;
 };
 
 // All known errors of a scene and how far each is from each file, measured once.
@@ -244,16 +241,13 @@ public:
 
     std::size_t count() const { return m_errors.size(); }
     // False where it was stopped.
-    bool measure(const Stop& stop, const HypothesisProgress& progress, HypothesisFrames* frames) {
-        FramePtr passing;
-        auto right = m_full.of(m_scene, stop, passing);
-        if (!right) return false;
+    bool measure(const Stop& stop, const HypothesisProgress& progress) {
+        auto right = m_full.of(m_scene, stop);
+        if (!right || !m_small.of(m_scene, stop)) return false;
         m_right = std::move(*right);
         for (const KnownError& error : m_errors) {
             if (progress) progress(m_distances.size(), m_errors.size());
-            passing = nullptr;
-            auto distances = m_small.of(error.plant(m_scene), stop,
-                                        frames ? (*frames)[m_small.key() + error.id + error.way] : passing);
+            auto distances = m_small.of(error.plant(m_scene), stop);
             if (!distances) return false;
             m_distances.push_back(left(error, std::move(*distances)));
         }
@@ -278,8 +272,7 @@ public:
         for (auto& [one, i] : best) {
             if (m_factor > 1) {
                 if (!m_confirmed.contains(i)) {
-                    FramePtr passing;
-                    auto distances = m_full.of(m_errors[i].plant(m_scene), stop, passing);
+                    auto distances = m_full.of(m_errors[i].plant(m_scene), stop);
                     if (!distances) return out.stopped = true, out;
                     m_confirmed[i] = left(m_errors[i], std::move(*distances));
                 }
@@ -373,11 +366,11 @@ std::vector<std::vector<std::size_t>> focusOn(const std::vector<Finding>& findin
 
 Suspects findSuspects(const Scene& scene, const Reference& reference, const Conventions& conventions,
                       const std::vector<Finding>& findings, const FirstWrong& first, const Stop& stop,
-                      const HypothesisProgress& progress, HypothesisFrames* frames) {
+                      const HypothesisProgress& progress) {
     Trial trial(scene, reference, conventions, findings);
     Suspects stopped;
     stopped.stopped = true;
-    if (!trial.measure(stop, progress, frames)) return stopped;
+    if (!trial.measure(stop, progress)) return stopped;
     std::vector<std::size_t> all(findings.size());
     for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
     Suspects out = trial.judge(all, stop);

@@ -32,10 +32,6 @@ struct Suspects {
 // Told of every frame: how many of how many.
 using HypothesisProgress = std::function<void(std::size_t done, std::size_t all)>;
 
-// Frames of known errors of one scene, kept from one comparison to the next. They are those of a small picture, some 60
-// bytes a pixel each.
-using HypothesisFrames = std::map<std::string, FramePtr>;
-
 // What the stages' own comparison has told: nothing where it is not certain.
 struct FirstWrong {
     std::optional<StageId> stage;
@@ -50,6 +46,6 @@ std::optional<Experiment> experimentBetween(const std::vector<Candidate>& candid
 // Where none explains all of them, what explains the first wrong file and leaves those before as they are is taken.
 Suspects findSuspects(const Scene& scene, const Reference& reference, const Conventions& conventions,
                       const std::vector<Finding>& findings, const FirstWrong& first, const Stop& stop,
-                      const HypothesisProgress& progress = {}, HypothesisFrames* frames = nullptr);
+                      const HypothesisProgress& progress = {});
 
 }  // namespace pipeline::foreign

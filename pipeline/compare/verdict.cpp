@@ -376,7 +376,7 @@ Result<Report> compareRenderer(const Scene& scene, std::shared_ptr<const Referen
             if (options.progress) options.progress("known errors", done, all);
         };
         out.suspects = findSuspects(scene, *out.reference, out.conventions, out.findings, firstWrongOf(out),
-                                    options.stop, progress, options.frames.get());
+                                    options.stop, progress);
         if (out.suspects->stopped) return Error{{}, "cancelled", {}};
     }
     nameFirstWrong(out);

@@ -24,7 +24,6 @@ struct CompareOptions {
     bool strict = false;  // conventions count as errors
     int hints = 3;        // how much is given away: 0 nothing, 1 the stage, 2 the place, 3 the name
     Stop stop;
-    std::shared_ptr<HypothesisFrames> frames;  // of this scene, kept for the next comparison; may be null
     // What is being done, and how far it is.
     std::function<void(std::string_view what, std::size_t done, std::size_t all)> progress;
 };

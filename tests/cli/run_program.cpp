@@ -53,8 +53,10 @@ Finished start(const std::vector<std::string>& arguments, std::string out, std::
 
     meanwhile(program);
     int status = 0;
-    waitpid(program, &status, 0);
+    rusage usage{};
+    wait4(program, &status, 0, &usage);
     Finished finished;
+    finished.peakBytes = std::size_t(usage.ru_maxrss) * 1024;
     finished.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
     if (out.starts_with(folder.path().string())) finished.out = readText(out);
     if (err.starts_with(folder.path().string())) finished.err = readText(err);

@@ -11,6 +11,7 @@ namespace test {
 struct Finished {
     int status = -1;  // exit status; 128 + n when signal n ended it
     std::string out, err;
+    std::size_t peakBytes = 0;  // of memory that it had at once
 };
 
 // Starts the program with these arguments, as a shell would, without a display, and waits.

@@ -70,7 +70,6 @@ Outcome outcomeOf(const std::vector<BufferId>& handed) {
     const Scene scene = checkMe();
     const auto reference = std::make_shared<const foreign::Reference>(*foreign::makeReference(scene, {}, {}));
     foreign::CompareOptions options;
-    options.frames = std::make_shared<foreign::HypothesisFrames>();
     Outcome out;
     const std::size_t defects = defectTable().size();
     for (const std::size_t i : test::sweep(defects * std::size(kConventions))) {
