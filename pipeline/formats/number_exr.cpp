@@ -6,9 +6,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstring>
 #include <exception>
+#include <filesystem>
 
+#include "pipeline/core/text.h"
 #include "pipeline/formats/number_file.h"
 
 namespace pipeline {
@@ -33,15 +36,34 @@ private:
     std::uint64_t m_at = 0;
 };
 
-std::vector<std::string> channelsOf(const Imf::ChannelList& list) {
-    for (const std::vector<std::string>& wanted :
-         {std::vector<std::string>{"R", "G", "B"}, std::vector<std::string>{"X", "Y", "Z"}}) {
-        bool all = true;
-        for (const std::string& name : wanted) all = all && list.findChannel(name);
-        if (all) return wanted;
+// "normal." of "normal.X": the layers of a file, that of its own name first; none is a layer too.
+std::vector<std::string> layersOf(const Imf::ChannelList& list, const std::string& file) {
+    std::vector<std::string> layers{""};
+    const std::string stem = std::filesystem::path(file).stem().string();
+    for (auto channel = list.begin(); channel != list.end(); ++channel) {
+        const std::string name = channel.name();
+        const std::string layer = name.substr(0, name.rfind('.') + 1);  // empty where there is no dot
+        if (std::ranges::find(layers, layer) == layers.end()) layers.push_back(layer);
     }
-    for (const char* name : {"Z", "Y"})
-        if (list.findChannel(name)) return {name};
+    std::stable_partition(layers.begin() + 1, layers.end(), [&](const std::string& layer) {
+        const std::string whole = layer.substr(0, layer.size() - 1);
+        return sameLetters(whole.substr(whole.rfind('.') + 1), stem);
+    });
+    return layers;
+}
+
+std::vector<std::string> channelsOf(const Imf::ChannelList& list, const std::string& file) {
+    for (const std::string& layer : layersOf(list, file)) {
+        for (const std::vector<std::string>& wanted :
+             {std::vector<std::string>{"R", "G", "B"}, std::vector<std::string>{"X", "Y", "Z"}}) {
+            std::vector<std::string> names;
+            for (const std::string& name : wanted)
+                if (list.findChannel(layer + name)) names.push_back(layer + name);
+            if (names.size() == wanted.size()) return names;
+        }
+        for (const char* name : {"Z", "Y"})
+            if (list.findChannel(layer + name)) return {layer + name};
+    }
     return list.begin() == list.end() ? std::vector<std::string>() : std::vector<std::string>{list.begin().name()};
 }
 
@@ -59,7 +81,7 @@ Result<NumberFile> readExrNumbers(std::string_view bytes, const std::string& nam
         if (width < 1 || height < 1 || std::size_t(width) > most / 4 / std::size_t(height))
             return wrongAt(name, 0, fmt::format("a picture of {} × {}", width, height),
                            fmt::format("at most {} pixels", most / 4));
-        const std::vector<std::string> names = channelsOf(in.header().channels());
+        const std::vector<std::string> names = channelsOf(in.header().channels(), name);
         if (names.empty()) return wrongAt(name, 0, "a picture without channels", "R G B, X Y Z, or one");
         const std::size_t channels = names.size(), columns = std::size_t(width), rows = std::size_t(height);
         std::vector<float> numbers(columns * rows * channels);
