@@ -128,6 +128,59 @@ void addErrorsOfPlacing(
             });
 }
 
+// Ways of planting a defect that are errors of their own to those who have made them.
+struct OwnName {
+    Defect defect;
+    int way;
+    std::string_view id, name;
+    StageId stage;
+    std::string_view wrong, right;
+};
+constexpr std::string_view kPower = "k_s c (R·V)^n", kTowardsEye = "V = (eye − p) / |eye − p|",
+                           kFromMiddle = "x_s = w/2 + d x_v / z_v";
+constexpr std::array kOwnNames{
+    OwnName{Defect::NoMax, 2, "half-lambert", "half Lambert: light reaches the night side", StageId::Shading,
+            "k_d c (N·L + 1) / 2", "k_d c max(0, N·L)"},
+    OwnName{Defect::NoMax, 3, "half-lambert", "half Lambert: light reaches the night side", StageId::Shading,
+            "k_d c ((N·L + 1) / 2)²", "k_d c max(0, N·L)"},
+    OwnName{Defect::Exponent, 2, "no-power", "the exponent is left out", StageId::Shading, "k_s c R·V", kPower},
+    OwnName{Defect::Exponent, 3, "times-n", "times n instead of to the power n", StageId::Shading, "k_s c (R·V) n",
+            kPower},
+    OwnName{Defect::RFlip, 2, "r-parenthesis", "brackets in the mirror direction", StageId::Shading,
+            "R = 2 (N·L) (N − L)", "R = 2 (N·L) N − L"},
+    OwnName{Defect::EyeAtOrigin, 1, "v-reversed", "V from the eye to the surface", StageId::Shading,
+            "V = (p − eye) / |p − eye|", kTowardsEye},
+    OwnName{Defect::EyeAtOrigin, 2, "v-axis", "the viewing axis is taken for V", StageId::Shading, "V = −forward",
+            kTowardsEye},
+    OwnName{Defect::NoBias, 1, "bias-sign", "shadow bias with the wrong sign", StageId::Shading, "z' > Z' − b",
+            "z' > Z' + b"},
+    OwnName{Defect::NormalMatrix, 6, "normals-untouched", "normals of the object are used in the world",
+            StageId::Normals, "N of the file", "N' = (M⁻¹)ᵀ N"},
+    OwnName{Defect::NormalShort, 2, "one-normal", "one vertex's normal for the whole polygon", StageId::Shading,
+            "N = N_0", "N = Σ λ_i N_i, made unit"},
+    OwnName{Defect::ZAffine, 1, "one-depth", "one depth for a triangle", StageId::ZBuffer, "z = (z_0 + z_1 + z_2) / 3",
+            "1 / z = Σ λ_i / z_i"},
+    OwnName{Defect::ZNoWrite, 1, "no-test", "painted without a depth test", StageId::ZBuffer, "FB(x, y) = colour",
+            "if z < zbuffer(x, y): FB(x, y) = colour"},
+    OwnName{Defect::YDown, 1, "view-transposed", "the viewing matrix is transposed", StageId::Transform, "p_v = Rᵀ p",
+            "p_v = R p"},
+    OwnName{Defect::HalfAngle, 1, "no-division", "divided by one distance instead of z", StageId::Transform,
+            "x_s = w/2 + d x_v / ρ", kFromMiddle},
+    OwnName{Defect::HalfPixel, 4, "column", "one pixel to the right", StageId::Transform, "x_s = w/2 + d x_v / z_v + 1",
+            kFromMiddle},
+    OwnName{Defect::HalfPixel, 5, "column", "one pixel to the left", StageId::Transform, "x_s = w/2 + d x_v / z_v − 1",
+            kFromMiddle},
+    OwnName{Defect::HalfPixel, 6, "row", "one pixel down", StageId::Transform, "y_s = h/2 − d y_v / z_v + 1",
+            "y_s = h/2 − d y_v / z_v"},
+    OwnName{Defect::HalfPixel, 7, "row", "one pixel up", StageId::Transform, "y_s = h/2 − d y_v / z_v − 1",
+            "y_s = h/2 − d y_v / z_v"},
+};
+const OwnName* ownNameOf(Defect defect, int way) {
+    const auto found =
+        std::ranges::find_if(kOwnNames, [&](const OwnName& one) { return one.defect == defect && one.way == way; });
+    return found == kOwnNames.end() ? nullptr : &*found;
+}
+
 // Errors of those who write a renderer for a scene that is given: a number that is read wrongly, a term that is left out.
 std::vector<KnownError> errorsOfReading(const Scene& scene) {
     std::vector<KnownError> out;
@@ -204,7 +257,10 @@ std::vector<KnownError> errorsOfReading(const Scene& scene) {
             for (Object& o : s.objects) o.transform.rotation = Vec3d(0), o.transform.turns.clear();
         });
     add("rotation-sign", "objects turn the other way", transform, "R(−angle)", "R(angle)", [](Scene& s) {
-        for (Object& o : s.objects) o.transform.rotation = -o.transform.rotation;
+        for (Object& o : s.objects) {
+            o.transform.rotation = -o.transform.rotation;
+            for (AxisTurn& turn : o.transform.turns) turn.angle = -turn.angle;
+        }
     });
     add("no-translation", "the translation of the objects is left out", transform, "p = R S v", "p = R S v + t",
         [](Scene& s) {
@@ -239,7 +295,11 @@ std::vector<KnownError> knownErrors(const Scene& scene) {
             error.wrong = row.wrong, error.right = row.fix;
             error.lesson = row.lesson, error.heading = row.heading;
             if (way > 0) error.way = row.otherWays[std::size_t(way) - 1];
-            if (row.id == Defect::NormalShort && way > 0) error.leaves = {BufferId::Normal};
+            if (row.id == Defect::NormalShort && way == 1) error.leaves = {BufferId::Normal};
+            if (const OwnName* const own = ownNameOf(row.id, way)) {
+                error.id = own->id, error.name = own->name, error.stage = own->stage, error.way.clear();
+                error.wrong = own->wrong, error.right = own->right;
+            }
             error.plant = [id = row.id, way](Scene planted) { return plant(std::move(planted), id, way); };
             all.push_back(std::move(error));
         }

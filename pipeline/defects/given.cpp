@@ -45,10 +45,20 @@ int wayOf(const Settings& settings) { return settings.defectWay % kSamplesAt; }
 
 // By how much the picture is moved, pixels: as the ways of half-pixel say.
 glm::dvec2 halfPixelOf(std::size_t way) {
-    constexpr double kSigns[][2]{{-1, -1}, {1, 1}, {1, -1}, {-1, 1}};
+    constexpr double kSigns[][2]{{-1, -1}, {1, 1}, {1, -1}, {-1, 1}, {2, 0}, {-2, 0}, {0, 2}, {0, -2}};
     if (way == kUnmoved) return {0, 0};
     const double* const sign = kSigns[std::min(way, std::size(kSigns) - 1)];
     return {0.5 * sign[0], 0.5 * sign[1]};
+}
+
+// y down, or R transposed.
+void spoilAxes(const Planted& planted, View& view) {
+    if (planted.way == 0) {
+        view.scale.y = -view.scale.y;
+        return;
+    }
+    const glm::dmat3 turned = glm::transpose(glm::dmat3(view.right, view.up, view.forward));
+    view.right = turned[0], view.up = turned[1], view.forward = turned[2];
 }
 
 void spoilTranslations(StageKeys& keys) {
@@ -79,9 +89,13 @@ void spoilLightSpace(const Planted& planted, StageKeys& keys) {
 void spoilShadowBias(const Planted& planted, StageKeys& keys) {
     ShadowSettings& shadow = keys.shading.shadow;
     shadow.bias = ShadowBias::Constant, shadow.biasValue = 0;
-    if (planted.defect == Defect::NoBias) return;
+    if (planted.defect == Defect::NoBias && planted.way == 0) return;
     // Shares of the scene's depth.
     const View& view = keys.transform.view;
+    if (planted.defect == Defect::NoBias) {  // with the wrong sign
+        shadow.biasValue = -(view.far - view.near) / 64;
+        return;
+    }
     shadow.biasValue = ofWay({1.0 / 4, 1.0 / 8, 1.0 / 2}, planted.way) * (view.far - view.near);
 }
 
@@ -119,8 +133,11 @@ void tellStage(const Scene& scene, Planted planted, StageKeys& keys) {
             if (planted.way < 2) return;
             keys.shading.shadow.eye = keys.transform.view, keys.shading.planted = planted;
             return;
+        case EyeAtOrigin: keys.shading.shadow.eye = keys.transform.view, keys.shading.planted = planted; return;
+        case Exponent:
+            if (planted.way >= 2) keys.shading.illumination.detail.planted = planted;
+            return;
         case NormalShort: keys.shading.illumination.detail.planted = planted; [[fallthrough]];
-        case EyeAtOrigin:
         case AmbientInShadow:
         case AmbientPerLight:
         case NoAmbient:
@@ -144,9 +161,13 @@ void spoilView(const Scene& scene, const Planted& planted, StageKeys& keys) {
             });
             if (planted.way == 1) spoilRotations(keys, kDegrees);
             return;
-        case Defect::YDown: view.scale.y = -view.scale.y; return;
+        case Defect::YDown: spoilAxes(planted, view); return;
         case Defect::HalfPixel: view.centre += halfPixelOf(planted.way); return;
         case Defect::HalfAngle:
+            if (planted.way > 0) {  // divided by the distance of what the camera looks at instead of z
+                if (view.perspective) view.perspective = false, view.scale /= middleDepth(scene);
+                return;
+            }
             if (2 * scene.camera.fovY < 180) spoilCamera(scene, keys, [](Camera& camera) { camera.fovY *= 2; });
             return;
         case Defect::Aspect: view.scale.x *= planted.way == 0 ? aspect * aspect : aspect; return;
@@ -186,6 +207,7 @@ void spoilGiven(const Scene& scene, StageKeys& keys) {
         case Defect::BigBias: spoilShadowBias(planted, keys); break;
         case Defect::Affine: keys.shading.interpolation = Interpolation::Affine; break;
         case Defect::Exponent:
+            if (planted.way >= 2) break;  // within the term
             for (std::vector<Material>* materials : {&keys.shading.materials, &keys.shading.backMaterials})
                 for (Material& material : *materials) material.exponent *= planted.way == 0 ? 4 : 0.25;
             break;

@@ -68,8 +68,21 @@ void spoilPolygonNormals(const Planted& planted, const TransformOutput<Real>& in
         return Vec3<Real>(glm::dot(Vec3<Real>(view.right), n), glm::dot(Vec3<Real>(view.up), n),
                           planted.way > 0 ? along : -along);
     };
+    // As the file's vertices have it.
+    const auto ofTheFile = [&](Vec3<Real> n, std::size_t polygon) {
+        const std::size_t object = in.topology->objectOfPolygon(polygon);
+        const Mesh& mesh = *in.topology->meshes[object];
+        const auto corners = mesh.polygon(polygon - in.topology->firstPolygon[object]);
+        Vec3d sum(0);
+        for (std::size_t i = 2; i < corners.size(); ++i)
+            sum += glm::cross(mesh.positions[corners[i - 1]] - mesh.positions[corners[0]],
+                              mesh.positions[corners[i]] - mesh.positions[corners[0]]);
+        const Vec3d there = normalized(sum);
+        return std::isfinite(glm::dot(there, there)) ? Vec3<Real>(there) : n;
+    };
     // The normal of a polygon in its own space is along Mᵀ N; the wrong matrix, which stage 1 has left, takes it back.
     const auto throughMatrix = [&](Vec3<Real> n, std::size_t polygon) {
+        if (planted.way > 5) return ofTheFile(n, polygon);
         const glm::dmat3& wrong = in.normalMatrix[in.topology->objectOfPolygon(polygon)];
         const glm::dmat3 linear = planted.way % 3 == 0   ? wrong
                                   : planted.way % 3 == 1 ? glm::inverse(wrong)

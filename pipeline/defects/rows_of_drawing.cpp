@@ -11,10 +11,14 @@ using D = Defect;
 
 constexpr std::string_view kRadianWays[]{"the rotations of objects too"};
 constexpr std::string_view kWindingWays[]{"every polygon of the file"};
-constexpr std::string_view kMatrixWays[]{"the inverse, not transposed", "the transpose, not inverted",
-                                         "of polygons too", "the inverse, of polygons too",
-                                         "the transpose, of polygons too"};
-constexpr std::string_view kShortWays[]{"made unit after N·L"};
+constexpr std::string_view kMatrixWays[]{
+    "the inverse, not transposed",  "the transpose, not inverted",    "of polygons too",
+    "the inverse, of polygons too", "the transpose, of polygons too", "none: those of the object"};
+constexpr std::string_view kShortWays[]{"made unit after N·L", "that of one vertex"};
+constexpr std::string_view kYWays[]{"the viewing matrix transposed"};
+constexpr std::string_view kNoBiasWays[]{"with the wrong sign"};
+constexpr std::string_view kNoWriteWays[]{"painted without a test"};
+constexpr std::string_view kAffineZWays[]{"the mean of the vertices' depths"};
 constexpr std::string_view kBiasWays[]{"half as large", "twice as large"};
 constexpr std::string_view kNearWays[]{"a hundredth of what it may be", "a thousandth of what it may be"};
 
@@ -60,7 +64,8 @@ constexpr auto kDefectsOfDrawing = std::to_array<DefectRow>({
      .first = B::VerticesScreen,
      .lesson = "pyramid",
      .heading = "Where one vertex goes",
-     .source = kOwnJudgement},
+     .source = kOwnJudgement,
+     .otherWays = kYWays},
     {.id = D::Winding,
      .name = "one polygon written clockwise",
      .stage = std::nullopt,
@@ -195,7 +200,8 @@ constexpr auto kDefectsOfDrawing = std::to_array<DefectRow>({
      .first = B::Shadow,
      .lesson = "shadows",
      .heading = "Without a bias",
-     .source = "feature list T13"},
+     .source = "feature list T13",
+     .otherWays = kNoBiasWays},
     {.id = D::BigBias,
      .name = "shadow bias too large",
      .stage = S::Shading,
@@ -249,7 +255,8 @@ constexpr auto kDefectsOfDrawing = std::to_array<DefectRow>({
      .first = B::Depth,
      .lesson = "z-buffer",
      .heading = "The forgotten line",
-     .source = "lecture 2, a line left out"},
+     .source = "lecture 2, a line left out",
+     .otherWays = kNoWriteWays},
     {.id = D::ZAffine,
      .name = "z interpolated linearly in the picture",
      .stage = S::ZBuffer,
@@ -262,7 +269,8 @@ constexpr auto kDefectsOfDrawing = std::to_array<DefectRow>({
      .first = B::Depth,
      .lesson = "z-buffer",
      .heading = "Where two planes cross",
-     .source = "feature list T11"},
+     .source = "feature list T11",
+     .otherWays = kAffineZWays},
     {.id = D::Affine,
      .name = "weights not divided by z",
      .stage = S::Shading,

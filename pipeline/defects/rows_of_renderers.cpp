@@ -10,10 +10,16 @@ using B = BufferId;
 using D = Defect;
 
 constexpr std::string_view kEyeWays[]{"with z away from the viewer"};
-constexpr std::string_view kExponentWays[]{"n/4 for n"};
+constexpr std::string_view kExponentWays[]{"n/4 for n", "left out", "a factor"};
+constexpr std::string_view kHalfAngleWays[]{"divided by one distance"};
 constexpr std::string_view kAspectWays[]{"left out"};
-constexpr std::string_view kHalfPixelWays[]{"half a pixel to the right and down", "to the right and up",
-                                            "to the left and down"};
+constexpr std::string_view kHalfPixelWays[]{"half a pixel to the right and down",
+                                            "to the right and up",
+                                            "to the left and down",
+                                            "a pixel to the right",
+                                            "a pixel to the left",
+                                            "a pixel down",
+                                            "a pixel up"};
 constexpr std::string_view kIndexWays[]{"one too small"};
 
 constexpr auto kDefectsOfRenderers = std::to_array<DefectRow>({
@@ -58,6 +64,7 @@ constexpr auto kDefectsOfRenderers = std::to_array<DefectRow>({
      .scene = "z_buffer_phong",
      .first = B::VerticesScreen,
      .source = kOwnJudgement,
+     .otherWays = kHalfAngleWays,
      .inGame = false},
     {.id = D::OneBased,
      .name = "vertices counted from 1",

@@ -11,8 +11,10 @@ using D = Defect;
 
 constexpr std::string_view kEyeSpaceWays[]{"with z away from the viewer", "and V too", "and V too, with z away"};
 constexpr std::string_view kSumWays[]{"in the sum alone"};
-constexpr std::string_view kMaxWays[]{"the absolute value, |N·L|"};
-constexpr std::string_view kReflectWays[]{"the factor 2 forgotten"};
+constexpr std::string_view kMaxWays[]{"the absolute value, |N·L|", "half Lambert, (N·L + 1) / 2",
+                                      "half Lambert, squared"};
+constexpr std::string_view kViewVectorWays[]{"V from the eye to the surface", "V along the viewing axis"};
+constexpr std::string_view kReflectWays[]{"the factor 2 forgotten", "2 (N·L) (N − L)"};
 constexpr std::string_view kHalfwayWays[]{"the mean of L and V, not made unit"};
 constexpr std::string_view kGammaWays[]{"with 1.8", "with 2.4"};
 
@@ -127,7 +129,8 @@ constexpr auto kDefectsOfShading = std::to_array<DefectRow>({
      .first = B::ViewVector,
      .lesson = "highlight",
      .heading = "When you walk",
-     .source = "feature list T4"},
+     .source = "feature list T4",
+     .otherWays = kViewVectorWays},
     {.id = D::AmbientInShadow,
      .name = "ambient light in the shadow's factor",
      .stage = S::Shading,

@@ -31,6 +31,8 @@ glm::dmat3 throughClipSpace(const View& view, const ObjectMatrix& matrix) {
     return glm::dmat3(glm::transpose(glm::inverse(projectionOf(view) * modelView)));
 }
 
+constexpr int kUntouched = 6;  // way of NormalMatrix: no matrix at all
+
 // Of matrix that is none, nothing: then the right one stays.
 bool isFinite(const glm::dmat3& m) {
     for (int i = 0; i < 3; ++i)
@@ -44,7 +46,9 @@ void spoilNormalMatrix(const Planted& planted, const View& view, const ObjectMat
     glm::dmat3 wrong = normalMatrix;
     if (planted.defect == Defect::NormalSpace) wrong = eyeFromWorld(view, planted.way > 0) * normalMatrix;
     if (planted.defect == Defect::ClipNormals) wrong = throughClipSpace(view, matrix);
-    if (planted.defect == Defect::NormalMatrix)
+    if (planted.defect == Defect::NormalMatrix && planted.way == kUntouched) {
+        wrong = glm::dmat3(1);
+    } else if (planted.defect == Defect::NormalMatrix)
         wrong = planted.way % 3 == 0   ? matrix.linear
                 : planted.way % 3 == 1 ? glm::inverse(matrix.linear)
                                        : glm::transpose(matrix.linear);
@@ -69,9 +73,11 @@ void spoilTest(const DepthCode& code, const RasterTriangle<Real>& triangle, cons
         return first || (flipped ? code.nearer(stored, depth) : code.nearer(depth, stored));
     };
     if (out.planted.defect == Defect::ZFlip) won = isNearer(true);
+    if (out.planted.defect == Defect::ZNoWrite && out.planted.way > 0) won = true;  // painted without a test
     if (out.planted.defect != Defect::ZAffine || !code.perspective) return;
-    // z_view itself, linear in the picture.
-    const Vec3<Real> l = Vec3<Real>(Real(e[0]), Real(e[1]), Real(e[2])) * triangle.inverseArea2;
+    // z_view itself, linear in the picture; or the mean of the vertices.
+    const Vec3<Real> l = out.planted.way > 0 ? Vec3<Real>(Real(1) / 3)
+                                             : Vec3<Real>(Real(e[0]), Real(e[1]), Real(e[2])) * triangle.inverseArea2;
     fragment.z = l.x / triangle.w[0] + l.y / triangle.w[1] + l.z / triangle.w[2];
     fragment.inverseZ = 1 / fragment.z;
     const AtLeastDouble<Real> z(fragment.z);
@@ -81,7 +87,7 @@ void spoilTest(const DepthCode& code, const RasterTriangle<Real>& triangle, cons
 
 template <class Real>
 void spoilWritten(const DepthCode& code, ZBufferOutput<Real>& out, std::size_t at) {
-    if (out.planted.defect != Defect::ZNoWrite) return;
+    if (out.planted.defect != Defect::ZNoWrite || out.planted.way > 0) return;
     out.zView->pixels[at] = std::numeric_limits<Real>::infinity();
     if (!out.depth.empty()) out.depth.pixels[at] = DepthCode::cleared(code.format);
 }

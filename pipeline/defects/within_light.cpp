@@ -70,11 +70,13 @@ void spoilDirections(const Illumination& illumination, const Light& light, const
             follow(at, unit, s);
             return;
         case Defect::RFlip:
-            s.R = planted.way == 0 ? s.L - 2 * s.nDotL * at.N : s.nDotL * at.N - s.L;
+            s.R = planted.way == 0   ? s.L - 2 * s.nDotL * at.N
+                  : planted.way == 1 ? s.nDotL * at.N - s.L
+                                     : 2 * s.nDotL * (at.N - s.L);
             s.rDotV = glm::dot(s.R, at.V);
             return;
         case Defect::NormalShort:
-            if (planted.way > 0) {  // after N·L it is made unit
+            if (planted.way == 1) {  // after N·L it is made unit
                 const Vec3<Real> n = normalized(at.N, unit);
                 s.R = Real(2) * glm::dot(n, s.L) * n - s.L;
                 s.rDotV = glm::dot(s.R, at.V), s.nDotH = glm::dot(n, s.H);
@@ -107,8 +109,20 @@ void spoilTerms(const Illumination& illumination, const Light& light, const Mate
         case Defect::RFlip:
             if (planted.way > 0) s = again(at, s, PowerForm::Pow);
             break;
+        case Defect::Exponent: {  // left out, or a factor
+            Material linear = material;
+            linear.exponent /= effectiveExponent(illumination.model, illumination.exponentFactor, material);
+            s.specular = termsOf(illumination, light, linear, at, attenuated, PowerForm::Pow, s).specular;
+            if (planted.way == 3) s.specular *= Real(material.exponent);
+            break;
+        }
         case Defect::NoMax:
-            if (behind) {
+            if (planted.way >= 2) {  // half Lambert, and its square
+                LightSample<Real> other = s;
+                other.nDotL = (s.nDotL + 1) / 2;
+                if (planted.way > 2) other.nDotL *= other.nDotL;
+                s.diffuse = again(at, other, form).diffuse;
+            } else if (behind) {
                 // The term is linear in N·L: of the other side, with the sign that was not cut off, or cut off too much.
                 LightSample<Real> other = s;
                 other.nDotL = -s.nDotL;

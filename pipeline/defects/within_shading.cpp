@@ -13,7 +13,9 @@ namespace pipeline {
 template <class Real>
 void spoilSurface(const ShadingInputs& inputs, Surface<Real>& surface) {
     if (inputs.planted.defect == Defect::EyeAtOrigin)
-        surface.V = normalized(-surface.position, inputs.illumination.detail.unit);
+        surface.V = inputs.planted.way == 0   ? normalized(-surface.position, inputs.illumination.detail.unit)
+                    : inputs.planted.way == 1 ? -surface.V
+                                              : -Vec3<Real>(inputs.shadow.eye->forward);
     if (inputs.planted.defect == Defect::LightInEye) {  // V's numbers too
         const View& view = *inputs.shadow.eye;
         const Vec3d v(surface.V);
@@ -27,7 +29,10 @@ void spoilPixel(const ShadingInputs& inputs, const ShadingSources<Real>& in, con
                 Surface<Real>& surface) {
     spoilSurface(inputs, surface);
     if (inputs.planted.defect != Defect::NormalShort || in.normals.vertex.empty()) return;
-    const Vec3<Real> normal = interpolated(weights, [&](std::uint32_t vertex) { return in.normals.vertex[vertex]; });
+    const Vec3<Real> normal =
+        inputs.planted.way > 1  // that of one vertex
+            ? in.normals.vertex[weights.vertices[0]]
+            : interpolated(weights, [&](std::uint32_t vertex) { return in.normals.vertex[vertex]; });
     surface.N = glm::dot(normal, surface.N) < 0 ? -normal : normal;  // of a back face it has been turned round
 }
 
