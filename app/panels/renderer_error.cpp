@@ -106,13 +106,6 @@ void RendererError::addCandidate(const Candidate& candidate, int number) {
     m_column->addWidget(lesson);
 }
 
-void RendererError::addNone(const foreign::Suspects& suspects) {
-    add(tr("None of the %1 known errors explains this.").arg(suspects.tried), 13, 600);
-    if (!suspects.next || suspects.next->explained <= 0) return;
-    add(tr("The nearest: %1").arg(toQString(suspects.next->error.name)), 12, 400);
-    addShare(tr("explains"), suspects.next->explained);
-}
-
 void RendererError::addExperiment(const foreign::Suspects& suspects) {
     const auto isOther = [](const Candidate& one) { return one.otherRows; };
     const auto others = std::ranges::count_if(suspects.candidates, isOther);
@@ -131,7 +124,7 @@ void RendererError::addExperiment(const foreign::Suspects& suspects) {
         m_column->addWidget(line);
     }
     if (!suspects.experiment) {
-        if (others == 0) add(tr("They leave the same numbers in every buffer of this scene."), 12, 400);
+        if (others == 0 && suspects.kind.empty()) add(tr("They leave the same numbers in every buffer of this scene."), 12, 400);
         return;
     }
     const foreign::Experiment& experiment = *suspects.experiment;
@@ -152,7 +145,8 @@ void RendererError::show(const foreign::Report& report) {
     m_beside->setText(count == 1  ? tr("clearly best of %1").arg(suspects.tried)
                       : count > 1 ? tr("%1 are as good as each other").arg(count)
                                   : QString());
-    if (count == 0) return addNone(suspects);
+    add(toQString(namesText(report)), count == 0 ? 13 : 12, count == 0 ? 600 : 400);
+    if (count == 0) return;
     int number = 0;
     for (const Candidate& one : suspects.candidates) addCandidate(one, count > 1 ? ++number : 0);
     if (count == 1 && suspects.next) addShare(tr("next best"), suspects.next->explained);

@@ -26,7 +26,6 @@ private:
     QLabel* add(const QString& text, double size, int weight, bool isMono = false);
     void addShare(const QString& name, double share);
     void addCandidate(const pipeline::foreign::Candidate& candidate, int number);
-    void addNone(const pipeline::foreign::Suspects& suspects);
     void addExperiment(const pipeline::foreign::Suspects& suspects);
 
     QLabel *m_title, *m_beside;

@@ -25,7 +25,7 @@ namespace {
 
 Standing wholeStanding(const foreign::Report& report) {
     if (report.agrees()) return Standing::Agrees;
-    return report.firstWrong && report.options.hints >= 1 ? Standing::WrongHere : Standing::CannotTell;
+    return !report.possiblyWrong.empty() && report.options.hints >= 1 ? Standing::WrongHere : Standing::CannotTell;
 }
 
 }  // namespace

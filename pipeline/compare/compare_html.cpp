@@ -158,7 +158,7 @@ private:
         const auto row = [&](std::size_t i) {
             m_html +=
                 fmt::format("<tr><td>{}</td><td class=n><span class=differs>{}</span></td><td class=n>{}</td></tr>\n",
-                            placeText(finding, i), escapedHtml(valueText(finding, m_report.fileOf(finding).mine, i)),
+                            placeText(finding, i), escapedHtml(mineText(m_report, finding, i)),
                             escapedHtml(valueText(finding, rightOf(finding), i)));
             ++rows;
         };
@@ -203,10 +203,10 @@ private:
             const Class of = other.classes[at];
             const bool differs = of == Class::Wrong || of == Class::Missing || of == Class::Extra;
             if (differs && firstDiffers.empty()) firstDiffers = other.name.text();
-            m_html += fmt::format("<tr><td>{}</td><td class=n>{}{}{}</td><td class=n>{}</td></tr>\n",
-                                  code(other.name.text()), differs ? "<span class=differs>" : "",
-                                  escapedHtml(valueText(other, m_report.fileOf(other).mine, at)),
-                                  differs ? "</span>" : "", escapedHtml(valueText(other, rightOf(other), at)));
+            m_html +=
+                fmt::format("<tr><td>{}</td><td class=n>{}{}{}</td><td class=n>{}</td></tr>\n", code(other.name.text()),
+                            differs ? "<span class=differs>" : "", escapedHtml(mineText(m_report, other, at)),
+                            differs ? "</span>" : "", escapedHtml(valueText(other, rightOf(other), at)));
         }
         m_html += "</table>\n";
         if (!firstDiffers.empty())
@@ -225,8 +225,7 @@ private:
         if (m_report.options.hints < 3 || !m_report.suspects) return;
         m_html += fmt::format("<details><summary>Hint 3 <span>{}</span></summary><div>", kNames[2]);
         const Suspects& suspects = *m_report.suspects;
-        if (suspects.candidates.empty())
-            m_html += element("p", fmt::format("None of the {} known errors explains this.", suspects.tried));
+        m_html += element("p", namesText(m_report));
         for (const Candidate& one : suspects.candidates) {
             m_html += fmt::format(
                 "<p><b>{}</b> explains {:.1f} % of the difference{}.</p><p><span class=differs>{}</span> in place of "
@@ -238,7 +237,7 @@ private:
                 m_html += fmt::format("<p class=t2>Lesson {}, page “{}”.</p>", escapedHtml(one.error.lesson),
                                       escapedHtml(one.error.heading));
         }
-        if (suspects.next)
+        if (suspects.next && suspects.candidates.size() == 1)
             m_html +=
                 fmt::format("<p class=t2>The next of {} known errors, {}, explains {:.0f} %.</p>", suspects.tried,
                             escapedHtml(suspects.next->error.name), 100 * std::max(0.0, suspects.next->explained));

@@ -49,8 +49,7 @@ Json candidateJson(const Candidate& one) {
             {"name", one.error.name},
             {"stage", one.error.stage ? Json(stageInfo(*one.error.stage).name) : Json("file")},
             {"explained", one.explained},
-            {"within", one.distance},
-            {"unit", "tolerances"},
+            {"left", one.left},
             {"rows_turned", one.otherRows},
             {"wrong", one.error.wrong},
             {"right", one.error.right},
@@ -71,6 +70,8 @@ Json reportJson(const Report& report, int exitStatus) {
     Json wrong;
     if (report.options.hints >= 1 && !report.agrees()) {
         wrong["stage"] = report.firstWrong ? Json(stageInfo(*report.firstWrong).name) : Json();
+        wrong["stages"] = Json::array();
+        for (const StageId stage : report.possiblyWrong) wrong["stages"].push_back(stageInfo(stage).name);
         wrong["certain"] = report.isCertain;
         if (first && first->worst && report.options.hints >= 2) {
             wrong["buffer"] = first->name.text();
@@ -111,7 +112,7 @@ Json reportJson(const Report& report, int exitStatus) {
     out["experiment"] = nullptr;
     if (report.suspects && report.options.hints >= 3) {
         for (const Candidate& one : report.suspects->candidates) out["known"].push_back(candidateJson(one));
-        out["tried"] = report.suspects->tried;
+        out["tried"] = report.suspects->tried, out["kind"] = report.suspects->kind;
         out["next"] = report.suspects->next ? candidateJson(*report.suspects->next) : Json();
         if (const auto& experiment = report.suspects->experiment) {
             Json values = Json::object(), between = Json::array();

@@ -80,11 +80,10 @@ private:
         const Finding* const first = m_report.firstDifference();
         const auto worst = [&](const Finding& finding) {
             if (!finding.worst) return;
-            const Values& mine = m_report.fileOf(finding).mine;
             const Values& right = m_report.reference->values.at(finding.name.buffer.text());
             labelled("worst", fmt::format("{}  {}  mine {}   reference {}", padded(finding.name.text(), 16),
                                           padded(placeText(finding, *finding.worst), 15),
-                                          padded(valueText(finding, mine, *finding.worst), 12),
+                                          padded(mineText(m_report, finding, *finding.worst), 12),
                                           valueText(finding, right, *finding.worst)));
         };
         if (!first) return;
@@ -96,14 +95,7 @@ private:
     void addLikely() {
         if (!m_report.suspects) return;
         const Suspects& suspects = *m_report.suspects;
-        if (suspects.candidates.empty()) {
-            labelled("likely", fmt::format("None of the {} known errors explains this.", suspects.tried), true);
-            constexpr double kWorthTelling = 0.8;
-            if (suspects.next && suspects.next->explained > kWorthTelling)
-                labelled("likely", fmt::format("The nearest, {}, explains {:.0f} %.", suspects.next->error.name,
-                                               100 * suspects.next->explained));
-            return;
-        }
+        labelled("likely", namesText(m_report), suspects.candidates.empty());
         int number = 0;
         for (const Candidate& one : suspects.candidates) {
             const std::string which = suspects.candidates.size() > 1 ? fmt::format("{}  ", ++number) : std::string();
@@ -122,7 +114,7 @@ private:
             for (std::size_t i = 0; i < suspects.experiment->values.size(); ++i)
                 text += fmt::format("{}{} means {}", i ? ", " : "", suspects.experiment->values[i], i + 1);
             labelled("experiment", text, true);
-        } else if (suspects.candidates.size() > 1) {
+        } else if (suspects.candidates.size() > 1 && suspects.kind.empty()) {
             labelled("experiment", "None: they leave the same numbers in every buffer of this scene.");
         }
     }
@@ -176,6 +168,7 @@ std::string certaintyText(const Convention& convention) {
     switch (convention.certainty) {
         case Certainty::Stated: return "stated in mine.toml";
         case Certainty::Agreed: return "as the other files";
+        case Certainty::Explains: return "with the error named";
         case Certainty::CannotTell: return "cannot tell";
         case Certainty::Clear: break;
     }

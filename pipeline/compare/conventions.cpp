@@ -11,6 +11,7 @@ namespace pipeline::foreign {
 namespace {
 
 constexpr double kClear = 3;             // times as close
+constexpr double kNearer = 1.2;          // the same, where one of two has to be taken for a whole folder
 constexpr double kExplains = 2;          // tolerances: what a reading that explains a file is off at most
 constexpr double kFloor = 0.02;          // tolerances: below that two readings are equally good
 constexpr double kFarthest = 20;         // tolerances: one element counts no more
@@ -89,8 +90,8 @@ Convention said(const HandedFile& file, Axis axis, int value, Certainty certaint
 
 class Choosing {
 public:
-    Choosing(std::vector<Sounding> soundings, const StatedConventions& stated, Conventions& out)
-        : m_soundings(std::move(soundings)), m_stated(stated), m_out(out) {}
+    Choosing(std::vector<Sounding> soundings, const StatedConventions& stated, Together together, Conventions& out)
+        : m_soundings(std::move(soundings)), m_stated(stated), m_together(together == Together::Yes), m_out(out) {}
 
     void chooseAll() {
         state();
@@ -126,7 +127,6 @@ private:
                     said(*sounding.file, Code, int(coding), Certainty::Stated, 1, coding == Coding::AsIs));
             }
         }
-        m_out.geometryIsStated = m_stated.bottomUp.has_value();
     }
 
     // Rows and columns: a file that cannot tell follows the others.
@@ -139,7 +139,7 @@ private:
             const int value = cost[1] < cost[0];
             const double margin = ratio(cost[!value], cost[value]);
             total[0] += cost[0], total[1] += cost[1];
-            if (margin < kClear) {
+            if (margin < kClear || m_together) {
                 open.push_back(&sounding);
                 continue;
             }
@@ -149,7 +149,7 @@ private:
         const int value = total[1] < total[0];
         const double margin = ratio(total[!value], total[value]);
         for (Sounding* sounding : open) {
-            const bool agreed = margin >= kClear;
+            const bool agreed = margin >= (m_together ? kNearer : kClear);
             const bool alike = sounding->costWith(axis, 0) == sounding->costWith(axis, 1);
             sounding->keep(axis, agreed ? value : 0);
             if (agreed ? value != 0 : (axis == Rows || alike))
@@ -213,6 +213,7 @@ private:
 
     std::vector<Sounding> m_soundings;
     const StatedConventions& m_stated;
+    bool m_together;
     Conventions& m_out;
 };
 
@@ -292,7 +293,8 @@ std::optional<std::vector<std::uint8_t>> drawnLess(const std::vector<Sounding>& 
 }  // namespace
 
 Conventions findConventions(const HandedIn& in, const ReferenceValues& reference, const ReadingContext& given,
-                            const std::map<std::string, double>& tolerances, const StatedConventions& stated) {
+                            const std::map<std::string, double>& tolerances, const StatedConventions& stated,
+                            Together together) {
     Conventions out;
     out.context = given;
     for (const HandedFile& file : in.files)
@@ -316,7 +318,7 @@ Conventions findConventions(const HandedIn& in, const ReferenceValues& reference
     }
     const std::vector<Convention> before = out.said;
     std::optional<Choosing> choosing;
-    choosing.emplace(soundings, stated, out).chooseAll();
+    choosing.emplace(soundings, stated, together, out).chooseAll();
     if (const auto drawn = drawnLess(choosing->soundings(), reference, context)) {
         // Where they draw nothing, their numbers of it stand for nothing either.
         ReadingContext less = context;
@@ -327,7 +329,7 @@ Conventions findConventions(const HandedIn& in, const ReferenceValues& reference
                 for (PossibleReading& one : sounding.candidates) one.cost = cost(*sounding.file, one.reading, less);
         }
         out.said = before;
-        choosing.emplace(std::move(soundings), stated, out).chooseAll();
+        choosing.emplace(std::move(soundings), stated, together, out).chooseAll();
     }
     for (const Sounding& sounding : choosing->soundings()) {
         const Reading reading = sounding.best().reading;

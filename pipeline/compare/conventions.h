@@ -18,6 +18,10 @@ struct StatedConventions {
         return sample != codings.end() && sample->second == Coding::Corner;
     }
 };
+// All readings that a file may have, but for those that are stated to be others; of vertices in the picture y upwards too.
+std::vector<Reading> allowedReadings(const HandedFile& file, const ReadingContext& context,
+                                     const StatedConventions& stated);
+
 // rows = "top-down", columns = "left-to-right", channels = "rgb", and the keys of the table of codings; of one file in a
 // table of its name, [depth]. An unknown key or value is an error with line and column.
 Result<StatedConventions> readStated(const std::string& text, const std::string& name);
@@ -27,6 +31,7 @@ enum class Certainty : std::uint8_t {
     Clear,      // at least three times as close as the next reading
     Agreed,     // this file cannot tell, the others can
     Stated,     // in mine.toml
+    Explains,   // with the error that is named
     CannotTell  // no reading is clearly better: the program's own is taken
 };
 struct Convention {
@@ -49,8 +54,7 @@ struct ReadFile {
 struct Conventions {
     std::vector<ReadFile> files;
     std::vector<Convention> said;
-    bool geometryIsStated = false;  // rows and columns
-    ReadingContext context{};       // of their files: with what they show where nothing is drawn
+    ReadingContext context{};  // of their files: with what they show where nothing is drawn
 };
 
 using ReferenceValues = std::map<std::string, Values>;  // by the buffer's name
@@ -60,8 +64,12 @@ using ReferenceValues = std::map<std::string, Values>;  // by the buffer's name
 double readingCost(const HandedFile& file, const Values& mine, const Values& reference, const ReadingContext& context,
                    double tolerance);
 
+// Whether all pictures of a folder have one order of rows and columns, as they have if one program has written them. A file
+// that is turned round by itself may be read so only where all of them agree then: else a wrong one would be made to fit.
+enum class Together : bool { No, Yes };
 Conventions findConventions(const HandedIn& in, const ReferenceValues& reference, const ReadingContext& context,
-                            const std::map<std::string, double>& tolerances, const StatedConventions& stated);
+                            const std::map<std::string, double>& tolerances, const StatedConventions& stated,
+                            Together together);
 
 // Which elements are drawn, by what a file itself says; empty where it does not say.
 std::vector<std::uint8_t> drawnIn(const HandedName& name, const Values& mine);

@@ -137,6 +137,14 @@ bool isLeft(const ReadFile& file, const Reference& reference, bool saysDrawn, st
 
 }  // namespace
 
+namespace {
+
+double strayShare(Domain domain) {
+    return domain == Domain::Pixel ? kStrayPixels : domain == Domain::Texel ? kStrayTexels : 0;
+}
+
+}  // namespace
+
 std::string_view name(Class of) {
     switch (of) {
         case Class::Equal: return "equal";
@@ -185,6 +193,7 @@ Finding compareValues(const ReadFile& file, const Values& right, const Reference
         } else {
             difference = HUGE_VAL;
         }
+        if (picture && reference.isSmaller && reference.outline[i]) return Class::Allowed;
         if (picture && !reference.outline.empty() && reference.outline[i] && neighbours.explain(i) && open.isOpen(i))
             return Class::Allowed;
         if (shadowExplains(file, reference, i, allowed) && shadows.isEdgeNear(i)) return Class::Allowed;
@@ -206,14 +215,24 @@ Finding compareValues(const ReadFile& file, const Values& right, const Reference
             out.largest = std::max(out.largest, difference);
             squares += difference * difference, ++numbers;
         }
-        const bool bad = of == Class::Wrong || of == Class::Missing || of == Class::Extra;
+        const bool bad = isBad(of);
         const double weight = std::isfinite(difference) ? difference : 0;
         if (bad && weight > worst) worst = weight, out.worst = i;
     }
     if (numbers > 0) out.rms = std::sqrt(squares / double(numbers));
-    const double stray = picture ? kStrayPixels : right.domain == Domain::Texel ? kStrayTexels : 0;
-    out.agrees = double(out.bad()) <= stray * double(out.compared);
+    out.agrees = double(out.bad()) <= strayShare(right.domain) * double(out.compared);
     return out;
+}
+
+void leaveOut(const std::vector<std::uint8_t>& elements, Finding& finding) {
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+        Class& of = finding.classes[i];
+        if (!elements[i] || !isBad(of)) continue;
+        --finding.counts[std::size_t(of)], --finding.compared;
+        of = Class::Left, ++finding.counts[std::size_t(of)];
+    }
+    const Domain domain = bufferInfo(finding.name.buffer.id).domain;
+    finding.agrees = double(finding.bad()) <= strayShare(domain) * double(finding.compared);
 }
 
 std::string shortNumber(double value) {

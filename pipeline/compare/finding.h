@@ -9,6 +9,7 @@ namespace pipeline::foreign {
 enum class Class : std::uint8_t { Equal, Tolerated, Allowed, Wrong, Missing, Extra, Left };
 inline constexpr std::size_t kClassCount = 7;
 std::string_view name(Class of);  // "equal", "within tolerance", …
+constexpr bool isBad(Class of) { return of == Class::Wrong || of == Class::Missing || of == Class::Extra; }
 
 // One buffer of theirs beside ours.
 struct Finding {
@@ -41,6 +42,9 @@ inline constexpr double kStrayTexels = 0.01;  // of a shadow buffer, whose frame
 Finding compareValues(const ReadFile& file, const Reference& reference);
 // The same of values that somebody else has made: `right` takes the place of the reference's.
 Finding compareValues(const ReadFile& file, const Values& right, const Reference& reference);
+
+// Without those of these elements that are wrong: they are not compared then. May be empty.
+void leaveOut(const std::vector<std::uint8_t>& elements, Finding& finding);
 
 // "pixel 185, 105", "vertex 65", "polygon 3".
 std::string placeText(const Finding& finding, std::size_t element);

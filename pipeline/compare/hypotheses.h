@@ -1,18 +1,18 @@
 #pragma once
 #include <functional>
-#include <map>
 
-#include "pipeline/compare/finding.h"
 #include "pipeline/compare/known_errors.h"
+#include "pipeline/compare/misfit.h"
 
 namespace pipeline::foreign {
 
 // A known error that may explain what was handed in.
 struct Candidate {
     KnownError error;
-    double distance = 0;     // root of the mean square difference, in tolerances, over the buffer that fits least
-    double explained = 0;    // 1 − distance² / distance of the right renderer²
-    bool otherRows = false;  // than those that are taken
+    Misfit misfit;
+    double left = 0;         // elements that are wrong with its frame too: see Misfit
+    double explained = 0;    // 1 − left / those that are wrong with the right frame
+    bool otherRows = false;  // than those under which the right frame is nearest
 };
 
 struct Experiment {
@@ -21,10 +21,11 @@ struct Experiment {
 };
 
 struct Suspects {
-    double right = 0;                   // distance of this program's frame
-    std::vector<Candidate> candidates;  // the best first: one where it is clearly best, else those as good
+    double right = 0;                   // elements that are wrong with the right frame
+    std::vector<Candidate> candidates;  // the best first: one, or all that are as good
     std::optional<Candidate> next;      // the best of the others
     std::optional<Experiment> experiment;
+    std::string kind;  // what the candidates have in common, where the shadow alone tells: "no light arrives"
     std::size_t tried = 0;
     bool stopped = false;
 };
@@ -42,10 +43,21 @@ struct FirstWrong {
 std::optional<Experiment> experimentBetween(const std::vector<Candidate>& candidates, const Scene& scene,
                                             const Reference& reference, const Stop& stop);
 
-// Which known errors explain the files. Ranked in a small picture; the best five are confirmed in the picture's own size.
-// Where none explains all of them, what explains the first wrong file and leaves those before as they are is taken.
+// Which known errors explain the files. Each is tried under every reading of the folder that is possible, and counted as
+// the verdict counts: where right renderers may differ nothing is held against it. Large pictures are ranked in a smaller
+// one, and the best are confirmed in their own size. Where none explains all of the files, what explains the first wrong
+// file and leaves those before as they are is taken.
 Suspects findSuspects(const Scene& scene, const Reference& reference, const Conventions& conventions,
-                      const std::vector<Finding>& findings, const FirstWrong& first, const Stop& stop,
-                      const HypothesisProgress& progress = {});
+                      const StatedConventions& stated, const std::vector<Finding>& findings, const FirstWrong& first,
+                      const Stop& stop, const HypothesisProgress& progress = {});
+
+// What the shadow test alone can have done: where nearly all pixels that are wrong have the very colour that they have in
+// light or in shadow, S is wrong and nothing else. How it changes tells the kind; of `errors` those of that kind.
+struct ShadowAlone {
+    std::string kind;              // "no light arrives"; empty: it is not S alone
+    std::vector<std::string> ids;  // of known errors
+    double explained = 0;          // the share of the wrong pixels
+};
+ShadowAlone shadowAlone(const Finding& color, const Values& theirs, const Reference& reference);
 
 }  // namespace pipeline::foreign

@@ -164,6 +164,19 @@ std::optional<Values> ownPicture(const Frame& frame, const BufferName& name, con
     return values;
 }
 
+// Per pixel whether another polygon is seen there than should be, by the files of the z-buffer: materials and shadows are
+// those of the reference, so that nothing can be made of their normals and depths.
+std::vector<std::uint8_t> otherPolygons(const std::vector<Finding>& findings) {
+    std::vector<std::uint8_t> out;
+    for (const Finding& finding : findings) {
+        if (finding.stage != StageId::ZBuffer || !finding.isPicture()) continue;
+        if (finding.name.buffer.id == BufferId::Overdraw) continue;
+        out.resize(finding.classes.size());
+        for (std::size_t i = 0; i < out.size(); ++i) out[i] = out[i] || isBad(finding.classes[i]);
+    }
+    return out;
+}
+
 }  // namespace
 
 const Values* handedValues(const Conventions& conventions, const std::string& name) {
@@ -238,6 +251,8 @@ std::vector<std::optional<OwnResult>> compareOwn(const Conventions& conventions,
         const auto file = std::ranges::find_if(conventions.files,
                                                [&](const ReadFile& f) { return f.file->name == findings[i].name; });
         out[i] = OwnResult{std::move(from), compareValues(*file, *right, reference)};
+        if (findings[i].stage == StageId::Shading && findings[i].isPicture())
+            leaveOut(otherPolygons(findings), out[i]->finding);
     }
     return out;
 }

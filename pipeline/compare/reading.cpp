@@ -310,6 +310,13 @@ std::optional<std::array<double, 3>> backgroundOf(const HandedFile& file, const 
     return best;
 }
 
+std::vector<double> numbersAt(const HandedFile& file, const Reading& reading, std::size_t x, std::size_t y) {
+    const FilePicture picture(file, reading);
+    std::vector<double> out;
+    for (std::size_t c = 0; c < file.numbers.channels(); ++c) out.push_back(picture.at(x, y, c));
+    return out;
+}
+
 Values read(const HandedFile& file, const Reading& reading, const ReadingContext& context, const Values& reference) {
     Values out{reference.domain, reference.rows, reference.columns, reference.channels, {}, {}};
     out.numbers.assign(out.count() * std::size_t(out.channels), 0);

@@ -103,6 +103,9 @@ std::vector<Reading> readingsOf(const HandedFile& file, const ReadingContext& co
 // nothing, in whatever order of rows and columns. 0 to 255; nothing where it is black or no one colour.
 std::optional<std::array<double, 3>> backgroundOf(const HandedFile& file, const ReadingContext& context);
 
+// The numbers of a picture's file as it holds them, at a pixel of the reference.
+std::vector<double> numbersAt(const HandedFile& file, const Reading& reading, std::size_t x, std::size_t y);
+
 // The numbers of a file in this program's units and space. `reference` of the same buffer.
 Values read(const HandedFile& file, const Reading& reading, const ReadingContext& context, const Values& reference);
 

@@ -101,10 +101,11 @@ void findShadows(Reference& reference) {
         }
     }
     reference.colorLow = reference.colorHigh = reference.values.at("color");
+    const Planted planted = dataOf<double>(*reference.frame)->keys.shading.planted;
     const auto set = [&](const Values& from, Values& to) {
         for (std::size_t i = 0; i < from.count(); ++i) {
             const Color8 color =
-                frameBufferValue({from.at(i)[0], from.at(i)[1], from.at(i)[2]}, reference.context.iMax);
+                frameBufferValue({from.at(i)[0], from.at(i)[1], from.at(i)[2]}, reference.context.iMax, planted);
             for (int c = 0; c < 3; ++c) to.at(i)[c] = color[c];
         }
     };
@@ -157,33 +158,64 @@ std::optional<Values> valuesIn(const Frame& frame, const BufferName& name) {
     return out;
 }
 
+namespace {
+
+constexpr BufferId kLit[]{BufferId::Color, BufferId::Intensity, BufferId::Diffuse, BufferId::Specular,
+                          BufferId::Shadow};
+
+bool castsShadows(const Scene& scene) { return std::ranges::any_of(scene.lights, &Light::castsShadow); }
+
+// The frames, with shadows and, where some are open, without. False where it was stopped.
+bool drawFrames(Reference& out, const std::shared_ptr<const Scene>& scene, const BufferSet& wanted,
+                const FramePtr& before, const Stop& stop) {
+    const FrameRequest request{wanted, StageId::Shading, 0, stop};
+    out.frame = runFrame(scene, request, before);
+    if (!out.frame) return false;
+    const bool isLit = std::ranges::any_of(kLit, [&](BufferId id) { return wanted[index(id)]; });
+    if (!isLit || !castsShadows(*scene)) return true;
+    Scene without = *scene;
+    for (Light& light : without.lights) light.castsShadow = false;
+    out.unshadowed = runFrame(std::make_shared<const Scene>(without), request, out.frame);
+    return out.unshadowed != nullptr;
+}
+
+// What a comparison reads of the frame, with the values of the buffers that are wanted.
+void readFrame(Reference& out, const BufferSet& wanted) {
+    const Scene& scene = out.frame->scene();
+    const Settings& settings = scene.settings;
+    out.context.covered = coveredIn(*out.frame);
+    out.context.view = readStages(*out.frame, [](const auto& data) { return data.transform->view; });
+    out.context.sampleShift = sampleShiftOf(scene);
+    out.context.opensPlanes = scene.camera.near == 0 || scene.camera.far == 0;
+    out.context.iMax = maximumIntensity(scene);
+    out.context.width = std::size_t(settings.width), out.context.height = std::size_t(settings.height);
+    for (const BufferName& name : allBuffers(scene.lights.size()))
+        if (toleranceOf(name.id) && wanted[index(name.id)])
+            if (auto values = valuesIn(*out.frame, name)) out.values.emplace(name.text(), std::move(*values));
+    const auto intensity = out.values.find("intensity"), color = out.values.find("color");
+    if (intensity == out.values.end() || color == out.values.end() || !(out.context.iMax > 0)) return;
+    for (std::size_t i = 0; i < intensity->second.numbers.size(); ++i) {
+        out.context.unrounded.push_back(255 * std::clamp(intensity->second.numbers[i] / out.context.iMax, 0.0, 1.0));
+        // What a planted error of the frame buffer has stored does not follow.
+        if (!(std::abs(out.context.unrounded.back() - color->second.numbers[i]) < 0.6))
+            return out.context.unrounded.clear();
+    }
+}
+
+void findOpen(Reference& out) {
+    if (out.values.contains("polygon_id")) findOutline(out);
+    if (out.values.contains("intensity") && out.values.contains("color") && out.values.contains("polygon_id"))
+        findShadows(out);
+}
+
+}  // namespace
+
 std::optional<Reference> makeReference(const Scene& scene, const std::map<std::string, double>& overrides, Stop stop,
                                        PixelCorner corner) {
     Reference out;
     out.corner = corner;
-    const auto shared = referenceScene(scene, corner);
-    const FrameRequest request{allCompared(), StageId::Shading, 0, stop};
-    out.frame = runFrame(shared, request, nullptr);
-    if (!out.frame) return {};
-    const bool casts = std::ranges::any_of(scene.lights, &Light::castsShadow);
-    if (casts) {
-        Scene without = *shared;
-        for (Light& light : without.lights) light.castsShadow = false;
-        out.unshadowed = runFrame(std::make_shared<const Scene>(without), request, out.frame);
-        if (!out.unshadowed) return {};
-    }
-    out.context.covered = coveredIn(*out.frame);
-    out.context.view = readStages(*out.frame, [](const auto& data) { return data.transform->view; });
-    out.context.sampleShift = sampleShiftOf(*shared);
-    out.context.opensPlanes = scene.camera.near == 0 || scene.camera.far == 0;
-    out.context.iMax = maximumIntensity(*shared);
-    out.context.width = std::size_t(scene.settings.width), out.context.height = std::size_t(scene.settings.height);
-    for (const BufferName& name : allBuffers(scene.lights.size()))
-        if (toleranceOf(name.id))
-            if (auto values = valuesIn(*out.frame, name)) out.values.emplace(name.text(), std::move(*values));
-    if (const auto intensity = out.values.find("intensity"); intensity != out.values.end() && out.context.iMax > 0)
-        for (const double i : intensity->second.numbers)
-            out.context.unrounded.push_back(255 * std::clamp(i / out.context.iMax, 0.0, 1.0));
+    if (!drawFrames(out, referenceScene(scene, corner), allCompared(), nullptr, stop)) return {};
+    readFrame(out, allCompared());
     double nearest = HUGE_VAL, farthest = 0;
     if (const auto z = out.values.find("z_view"); z != out.values.end())
         for (std::size_t i = 0; i < z->second.count(); ++i)
@@ -201,8 +233,25 @@ std::optional<Reference> makeReference(const Scene& scene, const std::map<std::s
         if (buffer.id == BufferId::ShadowBuffer) out.context.ofShadowBuffers = row.value * of;
         out.tolerances[name] = override != overrides.end() ? override->second : row.value * of;
     }
-    if (out.values.contains("polygon_id")) findOutline(out);
-    if (out.values.contains("intensity") && out.values.contains("polygon_id")) findShadows(out);
+    findOpen(out);
+    return out;
+}
+
+std::optional<Reference> makeHypothesis(const Scene& wrong, const Reference& right, BufferSet compared,
+                                        PixelCorner corner, const FramePtr& before, const Stop& stop) {
+    using enum BufferId;
+    Reference out;
+    out.corner = corner;
+    out.tolerances = right.tolerances, out.context.ofShadowBuffers = right.context.ofShadowBuffers;
+    compared.set(index(PolygonId)).set(index(VerticesScreen));
+    const bool isLit = std::ranges::any_of(kLit, [&](BufferId id) { return compared[index(id)]; });
+    if (isLit && castsShadows(wrong))
+        for (const BufferId id : {Color, Intensity, Diffuse, Specular, Shadow, LightVector, NDotL})
+            compared.set(index(id));
+    if (compared[index(Color)]) compared.set(index(Intensity));
+    if (!drawFrames(out, referenceScene(wrong, corner), compared, before, stop)) return {};
+    readFrame(out, compared);
+    findOpen(out);
     return out;
 }
 

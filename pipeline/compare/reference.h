@@ -17,6 +17,7 @@ struct Reference {
     std::map<std::string, double> tolerances;  // by the buffer's name, in its unit
     ReadingContext context;
     PixelCorner corner = PixelCorner::None;  // where pixels are sampled; vertices in the picture stay where they are
+    bool isSmaller = false;                  // a picture of fewer pixels than the files': at outlines it tells nothing
 
     // Per pixel: whether a border between two polygons, or of one, is within a pixel.
     std::vector<std::uint8_t> outline;
@@ -43,5 +44,10 @@ std::vector<std::uint8_t> coveredIn(const Frame& frame);
 // `overrides`: by the buffer's name without a light's index, in its unit. Nothing where it was stopped.
 std::optional<Reference> makeReference(const Scene& scene, const std::map<std::string, double>& overrides, Stop stop,
                                        PixelCorner corner = PixelCorner::None);
+
+// The same of a scene with an error, for the buffers that are compared alone, with the tolerances of the right one. What
+// its frame has in common with `before` (may be null) serves again.
+std::optional<Reference> makeHypothesis(const Scene& wrong, const Reference& right, BufferSet compared,
+                                        PixelCorner corner, const FramePtr& before, const Stop& stop);
 
 }  // namespace pipeline::foreign

@@ -23,6 +23,28 @@ bool StatedConventions::states(const HandedFile& file, const ReadingContext& con
     });
 }
 
+std::vector<Reading> allowedReadings(const HandedFile& file, const ReadingContext& context,
+                                     const StatedConventions& stated) {
+    const StatedConventions ofFile = stated.of(file);
+    std::vector<Reading> all = readingsOf(file, context);
+    if (file.name.buffer.id == BufferId::VerticesScreen) all.push_back({false, false, false, Coding::FromTheFoot});
+    const bool isPicture = bufferInfo(file.name.buffer.id).domain == Domain::Pixel;
+    std::erase_if(all, [&](const Reading& reading) {
+        // A gamma that no standard knows is an error, until it is stated.
+        if (reading.coding == Coding::Gamma22 && !ofFile.codings.contains("encoding")) return true;
+        if (!isPicture) return false;
+        return (ofFile.bottomUp && *ofFile.bottomUp != reading.bottomUp) ||
+               (ofFile.mirrored && *ofFile.mirrored != reading.mirrored) || (ofFile.bgr && *ofFile.bgr != reading.bgr);
+    });
+    for (const auto& [key, coding] : ofFile.codings) {
+        const bool has = std::ranges::any_of(all, [&](const Reading& reading) { return reading.coding == coding; });
+        const bool isAsked =
+            std::ranges::any_of(all, [&](const Reading& reading) { return codingInfo(reading.coding).key == key; });
+        if (has && isAsked) std::erase_if(all, [&](const Reading& reading) { return reading.coding != coding; });
+    }
+    return all;
+}
+
 namespace {
 
 // Of all files, or in a table of its name of one.

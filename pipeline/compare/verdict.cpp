@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pipeline/compare/settle_readings.h"
 #include "pipeline/compare/shadow_frame.h"
 #include "pipeline/core/text.h"
 
@@ -60,10 +61,24 @@ std::string ownText(const Finding& finding, const OwnResult& own) {
     return fmt::format("{}: wrong also with your {}", finding.name.text(), from);
 }
 
+// Whether another polygon is seen somewhere, by what is handed in: then the pictures differ too, whoever is to blame.
+bool seesOtherwise(const Report& report) {
+    return std::ranges::any_of(report.findings, [](const Finding& f) {
+        return f.stage == StageId::ZBuffer && f.isPicture() && f.name.buffer.id != BufferId::Overdraw && !f.agrees;
+    });
+}
+bool seesTheSame(const Report& report) {
+    const auto tells = [](const Finding& f) {
+        return f.name.buffer.id == BufferId::ZView || f.name.buffer.id == BufferId::PolygonId;
+    };
+    return std::ranges::any_of(report.findings, tells) && !seesOtherwise(report);
+}
+
 // A buffer that differs is wrong here if what its stage got is right, or if our stage makes another one of what it got.
 Standing judge(const Report& report, std::size_t i, const std::array<bool, kStageCount>& right) {
     const Finding& finding = report.findings[i];
     if (finding.agrees) return Standing::Agrees;
+    if (finding.stage == StageId::Transform && seesTheSame(report)) return Standing::CannotTell;
     bool allRight = true, badInput = false;
     for (const StageId input : inputsOf(finding)) {
         allRight = allRight && right[index(input)];
@@ -71,7 +86,7 @@ Standing judge(const Report& report, std::size_t i, const std::array<bool, kStag
     }
     if (report.own[i] && !report.own[i]->finding.agrees) {
         // What else it got may be wrong where it was not handed in.
-        const bool partly = !allRight && !badInput && finding.stage == StageId::Shading;
+        const bool partly = finding.stage == StageId::Shading && (seesOtherwise(report) || (!allRight && !badInput));
         return partly ? Standing::CannotTell : Standing::WrongHere;
     }
     if (report.own[i]) return Standing::GivenInput;
@@ -106,156 +121,6 @@ void judgeStages(Report& report) {
     }
 }
 
-// 1 may stand for dropped polygons, or front and back are exchanged: what is drawn of them tells. Where nothing does, both
-// are said.
-void settleFlags(Report& report) {
-    for (std::size_t i = 0; i < report.findings.size(); ++i) {
-        ReadFile& file = report.conventions.files[i];
-        if (file.file->name.buffer.id != BufferId::PolygonsVerdict || report.findings[i].agrees) continue;
-        const bool isFlags = std::ranges::all_of(file.file->numbers.values, [](double v) { return v == 0 || v == 1; });
-        if (!isFlags) continue;
-        ReadFile turned = file;
-        turned.reading.coding = file.file->name.form == Form::Visible ? Coding::DroppedIsOne : Coding::Flags;
-        turned.mine = read(*file.file, turned.reading, report.conventions.context,
-                           report.reference->values.at(file.file->name.buffer.text()));
-        const Finding finding = compareValues(turned, *report.reference);
-        if (!finding.agrees) continue;
-        bool drawn = false, right = true;
-        for (const Finding& later : report.findings)
-            if (later.stage > StageId::Normals) drawn = true, right = right && later.agrees;
-        const CodingInfo& info = codingInfo(turned.reading.coding);
-        Convention said{file.file->name.text(), std::string(info.words), std::string(info.key),
-                        std::string(info.value)};
-        if (drawn && right) {
-            report.conventions.said.push_back(said);
-            file = turned, report.findings[i] = finding;
-        } else if (!drawn) {
-            said.words += "; or front and back are exchanged";
-            said.certainty = Certainty::CannotTell, said.own = true;
-            report.conventions.said.push_back(said);
-        }
-    }
-}
-
-// What a reading explains wholly is no error, however close the one that was taken came. Colours of a gamma are one, and
-// of flags what is drawn decides.
-// isUp: of vertices in the picture, whether y may run upwards.
-void settleCoding(const StatedConventions& stated, const Reference& reference, Conventions& conventions, ReadFile& file,
-                  Finding& finding, bool isUp = false) {
-    std::vector<Reading> readings = readingsOf(*file.file, conventions.context);
-    if (isUp) readings.push_back({false, false, false, Coding::FromTheFoot});
-    const StatedConventions ofFile = stated.of(*file.file);
-    const bool isOpen = file.file->name.buffer.id != BufferId::PolygonsVerdict;
-    if (!isOpen || ofFile.states(*file.file, conventions.context)) return;
-    for (const Reading& reading : readings) {
-        Reading wanted = file.reading;
-        wanted.coding = reading.coding;
-        if (reading != wanted || reading == file.reading || reading.coding == Coding::Gamma22) continue;
-        ReadFile other{
-            file.file, reading,
-            read(*file.file, reading, conventions.context, reference.values.at(file.file->name.buffer.text())),
-            file.others};
-        Finding found = compareValues(other, reference);
-        if (!found.agrees) continue;
-        const std::string name = file.file->name.text();
-        const std::string key(codingInfo(file.reading.coding).key);
-        std::erase_if(conventions.said, [&](const Convention& c) { return c.buffer == name && c.key == key; });
-        const CodingInfo& info = codingInfo(reading.coding);
-        if (reading.coding != Coding::AsIs)
-            conventions.said.push_back({name, std::string(info.words), std::string(info.key), std::string(info.value),
-                                        Certainty::Clear,
-                                        double(finding.bad()) / double(std::max<std::size_t>(1, found.bad()))});
-        file = std::move(other), finding = std::move(found);
-        return;
-    }
-}
-
-// Their files beside the reference. False where it was stopped.
-bool readFiles(Report& report, const StatedConventions& stated) {
-    const Reference& reference = *report.reference;
-    report.conventions = findConventions(*report.in, reference.values, reference.context, reference.tolerances, stated);
-    report.findings.clear();
-    for (ReadFile& file : report.conventions.files) {
-        if (report.options.stop.stop_requested()) return false;
-        report.findings.push_back(compareValues(file, reference));
-        Finding& finding = report.findings.back();
-        if (!finding.agrees) settleCoding(stated, reference, report.conventions, file, finding);
-    }
-    // Where what is drawn of them differs, half a pixel of the vertices is the error.
-    const bool drawnOtherwise = std::ranges::any_of(report.findings, [](const Finding& f) {
-        const bool tells = f.stage == StageId::ZBuffer || f.name.buffer.id == BufferId::Color;
-        return f.isPicture() && tells && !f.agrees;
-    });
-    for (std::size_t i = 0; i < report.findings.size() && drawnOtherwise; ++i) {
-        ReadFile& file = report.conventions.files[i];
-        const bool isWhole = file.reading.coding == Coding::PixelFromCentre;
-        if (!isWhole || stated.of(*file.file).codings.contains("screen")) continue;
-        file.reading.coding = Coding::AsIs;
-        file.mine = read(*file.file, file.reading, report.conventions.context, reference.values.at("vertices.screen"));
-        report.findings[i] = compareValues(file, reference);
-        std::erase_if(report.conventions.said, [&](const Convention& c) { return c.buffer == file.file->name.text(); });
-    }
-    // A program whose rows run upwards has y in the picture upwards too. If it culls otherwise than the reference does, y
-    // is the error.
-    bool isUp = false, culls = true;
-    for (const Finding& finding : report.findings) {
-        isUp = isUp || (finding.isPicture() && finding.agrees && finding.reading.bottomUp);
-        culls = culls && (finding.agrees || finding.name.buffer.id != BufferId::PolygonsVerdict);
-    }
-    for (std::size_t i = 0; i < report.findings.size() && isUp && culls; ++i)
-        if (!report.findings[i].agrees && report.findings[i].name.buffer.id == BufferId::VerticesScreen)
-            settleCoding(stated, reference, report.conventions, report.conventions.files[i], report.findings[i], true);
-    return true;
-}
-
-// Pixels that are wrong, and those of them next to another polygon: there alone it shows where a pixel is sampled.
-struct WrongPixels {
-    std::size_t all = 0, atOutlines = 0;
-    bool differ = false;
-};
-WrongPixels wrongPixels(const Report& report, const std::vector<std::uint8_t>& outline) {
-    WrongPixels out;
-    for (const Finding& finding : report.findings) {
-        if (!finding.isPicture()) continue;
-        out.differ = out.differ || !finding.agrees;
-        for (std::size_t i = 0; i < finding.classes.size(); ++i) {
-            const Class of = finding.classes[i];
-            if (of != Class::Wrong && of != Class::Missing && of != Class::Extra) continue;
-            ++out.all, out.atOutlines += outline[i];
-        }
-    }
-    return out;
-}
-
-// Pixels may be sampled at their corner: the first of their rows and columns. Taken where it explains the outlines.
-bool settleSamples(Report& report, const StatedConventions& stated) {
-    constexpr double kFewer = 3;  // times as few wrong pixels at outlines
-    constexpr std::size_t kFewest = 12;
-    const auto reference = report.reference;
-    if (reference->outline.empty()) return true;
-    const WrongPixels atCentre = wrongPixels(report, reference->outline);
-    if (!stated.atCorner() && (!atCentre.differ || atCentre.atOutlines < kFewest)) return true;
-    const auto bottomUp =
-        std::ranges::count_if(report.conventions.files, [](const ReadFile& file) { return file.reading.bottomUp; });
-    const auto corner = bottomUp > 0 ? PixelCorner::LowerLeft : PixelCorner::UpperLeft;
-    auto other = makeReference(*report.scene, report.options.tolerances, report.options.stop, corner);
-    if (!other) return false;
-    Report moved = report;
-    moved.reference = std::make_shared<const Reference>(std::move(*other));
-    if (!readFiles(moved, stated)) return false;
-    const WrongPixels atCorner = wrongPixels(moved, reference->outline);
-    const bool explains = !atCorner.differ || (double(atCorner.atOutlines) * kFewer <= double(atCentre.atOutlines) &&
-                                               atCorner.all < atCentre.all);
-    if (!stated.atCorner() && !explains) return true;
-    report = std::move(moved);
-    const CodingInfo& info = codingInfo(Coding::Corner);
-    report.conventions.said.push_back(
-        {"pictures", std::string(info.words), std::string(info.key), std::string(info.value),
-         stated.atCorner() ? Certainty::Stated : Certainty::Clear,
-         double(atCentre.atOutlines) / double(std::max<std::size_t>(1, atCorner.atOutlines))});
-    return true;
-}
-
 // A light's frame and extent are everybody's own: a shadow buffer is compared if its frame is found.
 void leaveOutShadowBuffers(const Reference& reference, HandedIn& in) {
     std::erase_if(in.files, [&](const HandedFile& file) {
@@ -270,6 +135,18 @@ void leaveOutShadowBuffers(const Reference& reference, HandedIn& in) {
     });
 }
 
+// What the stages have done, by the findings.
+void judgeAll(Report& report) {
+    report.standings.clear(), report.broken.clear();
+    for (std::size_t i = 0; i < kStageCount; ++i) report.stages[i] = {kStages[i], Standing::NoFile, {}, {}};
+    for (std::size_t i = 0; i < report.findings.size(); ++i)
+        report.stages[index(report.findings[i].stage)].findings.push_back(i);
+    const Stop& stop = report.options.stop;
+    report.own = compareOwn(report.conventions, report.findings, *report.reference, stop);
+    judgeStages(report);
+    if (!report.agrees()) report.broken = brokenContracts(report.conventions, *report.reference, stop);
+}
+
 FirstWrong firstWrongOf(const Report& report) {
     FirstWrong out;
     for (std::size_t i = 0; i < report.findings.size(); ++i) {
@@ -282,23 +159,30 @@ FirstWrong firstWrongOf(const Report& report) {
 }
 
 void nameFirstWrong(Report& report) {
+    using enum StageId;
+    const auto only = [&](std::vector<StageId> stages, bool isCertain = false) {
+        report.possiblyWrong = std::move(stages), report.isCertain = isCertain;
+        if (report.possiblyWrong.size() == 1) report.firstWrong = report.possiblyWrong[0];
+    };
+    if (report.agrees()) return;
     for (const StageId stage : kStages)
-        if (report.stages[index(stage)].standing == Standing::WrongHere) {
-            report.firstWrong = stage, report.isCertain = true;
-            return;
-        }
-    if (report.suspects && report.suspects->candidates.size() == 1) {
-        report.firstWrong = report.suspects->candidates[0].error.stage;
-        return;
+        if (report.stages[index(stage)].standing == Standing::WrongHere) return only({stage}, true);
+    if (report.suspects && !report.suspects->candidates.empty()) {
+        std::vector<StageId> stages;
+        for (const StageId stage : kStages)
+            if (std::ranges::any_of(report.suspects->candidates,
+                                    [&](const Candidate& c) { return c.error.stage == stage; }))
+                stages.push_back(stage);
+        return only(std::move(stages));
     }
-    for (const StageId stage : kStages)
-        if (differs(report, stage)) {
-            // A picture alone says nothing of the stage.
-            const bool onlyColor = std::ranges::all_of(
-                report.findings, [](const Finding& f) { return f.name.buffer.id == BufferId::Color; });
-            if (!onlyColor) report.firstWrong = stage;
-            return;
-        }
+    for (const StageId stage : {Transform, Cull, Normals, ShadowBuffer})
+        if (differs(report, stage)) return only({stage});
+    if (differs(report, ZBuffer)) return only({Transform, Cull, ZBuffer});
+    const auto ofNormals =
+        std::ranges::find_if(report.findings, [](const Finding& f) { return f.name.buffer.id == BufferId::Normal; });
+    const bool isThere = ofNormals != report.findings.end();
+    if (seesTheSame(report) || isThere)
+        only(isThere && ofNormals->agrees ? std::vector{Shading} : std::vector{Normals, Shading});
 }
 
 }  // namespace
@@ -353,6 +237,7 @@ Result<Report> compareRenderer(const Scene& scene, std::shared_ptr<const Referen
     auto stated = readStated(in.conventions, in.conventionsName);
     if (!stated) return stated.errors();
     leaveOutShadowBuffers(*out.reference, in);
+    out.evidence = weigh(in, *out.reference);
     out.in = std::make_shared<const HandedIn>(std::move(in));
     if (out.in->files.empty()) {
         if (!out.in->errors.empty()) return out.in->errors;
@@ -363,21 +248,22 @@ Result<Report> compareRenderer(const Scene& scene, std::shared_ptr<const Referen
                      "color.png, depth.npy, normal.npy, … (shadescope compare --starter python -o mine writes what to "
                      "hand in)"};
     }
-    for (std::size_t i = 0; i < kStageCount; ++i) out.stages[i].stage = kStages[i];
     if (!readFiles(out, *stated) || !settleSamples(out, *stated)) return Error{{}, "cancelled", {}};
-    for (std::size_t i = 0; i < out.findings.size(); ++i)
-        out.stages[index(out.findings[i].stage)].findings.push_back(i);
     settleFlags(out);
-    out.own = compareOwn(out.conventions, out.findings, *out.reference, options.stop);
-    judgeStages(out);
-    if (!out.agrees()) out.broken = brokenContracts(out.conventions, *out.reference, options.stop);
-    if (options.known && !out.agrees()) {
+    judgeAll(out);
+    if (options.known && !out.agrees() && !out.evidence.isEmpty) {
         const HypothesisProgress progress = [&](std::size_t done, std::size_t all) {
             if (options.progress) options.progress("known errors", done, all);
         };
-        out.suspects = findSuspects(scene, *out.reference, out.conventions, out.findings, firstWrongOf(out),
+        out.suspects = findSuspects(scene, *out.reference, out.conventions, *stated, out.findings, firstWrongOf(out),
                                     options.stop, progress);
         if (out.suspects->stopped) return Error{{}, "cancelled", {}};
+        // The files as they are read if that is the error, for all that follows.
+        if (!out.suspects->candidates.empty()) {
+            if (!readAs(out, *stated, out.suspects->candidates[0].misfit)) return Error{{}, "cancelled", {}};
+            settleFlags(out);
+            judgeAll(out);
+        }
     }
     nameFirstWrong(out);
     return out;

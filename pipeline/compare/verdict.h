@@ -1,6 +1,7 @@
 #pragma once
 #include <functional>
 
+#include "pipeline/compare/evidence.h"
 #include "pipeline/compare/hypotheses.h"
 #include "pipeline/compare/own_stage.h"
 #include "pipeline/compare/their_contracts.h"
@@ -39,9 +40,11 @@ struct Report {
     std::vector<Standing> standings;            // likewise
     std::vector<BrokenContract> broken;
     std::array<StageVerdict, kStageCount> stages;
-    std::optional<StageId> firstWrong;
-    bool isCertain = false;  // of that: chain and own comparison say so; else a known error, or the first that differs
+    std::optional<StageId> firstWrong;   // where one stage alone can be it
+    std::vector<StageId> possiblyWrong;  // the first wrong stage is one of these; none: the files do not tell
+    bool isCertain = false;  // of that: chain and own comparison say so; else a known error, or what differs
     std::optional<Suspects> suspects;
+    Evidence evidence;  // of files that hold nothing
     CompareOptions options;
 
     bool agrees() const;  // everything handed in does
@@ -61,6 +64,11 @@ Result<Report> compareRenderer(const Scene& scene, std::shared_ptr<const Referen
 
 // "Normals is the first wrong stage."
 std::string headline(const Report& report);
+// "None of the 102 known errors explains this.", "Your files are those of a renderer with this error."; empty where none was
+// looked for.
+std::string namesText(const Report& report);
+// What they have handed in, in the numbers of the file where these are colours: "10 20 30", "nothing".
+std::string mineText(const Report& report, const Finding& finding, std::size_t element);
 // What the headline rests on, one sentence; may be empty.
 std::string evidence(const Report& report);
 // The three hints, as far as they are given away.

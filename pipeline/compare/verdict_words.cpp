@@ -16,43 +16,101 @@ std::string_view words(Standing standing) {
     return {};
 }
 
+namespace {
+
+// "Normals or Shading"
+std::string stagesText(const std::vector<StageId>& stages) {
+    std::string text;
+    for (std::size_t i = 0; i < stages.size(); ++i)
+        text += fmt::format("{}{}", i == 0 ? "" : i + 1 == stages.size() ? " or " : ", ", stageInfo(stages[i]).label);
+    return text;
+}
+
+// Conventions that are errors where they are not meant: students ask for the error that they have made.
+std::string askedBack(const Report& report) {
+    const auto isRead = [&](auto holds) { return std::ranges::any_of(report.findings, holds); };
+    std::string text;
+    if (isRead([](const Finding& f) { return f.reading.mirrored; }))
+        text += " Your picture is mirrored. If you do not mean that, an axis of the camera points the wrong way.";
+    if (isRead(
+            [](const Finding& f) { return f.reading.coding == Coding::Srgb || f.reading.coding == Coding::Gamma22; }))
+        text += " Your picture is encoded as sRGB. If you do not mean that, it is the error gamma.";
+    if (report.reference && report.reference->corner != PixelCorner::None)
+        text += " Your pixels are sampled at their corners. If you do not mean that, they are half a pixel off.";
+    return text;
+}
+
+}  // namespace
+
 std::string headline(const Report& report) {
+    if (report.agrees() && !report.in->errors.empty()) {
+        const std::string name = std::filesystem::path(report.in->errors[0].where.file).filename().string();
+        const std::size_t others = report.in->errors.size() - 1;
+        return fmt::format("{}{} could not be compared; the other files agree.", name,
+                           others == 0 ? "" : fmt::format(" and {} more", plural(std::int64_t(others), "file")));
+    }
     if (report.agrees() && report.options.strict && report.conventionsDiffer())
         return "Everything handed in agrees but for its conventions, which count as errors.";
     if (report.agrees()) return "Everything handed in agrees.";
     if (report.options.hints < 1) return "Something differs.";
-    const bool two = report.suspects && report.suspects->candidates.size() > 1;
+    if (report.evidence.isEmpty) return "Nothing is drawn.";
+    const auto named = report.suspects ? report.suspects->candidates.size() : 0;
     if (report.firstWrong) {
         const std::string_view stage = stageInfo(*report.firstWrong).label;
         if (report.isCertain) return fmt::format("{} is the first wrong stage.", stage);
-        if (report.suspects && report.suspects->candidates.size() == 1)
-            return fmt::format("{} is most likely the first wrong stage.", stage);
+        if (named > 0) return fmt::format("{} is most likely the first wrong stage.", stage);
         return fmt::format("{} is the first stage that differs.", stage);
     }
+    if (report.possiblyWrong.size() == 2)
+        return fmt::format("The first wrong stage is {}.", stagesText(report.possiblyWrong));
+    if (report.possiblyWrong.size() > 2)
+        return fmt::format("{} is the first wrong stage.", stagesText(report.possiblyWrong));
     const bool onlyColor = report.findings.size() == 1 && report.findings[0].name.buffer.id == BufferId::Color;
     const std::string_view what = onlyColor ? "Colour alone" : "What was handed in";
-    if (two)
-        return fmt::format(
-            "The picture differs. {} cannot decide between {} known errors.", what,
-            report.suspects->candidates.size() == 2 ? "two" : std::to_string(report.suspects->candidates.size()));
+    if (named > 1)
+        return fmt::format("The picture differs. {} cannot decide between {} known errors.", what,
+                           named == 2 ? "two" : std::to_string(named));
     return fmt::format("The picture differs. {} cannot tell which stage is wrong.", what);
 }
 
 std::string evidence(const Report& report) {
-    const bool mirrored = std::ranges::any_of(report.findings, [](const Finding& f) { return f.reading.mirrored; });
-    if (report.agrees() && mirrored)
-        return "But the picture is mirrored. If you do not mean that, an axis of the camera points the wrong way.";
+    std::string text;
+    for (const std::string& words : report.evidence.words) text += " " + words + ".";
+    const Finding* const first = report.firstDifference();
     if (report.agrees()) {
+        const std::string asked = askedBack(report);
         std::size_t said = 0;
         for (const Convention& one : report.conventions.said) said += !one.own;
-        return said == 0 ? std::string()
-                         : fmt::format("{} of yours {} read as such.", plural(std::int64_t(said), "convention"),
-                                       said == 1 ? "was" : "were");
+        text += asked;
+        if (asked.empty() && said > 0)
+            text += fmt::format(" {} of yours {} read as such.", plural(std::int64_t(said), "convention"),
+                                said == 1 ? "was" : "were");
+    } else if (first && report.options.hints >= 1) {
+        text += fmt::format(" {}: {}.", first->name.text(), findingText(*first));
+        if (first->nan > 0) text += fmt::format(" {} of its numbers are NaN.", first->nan);
+        text += askedBack(report);
     }
-    const Finding* const first = report.firstDifference();
-    if (!first || report.options.hints < 1) return {};
-    const std::string text = fmt::format("{}: {}.", first->name.text(), findingText(*first));
-    return first->nan == 0 ? text : fmt::format("{} {} of its numbers are NaN.", text, first->nan);
+    return text.empty() ? text : text.substr(1);
+}
+
+std::string namesText(const Report& report) {
+    if (!report.suspects) return {};
+    const Suspects& suspects = *report.suspects;
+    if (suspects.candidates.empty()) return fmt::format("None of the {} known errors explains this.", suspects.tried);
+    if (!suspects.kind.empty()) return fmt::format("The shadow test alone is wrong: {}.", suspects.kind);
+    return suspects.candidates.size() == 1 ? "Your files are those of a renderer with this error."
+                                           : "Your files are those of a renderer with one of these errors.";
+}
+
+std::string mineText(const Report& report, const Finding& finding, std::size_t element) {
+    const ReadFile& file = report.fileOf(finding);
+    const std::string text = valueText(finding, file.mine, element);
+    const bool isNothing = !file.mine.there[element];
+    if (!finding.isPicture() || (finding.name.buffer.id != BufferId::Color && !isNothing)) return text;
+    std::string numbers;
+    for (const double v : numbersAt(*file.file, file.reading, element % finding.columns, element / finding.columns))
+        numbers += fmt::format("{}{:.6g}", numbers.empty() ? "" : " ", v);
+    return isNothing ? fmt::format("{} ({})", text, numbers) : numbers;
 }
 
 std::vector<std::string> hints(const Report& report) {
@@ -60,14 +118,14 @@ std::vector<std::string> hints(const Report& report) {
     if (report.agrees()) return out;
     const Finding* const first = report.firstDifference();
     if (report.options.hints >= 1)
-        out.push_back(report.firstWrong ? fmt::format("Stage: {}.", stageInfo(*report.firstWrong).label)
-                                        : "The files do not tell the stage. Hand in more of them.");
+        out.push_back(!report.possiblyWrong.empty() ? fmt::format("Stage: {}.", stagesText(report.possiblyWrong))
+                                                    : "The files do not tell the stage. Hand in more of them.");
     if (report.options.hints >= 2 && first)
         out.push_back(first->worst
                           ? fmt::format("Look at {} of {}.", placeText(*first, *first->worst), first->name.text())
                           : fmt::format("Look at {}.", first->name.text()));
     if (report.options.hints >= 3 && report.suspects) {
-        if (report.suspects->candidates.empty()) out.push_back("None of the known errors explains this.");
+        if (report.suspects->candidates.empty()) out.push_back(namesText(report));
         for (const Candidate& one : report.suspects->candidates)
             out.push_back(fmt::format("{}: {} in place of {}.", one.error.name, one.error.wrong, one.error.right));
     }

@@ -17,10 +17,10 @@ static const char *const kErrors[][4] = {
     {"cull-towards-light", "cull-light", "cull", "polygons.visible"},
     {"other-winding", "cull-sign", "cull", "polygons.visible"},
     {"normals-of-the-file", "normals-untouched", "normals", "vertices.normal"}, /* never turned with the object */
-    {"first-corner", "one-normal", "normals", "normal"},                       /* one vertex's normal for a polygon */
+    {"first-corner", "one-normal", "shading", "normal"},                       /* one vertex's normal for a polygon */
     {"z-in-a-line", "z-affine", "z-buffer", "depth"},
     {"forgot-to-write", "z-no-write", "z-buffer", "depth"},
-    {"without-perspective", "affine", "z-buffer", "normal"}, /* everything but z */
+    {"without-perspective", "affine", "shading", "normal"}, /* everything but z */
     {"bias-added", "bias-sign", "shading", "color"},
     {"bias-missing", "no-bias", "shading", "color"},
     {"bias-huge", "big-bias", "shading", "color"},

@@ -1,0 +1,240 @@
+#include "pipeline/compare/misfit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace pipeline::foreign {
+
+namespace {
+
+constexpr std::size_t kSampleColumns = 72, kSampleRows = 54;
+constexpr double kAsGood =
+    0.005;  // of the sample: readings that are as good as the best; the simplest of them is taken
+constexpr double kWorthAsking =
+    0.02;  // of the sample: orders of rows and columns so close to the best are compared whole
+
+bool isNames(BufferId id) { return toleranceOf(id)->measure == Measure::Same; }
+
+// Places spread over a line of pixels, as far from the one end as from the other.
+std::vector<std::size_t> spread(std::size_t pixels, std::size_t most) {
+    std::vector<std::size_t> out(std::min(pixels, most));
+    for (std::size_t i = 0; i < out.size(); ++i) {
+        const std::size_t j = std::min(i, out.size() - 1 - i);
+        const std::size_t at = j * (pixels - 1) / std::max<std::size_t>(1, out.size() - 1);
+        out[i] = i == j ? at : pixels - 1 - at;
+    }
+    return out;
+}
+
+// Blocks of factor × factor pixels as one, their mean; of names the first.
+NumberFile smaller(const NumberFile& of, std::size_t factor, bool names) {
+    NumberFile out = of;
+    const std::size_t channels = of.channels(), columns = of.columns() / factor, rows = of.rows() / factor;
+    out.shape[0] = rows, out.shape[1] = columns;
+    out.values.assign(rows * columns * channels, 0);
+    for (std::size_t i = 0; i < out.values.size(); ++i) {
+        const std::size_t c = i % channels, x = i / channels % columns * factor, y = i / channels / columns * factor;
+        double sum = 0;
+        const std::size_t side = names ? 1 : factor;
+        for (std::size_t v = 0; v < side; ++v)
+            for (std::size_t u = 0; u < side; ++u) sum += of.values[((y + v) * of.columns() + x + u) * channels + c];
+        out.values[i] = sum / double(side * side);
+    }
+    return out;
+}
+
+NumberFile picked(const NumberFile& of, const std::vector<std::size_t>& columns, const std::vector<std::size_t>& rows) {
+    NumberFile out = of;
+    const std::size_t channels = of.channels();
+    out.shape[0] = rows.size(), out.shape[1] = columns.size();
+    out.values.clear();
+    for (const std::size_t y : rows)
+        for (const std::size_t x : columns)
+            for (std::size_t c = 0; c < channels; ++c)
+                out.values.push_back(of.values[(y * of.columns() + x) * channels + c]);
+    return out;
+}
+
+Values picked(const Values& of, const std::vector<std::size_t>& columns, const std::vector<std::size_t>& rows) {
+    Values out{of.domain, rows.size(), columns.size(), of.channels, {}, {}};
+    for (const std::size_t y : rows)
+        for (const std::size_t x : columns) {
+            const std::size_t i = y * of.columns + x;
+            out.there.push_back(of.there[i]);
+            out.numbers.insert(out.numbers.end(), of.at(i), of.at(i) + of.channels);
+        }
+    return out;
+}
+
+// Whether a coding leaves at least half of the numbers out that are not the commonest: then it fits whatever draws nothing.
+bool isEmptyReading(const HandedFile& file, const Values& mine) {
+    if (file.name.buffer.id != BufferId::ZView) return false;
+    std::map<double, std::size_t> counts;
+    for (const double v : file.numbers.values)
+        if (std::isfinite(v)) ++counts[v];
+    if (counts.empty()) return false;
+    const auto commonest = std::ranges::max_element(counts, {}, [](const auto& one) { return one.second; });
+    std::size_t others = file.numbers.values.size() - commonest->second;
+    std::size_t read = 0;
+    for (const std::uint8_t there : mine.there) read += there;
+    return 2 * read < others;
+}
+
+}  // namespace
+
+FolderEvidence::FolderEvidence(const Conventions& conventions, const StatedConventions& stated, const Reference& right,
+                               std::size_t factor)
+    : m_factor(factor), m_context(conventions.context) {
+    const std::size_t width = m_context.width / factor, height = m_context.height / factor;
+    m_context.width = width, m_context.height = height, m_context.unrounded.clear();
+    const auto scaled = [](View view, double x, double y) {
+        view.scale = {view.scale.x * x, view.scale.y * y}, view.centre = {view.centre.x * x, view.centre.y * y};
+        return view;
+    };
+    m_context.view = scaled(m_context.view, 1 / double(factor), 1 / double(factor));
+    m_columns = spread(width, kSampleColumns), m_rows = spread(height, kSampleRows);
+    m_sampleContext = m_context;
+    m_sampleContext.width = m_columns.size(), m_sampleContext.height = m_rows.size();
+    m_sampleContext.view =
+        scaled(m_context.view, double(m_columns.size()) / double(width), double(m_rows.size()) / double(height));
+    m_drawn = 0;
+    for (const std::uint8_t covered : right.context.covered) m_drawn += covered;
+    m_drawn = std::max(1.0, m_drawn / double(factor * factor));
+    bool isStated[2] = {stated.bottomUp.has_value(), stated.mirrored.has_value()};
+    for (const bool mirrored : {false, true})
+        for (const bool bottomUp : {false, true})
+            if (!(isStated[0] && *stated.bottomUp != bottomUp) && !(isStated[1] && *stated.mirrored != mirrored))
+                m_geometries.push_back({bottomUp, mirrored});
+    for (const ReadFile& read : conventions.files) {
+        Testimony one{*read.file, {}, {}};
+        const BufferName& name = one.file.name.buffer;
+        const Values& values = right.values.at(name.text());
+        one.isPicture = values.domain == Domain::Pixel;
+        // What a shadow buffer leads to, S, tells more; counts of fragments depend on who is cut where.
+        one.counts = name.id != BufferId::ShadowBuffer && name.id != BufferId::Overdraw;
+        one.tolerance = right.tolerances.at(name.text()), one.elements = values.count();
+        one.readings = allowedReadings(one.file, conventions.context, stated);
+        if (one.isPicture) {
+            if (factor > 1) one.file.numbers = smaller(one.file.numbers, factor, isNames(name.id));
+            one.sample = {one.file.name, one.file.path, picked(one.file.numbers, m_columns, m_rows)};
+            const Values some =
+                picked(values, spread(values.columns, m_columns.size()), spread(values.rows, m_rows.size()));
+            std::erase_if(one.readings, [&](const Reading& reading) {
+                return one.readings.size() > 1 &&
+                       isEmptyReading(one.sample, foreign::read(one.sample, reading, m_sampleContext, some));
+            });
+            if (one.readings.empty()) one.readings = {read.reading};
+        }
+        m_files.push_back(std::move(one));
+    }
+}
+
+BufferSet FolderEvidence::compared() const {
+    BufferSet out;
+    for (const Testimony& one : m_files) out.set(index(one.file.name.buffer.id));
+    return out;
+}
+
+double FolderEvidence::sampledWrong(const Testimony& one, const Reading& reading, const Values& right,
+                                    const std::vector<std::uint8_t>& covered) const {
+    const Values mine = read(one.sample, reading, m_sampleContext, right);
+    const Measure measure = toleranceOf(one.file.name.buffer.id)->measure;
+    const std::vector<std::uint8_t> drawn = drawnIn(one.file.name, mine);
+    std::size_t wrong = 0, either = 0;
+    for (std::size_t i = 0; i < mine.count(); ++i) {
+        const bool here = drawn.empty() ? mine.there[i] && covered[i] : drawn[i] != 0, there = covered[i] != 0;
+        if (!here && !there) continue;
+        ++either;
+        if (here != there)
+            wrong += !drawn.empty();
+        else
+            wrong += !(differenceAt(measure, mine, right, i) <= mine.allowed(i, one.tolerance));
+    }
+    return either ? double(wrong) / double(either) : 0;
+}
+
+Reading FolderEvidence::bestOnSample(const Testimony& one, const Geometry& geometry, const Values& right,
+                                     const std::vector<std::uint8_t>& covered, double& least) const {
+    std::vector<std::pair<Reading, double>> tried;
+    for (Reading reading : one.readings) {
+        if (reading.bottomUp != geometry.bottomUp || reading.mirrored != geometry.mirrored) continue;
+        tried.push_back({reading, sampledWrong(one, reading, right, covered)});
+    }
+    if (tried.empty()) {  // stated of this file alone
+        least = 1;
+        return one.readings.front();
+    }
+    least = 1;
+    for (const auto& [reading, wrong] : tried) least = std::min(least, wrong);
+    return std::ranges::find_if(tried, [&](const auto& t) { return t.second <= least + kAsGood; })->first;
+}
+
+double FolderEvidence::wrongIn(const Testimony& one, const Reading& reading, const Reference& hypothesis) const {
+    const std::string name = one.file.name.buffer.text();
+    const auto values = hypothesis.values.find(name);
+    if (!one.counts) return 0;
+    if (values == hypothesis.values.end() || (!one.isPicture && values->second.count() != one.elements)) return m_drawn;
+    Values right = values->second;
+    if (m_factor > 1 && one.file.name.buffer.id == BufferId::VerticesScreen)
+        for (std::size_t v = 0; v < right.count(); ++v)
+            right.at(v)[0] *= double(m_factor), right.at(v)[1] *= double(m_factor);
+    ReadingContext encoded;
+    const bool isEncoded = reading.coding == Coding::Srgb || reading.coding == Coding::Gamma22;
+    if (isEncoded) encoded = m_context, encoded.unrounded = hypothesis.context.unrounded;
+    const ReadingContext& context = isEncoded ? encoded : m_context;
+    ReadFile file{&one.file, reading, read(one.file, reading, context, right)};
+    const Finding finding = compareValues(file, right, hypothesis);
+    if (one.isPicture) return double(finding.bad());
+    return finding.compared ? m_drawn * double(finding.bad()) / double(finding.compared) : 0;
+}
+
+Misfit FolderEvidence::misfit(const Reference& hypothesis) const {
+    struct Tried {
+        Misfit misfit;
+        double least = 0;
+    };
+    std::vector<std::uint8_t> covered;
+    for (const std::size_t y : m_rows)
+        for (const std::size_t x : m_columns) covered.push_back(hypothesis.context.covered[y * m_context.width + x]);
+    std::vector<Tried> tried(m_geometries.size());
+    for (std::size_t g = 0; g < tried.size(); ++g) tried[g].misfit.geometry = m_geometries[g];
+    for (const Testimony& one : m_files) {
+        const auto values = hypothesis.values.find(one.file.name.buffer.text());
+        const bool isThere = one.isPicture && one.counts && values != hypothesis.values.end();
+        const Values some = isThere ? picked(values->second, m_columns, m_rows) : Values();
+        for (Tried& t : tried) {
+            double least = 0;
+            t.misfit.readings.push_back(isThere ? bestOnSample(one, t.misfit.geometry, some, covered, least)
+                                                : one.readings.front());
+            t.least += least;
+        }
+    }
+    const double least = std::ranges::min_element(tried, {}, &Tried::least)->least;
+    std::vector<std::size_t> all(m_files.size());
+    for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
+    std::optional<Misfit> best;
+    for (Tried& t : tried) {
+        if (t.least > least + kWorthAsking) continue;
+        Misfit& one = t.misfit;
+        for (std::size_t i = 0; i < m_files.size(); ++i) {
+            const Testimony& file = m_files[i];
+            one.wrong.push_back(HUGE_VAL);
+            if (file.isPicture) {
+                one.wrong[i] = wrongIn(file, one.readings[i], hypothesis);
+                continue;
+            }
+            for (const Reading& reading : file.readings) {
+                const bool isUp = reading.coding == Coding::FromTheFoot;  // where the rows run upwards, or it is stated
+                if (isUp && !one.geometry.bottomUp && file.readings.size() > 1) continue;
+                const double wrong = wrongIn(file, reading, hypothesis);
+                if (wrong < one.wrong[i]) one.wrong[i] = wrong, one.readings[i] = reading;
+            }
+        }
+        if (!best || one.sum(all) < best->sum(all)) best = std::move(one);
+    }
+    for (const std::uint8_t drawn : hypothesis.context.covered) best->drawn += drawn;
+    return std::move(*best);
+}
+
+}  // namespace pipeline::foreign

@@ -1,0 +1,192 @@
+// shadescope compare: the headline, on files of renderers that nobody of this program has written (tests/student/cases), and
+// on files that hold nothing.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/run_program.h"
+#include "tests/support/files.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+const fs::path kCases = SHADESCOPE_CASES;
+
+Json verdictOf(const std::string& folder, std::vector<std::string> more = {}) {
+    std::vector<std::string> arguments{"compare", (kCases / "scene.toml").string(), folder, "--json"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return Json::parse(test::run(arguments).out, nullptr, false);
+}
+Json verdictOfCase(const std::string& name) { return verdictOf((kCases / name).string()); }
+
+std::vector<std::string> named(const Json& report) {
+    std::vector<std::string> ids;
+    for (const Json& one : report["known"]) ids.push_back(one["id"]);
+    return ids;
+}
+using Ids = std::vector<std::string>;
+
+TEST(Verdict, namesWhatStudentsDo) {
+    const Json untouched = verdictOfCase("c50_normals_untouched");
+    EXPECT_EQ(untouched["first_wrong"]["stage"], "normals") << untouched["headline"];
+    const Json times = verdictOfCase("c52_times_n");
+    EXPECT_EQ(named(times), Ids{"times-n"}) << times["headline"];
+    EXPECT_EQ(times["first_wrong"]["stage"], "shading");
+    const Json column = verdictOfCase("c55_one_column_over");
+    EXPECT_EQ(named(column), Ids{"column"}) << column["headline"];
+}
+
+TEST(Verdict, oneMayStandForDrawnWhateverTheShadeIs) {
+    const Json report = verdictOfCase("c59_verdict_one_is_drawn");
+    EXPECT_NE(report["first_wrong"]["stage"], "cull");
+    bool isSaid = false;
+    for (const Json& one : report["conventions"])
+        isSaid = isSaid || (one["buffer"] == "polygons.verdict" && one["value"] == "kept-is-1");
+    EXPECT_TRUE(isSaid) << report["conventions"].dump(1);
+    EXPECT_EQ(named(report), Ids{"times-n"}) << report["headline"];
+}
+
+TEST(Verdict, aLayerOfAnExrIsItsNormal) {
+    const Json report = verdictOfCase("c60_exr_layer_names");
+    EXPECT_EQ(report["exit"], 0) << report["headline"];
+    EXPECT_EQ(report["stages"][5]["buffers"].size(), 2u);
+}
+
+TEST(Verdict, visibilityIsJudgedBeforeShading) {
+    const Json report = verdictOfCase("c64_depth_wrong_three_files");
+    EXPECT_EQ(report["first_wrong"]["stage"], "z-buffer") << report["headline"];
+    EXPECT_EQ(report["first_wrong"]["certain"], false);
+    EXPECT_EQ(named(report), Ids{"z-flip"});
+    EXPECT_NE(report["stages"][5]["verdict"], "wrong here");
+}
+
+// Right files of the cases' scene, to be spoilt.
+class Right {
+public:
+    Right() {
+        const auto done = test::run({"export", (kCases / "scene.toml").string(), "--format", "npy", "--buffers",
+                                     "color,z_view,normal,polygon_id", "-o", (m_folder / "all").string()});
+        EXPECT_EQ(done.status, 0) << done.err;
+        fs::create_directory(m_folder / "mine");
+    }
+    test::Npy all(const std::string& name) const { return test::readNpy(m_folder / ("all/" + name + ".npy")); }
+    void give(const std::string& name, const test::Npy& array) const {
+        std::string shape;
+        for (const std::size_t side : array.shape) shape += std::to_string(side) + ", ";
+        std::string header = "{'descr': '<f8', 'fortran_order': False, 'shape': (" + shape + "), }";
+        header.append(63 - (10 + header.size()) % 64, ' ') += '\n';
+        std::string bytes("\x93NUMPY\x01\x00", 8);
+        bytes += char(header.size() & 255), bytes += char(header.size() >> 8);
+        bytes += header;
+        bytes.append(reinterpret_cast<const char*>(array.values.data()), array.values.size() * sizeof(double));
+        test::writeText(m_folder / ("mine/" + name + ".npy"), bytes);
+    }
+    std::string folder() const { return m_folder / "mine"; }
+    std::string said() const {
+        return test::run({"compare", (kCases / "scene.toml").string(), folder(), "--no-known"}).out;
+    }
+
+private:
+    test::TemporaryFolder m_folder;
+};
+
+TEST(Verdict, whatHoldsNothingAccusesNobody) {
+    const Right right;
+    test::Npy color = right.all("color"), depth = right.all("z_view");
+    right.give("z_view", depth);
+    for (double& v : color.values) v = 0;
+    right.give("color", color);
+    const Json empty = verdictOf(right.folder());
+    EXPECT_EQ(empty["headline"], "Nothing is drawn.");
+    EXPECT_TRUE(empty["known"].empty());
+    EXPECT_EQ(empty["exit"], 1);
+    // One depth, as who writes 0.5 for every fragment has it: the picture alone is judged.
+    right.give("color", right.all("color"));
+    for (double& v : depth.values) v = std::isfinite(v) ? 0.5 : 1;
+    right.give("z_view", depth);
+    const Json one = verdictOf(right.folder());
+    EXPECT_EQ(one["exit"], 0) << one["headline"];
+    EXPECT_TRUE(test::has(right.said(), "\"z_view.npy\" holds one depth everywhere: it is left out.")) << right.said();
+}
+
+TEST(Verdict, aRefusedFileIsNamedInTheHeadline) {
+    const Right right;
+    right.give("color", right.all("color"));
+    test::Npy normal = right.all("normal");
+    normal.shape = {2, 3}, normal.values.resize(6);
+    right.give("polygons.normal", normal);
+    const Json report = verdictOf(right.folder());
+    EXPECT_EQ(report["exit"], 3);
+    EXPECT_EQ(report["headline"], "polygons.normal.npy could not be compared; the other files agree.");
+}
+
+TEST(Verdict, oneWrongBufferIsNotTurnedRoundToMakeItFit) {
+    const Right right;
+    right.give("z_view", right.all("z_view"));
+    right.give("normal", right.all("normal"));
+    // Upside down and darker: were it read bottom-up, it would be nearer.
+    test::Npy color = right.all("color");
+    const std::size_t line = color.values.size() / color.shape[0];
+    test::Npy turned = color;
+    for (std::size_t y = 0; y < color.shape[0]; ++y)
+        for (std::size_t i = 0; i < line; ++i)
+            turned.values[y * line + i] = 0.8 * color.values[(color.shape[0] - 1 - y) * line + i];
+    right.give("color", turned);
+    const Json report = verdictOf(right.folder(), {"--no-known"});
+    for (const Json& one : report["conventions"]) EXPECT_NE(one["value"], "bottom-up") << report["conventions"].dump(1);
+    // If nothing else is wrong with it, all files agree, and it is said.
+    for (double& v : turned.values) v /= 0.8;
+    right.give("color", turned);
+    EXPECT_EQ(verdictOf(right.folder())["exit"], 0);
+}
+
+TEST(Verdict, aMirroredPictureIsSaidInTheFirstLines) {
+    const Right right;
+    for (const char* name : {"color", "z_view"}) {
+        test::Npy picture = right.all(name);
+        const std::size_t channels = picture.values.size() / picture.shape[0] / picture.shape[1];
+        const test::Npy before = picture;
+        for (std::size_t i = 0; i < picture.values.size(); ++i) {
+            const std::size_t c = i % channels, x = i / channels % picture.shape[1],
+                              y = i / channels / picture.shape[1];
+            picture.values[i] = before.values[(y * picture.shape[1] + picture.shape[1] - 1 - x) * channels + c];
+        }
+        right.give(name, picture);
+    }
+    const std::string said = right.said();
+    EXPECT_LT(said.find("Your picture is mirrored."), said.find("transform")) << said;
+}
+
+TEST(Verdict, theWorstPixelShowsTheFilesOwnNumber) {
+    const Right right;
+    test::Npy color = right.all("color"), ids = right.all("polygon_id");
+    for (std::size_t i = 0; i < ids.values.size(); ++i)
+        for (std::size_t c = 0; c < 3 && ids.values[i] < 0; ++c) color.values[3 * i + c] = c == 2 ? 77 : 51;
+    // A hole in the middle of the house shows the background.
+    for (std::size_t i = 0; i < ids.values.size(); ++i)
+        if (ids.values[i] == 3)
+            for (std::size_t c = 0; c < 3; ++c) color.values[3 * i + c] = c == 2 ? 77 : 51;
+    right.give("color", color);
+    EXPECT_TRUE(test::has(right.said(), "mine 51 51 77")) << right.said();
+}
+
+// 640 × 480 with names: the frames of known errors are not kept.
+TEST(Verdict, namesTakeAtMost600MBAt640By480) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+    GTEST_SKIP() << "a sanitizer takes memory of its own";
+#endif
+    const test::TemporaryFolder folder;
+    const std::string scene = (kCases / "scene.toml").string();
+    const auto done = test::run({"export", scene, "--size", "640x480", "--set", "defect=no-max", "--format", "npy",
+                                 "--buffers", "color,z_view,normal", "-o", folder / "mine"});
+    ASSERT_EQ(done.status, 0) << done.err;
+    const auto compared = test::run({"compare", scene, folder / "mine", "--size", "640x480"});
+    EXPECT_EQ(compared.status, 1) << compared.err;
+    EXPECT_LE(compared.peakBytes, std::size_t{600} * 1000 * 1000);
+}
+
+}  // namespace
