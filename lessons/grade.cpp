@@ -29,6 +29,7 @@ constexpr std::size_t kMostSaid = 300;  // bytes of what a parser says, which ma
 // The answers to a sheet, by the number of the question.
 struct SheetAnswers {
     std::size_t sheet = 0;
+    std::string draw;  // empty: it names none
     std::map<std::size_t, std::string> given;
 };
 
@@ -40,6 +41,8 @@ Result<std::optional<SheetAnswers>> sheetAnswersIn(const std::string& text, cons
         if (!json.is_object() || !json.contains("sheet")) return std::optional<SheetAnswers>();
         if (json.at("version") != 1) return Error{{file, 0, 0}, "found answers of another version", "version 1"};
         answers.sheet = json.at("sheet").get<std::size_t>();
+        if (json.contains("draw"))
+            answers.draw = pipeline::escapedControls(json["draw"].get<std::string>().substr(0, kMostName));
         for (const auto& [question, given] : json.at("answers").items()) {
             const auto number = numberIn(question);
             if (!number || !(*number >= 1) || *number > double(kMostAnswers))
@@ -208,6 +211,15 @@ private:
         const auto text = m_sheets->texts.find(handedIn.sheet);
         if (text == m_sheets->texts.end())
             return {{{file, 0, 0}, fmt::format("there is no sheet {}", handedIn.sheet), "one of sheets.json"}};
+        const auto draw = m_sheets->draws.find(handedIn.sheet);
+        const std::string known = draw == m_sheets->draws.end() ? "" : draw->second;
+        if (handedIn.draw != known)
+            return {{{file, 0, 0},
+                     handedIn.draw.empty()
+                         ? fmt::format("these answers to sheet {} name no draw", handedIn.sheet)
+                         : fmt::format("these are answers to draw {} of sheet {}", handedIn.draw, handedIn.sheet),
+                     known.empty() ? "answers to sheets without a draw, as sheets.json has them"
+                                   : fmt::format("\"draw\": \"{}\", as sheets.json has it", known)}};
         const auto lesson = parseLesson(text->second, "sheets.json", [&](std::string_view name) {
             return sceneOfLesson(name, m_sheets->folder, m_stop);
         });

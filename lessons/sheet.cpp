@@ -384,7 +384,9 @@ Result<Sheets> makeSheets(const SheetTemplate& made, const SheetOptions& options
         auto next = maker.next(i + 1);
         if (!next) return next.errors();
         auto [sheet, lesson] = std::move(next).value();
+        sheet.draw = drawNumber(sheet);
         lesson.title += fmt::format(", sheet {}", sheet.number);
+        lesson.lecture += fmt::format("{}draw {}", lesson.lecture.empty() ? "" : ", ", sheet.draw);
         const auto handout = makeHandout(lesson, stop);
         if (!handout) return handout.errors();
         if (i == 0) sheets.leftOut = handout->leftOut;

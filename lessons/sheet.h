@@ -47,6 +47,9 @@ struct Sheet {
     std::vector<std::pair<std::string, std::string>> drawn;  // what vary has given: key, value
     std::string text;                                        // a lesson
     std::vector<std::string> answers;                        // of each question, as on the key
+    // Eight digits of a hash of its text and answers, on the sheet, on its key and in its file to hand in: another draw has
+    // other ones, whatever its seed.
+    std::string draw{};
 };
 
 struct SheetOptions {
@@ -71,8 +74,8 @@ pipeline::Result<Sheets> makeSheets(const SheetTemplate& made, const SheetOption
                                     const pipeline::Stop& stop = {},
                                     const std::function<void(std::size_t sheet)>& progress = {});
 
-// sheet-01.html … and sheet-01-answers.json …, to be filled in, into `folder`, and sheet-01-key.html …, sheets.csv and sheets.json into its folder "keys"; the keys
-// first. Gives the number of files.
+// sheet-01.html … and sheet-01-answers.json …, to be filled in, into `folder`, and sheet-01-key.html …, sheets.csv and
+// sheets.json into its folder "keys": all of them, or none. Those of an earlier draw go. Gives the number of files.
 pipeline::Result<std::size_t> writeSheets(const Sheets& sheets, const SheetTemplate& made, const SheetOptions& options,
                                           const std::filesystem::path& folder);
 
@@ -81,8 +84,14 @@ struct SheetKeys {
     std::string lesson;                        // the name of its folder
     std::filesystem::path folder;              // of the template, for its scenes
     std::map<std::size_t, std::string> texts;  // of each sheet, by its number
+    std::map<std::size_t, std::string> draws;  // of each sheet; none of sheets that an earlier version has written
 };
 // From sheets.json.
+std::string drawNumber(const Sheet& sheet);  // from its text and answers
+
+inline constexpr const char* kSheetIndex = "keys/sheets.json";
+// All files of so many sheets, in the folder of the sheets, the index last.
+std::vector<std::string> sheetFiles(std::size_t count);
 pipeline::Result<SheetKeys> readSheetKeys(const std::filesystem::path& file);
 
 }  // namespace lessons

@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 
+#include "pipeline/core/version.h"
 #include "pipeline/export/file_hash.h"
-#include "pipeline/formats/scene_folder.h"
+#include "pipeline/formats/inputs.h"
 
 namespace pipeline {
 
@@ -26,6 +28,15 @@ void forEachFile(const Json& index, Visit visit) {
         const fs::path file = name.get<std::string>();
         if (file.has_filename() && file == file.filename()) visit(file.string(), entry);
     }
+}
+
+// The SHA-256 that an index has for a file; empty where it has none.
+std::string hashIn(const Json& index, const std::string& name) {
+    std::string hash;
+    forEachFile(index, [&](const std::string& listed, const Json& entry) {
+        if (listed == name && entry.value("sha256", Json()).is_string()) hash = entry["sha256"].get<std::string>();
+    });
+    return hash;
 }
 
 // A name with bytes that are no UTF-8 is listed as it can be.
@@ -56,7 +67,7 @@ Json contentsOf(const std::vector<std::pair<std::string, std::string>>& files) {
 
 Json readIndex(const fs::path& folder, const std::string& index) {
     constexpr int kLevels = 16;
-    const Result<std::string> text = readFile(folder / index, kMaxFileBytes);
+    const Result<std::string> text = readOwnFile(folder / index);
     if (!text) return {};
     const auto keep = [](int depth, Json::parse_event_t event, const Json& parsed) {
         return depth < kLevels && !(event == Json::parse_event_t::key && depth == 1 && parsed == "settings");
@@ -91,7 +102,53 @@ std::string whyInDoubt(const fs::path& folder, const std::string& index, const J
     return why;
 }
 
-std::string unfinishedName(const std::string& index) { return index + ".unfinished"; }
+std::string unfinishedName(const std::string& index) { return fs::path(index).filename().string() + ".unfinished"; }
+
+Json programMark() { return {{"name", "Shadescope"}, {"version", programVersion()}}; }
+
+namespace {
+
+// Pages of the program name it in their footers.
+bool isMarkedPage(const fs::path& page) {
+    const Result<std::string> text = readOwnFile(page);
+    if (!text) return false;
+    const std::size_t end = text->rfind("</footer>");
+    const std::size_t start = end == text->npos ? end : text->rfind("<footer", end);
+    return start != text->npos && text->find("Shadescope ", start) < end;
+}
+
+bool isMarkedIndex(const Json& index) {
+    const Json::json_pointer program("/program/name"), format("/format");
+    return index.is_object() && ((index.contains(program) && index[program] == "Shadescope") ||
+                                 (index.contains(format) && index[format] == "shadescope study"));
+}
+
+}  // namespace
+
+Errors whyNotReplaced(const fs::path& folder, const std::vector<std::string>& names, const std::string& index) {
+    std::error_code ignored;
+    const bool isPage = index.ends_with(".html");
+    const Json found = isPage ? Json() : readIndex(folder, index);
+    const bool isOurs = isPage ? isMarkedPage(folder / index) : isMarkedIndex(found);
+    std::vector<std::string> onTheirWay = namesIn(readIndex(folder, unfinishedName(index)));
+    const std::vector<std::string> listed = namesIn(found);
+    const bool lists = found.is_object() && found.contains(kContents);
+    const auto has = [](const std::vector<std::string>& all, const std::string& name) {
+        return std::ranges::find(all, name) != all.end();
+    };
+    Errors errors;
+    for (const std::string& name : names) {
+        const fs::path file = folder / name;
+        if (!fs::exists(fs::symlink_status(file, ignored)) || has(onTheirWay, name)) continue;
+        if (!isOurs || (lists && name != index && !has(listed, name)))
+            errors.push_back(
+                {{file.string()}, "is there, and Shadescope did not write it", "another folder, or --force"});
+        else if (name.ends_with(".toml") && lists && sha256(file).value_or("") != hashIn(found, name))
+            errors.push_back({{file.string()}, "was changed since Shadescope wrote it", "another folder, or --force"});
+        if (errors.size() == kMaxErrors) break;
+    }
+    return errors;
+}
 
 std::string unfinishedText(const std::vector<std::string>& names) {
     Json files = Json::array();

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "pipeline/core/result.h"
 #include "pipeline/export/json.h"
 
 namespace pipeline {
@@ -27,8 +28,17 @@ std::vector<std::string> namesIn(const Json& index);
 // are, and where nothing was there. What somebody has taken away is no reason.
 std::string whyInDoubt(const std::filesystem::path& folder, const std::string& index, const Json& found);
 
+// What a JSON index says under "program": by it a folder is known as one that the program has written into.
+Json programMark();
+
+// Which of these files are there and may be lost for good: the folder's index lacks the program's mark (a page's is its
+// footer), or does not list them, or they are scenes that were changed since. What was on its way when a process was
+// ended may go.
+Errors whyNotReplaced(const std::filesystem::path& folder, const std::vector<std::string>& names,
+                      const std::string& index);
+
 // While an index is away, the file INDEX.unfinished says so and lists the files that are on their way, old and new. It
-// stays where a process was ended by force.
+// stays where a process was ended by force. Of an index in a folder below it stands in the outer one.
 std::string unfinishedName(const std::string& index);
 std::string unfinishedText(const std::vector<std::string>& names);
 

@@ -117,7 +117,7 @@ std::string filmText(const Steps& steps, const FilmRequest& request, const std::
         places.push_back(text(steps.placeOf(moments[i])));
     }
     const Scene& scene = steps.frame()->scene();
-    const Json film{{"program", {{"name", "Shadescope"}, {"version", programVersion()}}},
+    const Json film{{"program", programMark()},
                     {"scene", sceneToJson(scene)},
                     {"settings", settingsToJson(scene)},
                     {"buffer", request.buffer.text()},

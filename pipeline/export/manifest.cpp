@@ -7,6 +7,7 @@
 
 #include "pipeline/core/text.h"
 #include "pipeline/core/version.h"
+#include "pipeline/export/contents.h"
 #include "pipeline/export/exporter.h"
 #include "pipeline/export/file_hash.h"
 #include "pipeline/export/png_file.h"
@@ -89,7 +90,7 @@ Json manifest(const Frame& frame, const std::vector<BufferName>& asked, const st
     Json derived = Json::array();
     for (const WrittenBuffer& buffer : buffers)
         (isDerived(buffer.item.buffer.name.id) ? derived : described).push_back(describe(buffer));
-    Json all{{"program", {{"name", "Shadescope"}, {"version", programVersion()}}},
+    Json all{{"program", programMark()},
              {"scene", sceneToJson(frame.scene())},
              {"settings", settingsToJson(frame.scene())},
              {"remarks", remarksToJson(frame)},

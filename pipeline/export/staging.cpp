@@ -5,7 +5,9 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <mutex>
 #include <new>
+#include <set>
 #include <system_error>
 #include <utility>
 
@@ -13,6 +15,8 @@
 #include "pipeline/export/contents.h"
 #include "pipeline/export/exporter.h"
 #include "pipeline/export/owner.h"
+#include "pipeline/export/publish.h"
+#include "pipeline/formats/inputs.h"
 
 namespace pipeline {
 
@@ -21,6 +25,9 @@ namespace fs = std::filesystem;
 namespace {
 
 Error folderError(const fs::path& folder, const std::error_code& error) { return writeError(folder, error.value()); }
+Error replacesInput(const fs::path& file) {
+    return {{file.string()}, "this file was read, so it is not replaced", "another folder or name"};
+}
 
 // A lock on a folder that its holder's end frees, also an end by force; below 0: none.
 int lockFolder(const fs::path& folder, int how) {
@@ -68,12 +75,34 @@ private:
     std::vector<std::pair<fs::path, fs::path>> m_done;
 };
 
+// The folders that names of files lead to, "" among them.
+std::set<fs::path> foldersOf(const std::vector<std::string>& names) {
+    std::set<fs::path> folders{""};
+    for (const std::string& name : names) folders.insert(fs::path(name).parent_path());
+    return folders;
+}
+
 // Else a machine that goes off may keep the index and lose what it names.
 void bringToDisk(const fs::path& folder) {
     const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (descriptor < 0) return;
     ::fsync(descriptor);
     ::close(descriptor);
+}
+
+}  // namespace
+
+namespace {
+
+// Where one file goes: the place that a link leads to, absolute.
+Result<fs::path> placeOf(const fs::path& file) {
+    std::error_code error;
+    fs::path target = file;
+    if (fs::is_symlink(fs::symlink_status(file, error))) target = fs::weakly_canonical(file, error);
+    if (fs::exists(fs::status(target, error)) && ::access(target.c_str(), W_OK) != 0) return writeError(file, errno);
+    target = fs::absolute(target, error);
+    if (!fs::is_directory(target.parent_path(), error)) return writeError(file, error ? error.value() : ENOTDIR);
+    return target;
 }
 
 }  // namespace
@@ -159,8 +188,27 @@ void Staging::waitForOthers() {
     m_lock = lockFolder(m_target.parent_path(), LOCK_EX);
 }
 
+namespace {
+
+std::mutex publishing;
+std::uint64_t published = 0;  // under it
+
+}  // namespace
+
+std::uint64_t publications() {
+    const std::scoped_lock lock(publishing);
+    return published;
+}
+
+void endBetweenPublications(std::uint64_t known, void (*end)()) {
+    const std::scoped_lock lock(publishing);
+    if (published == known) end();
+}
+
 Result<std::monostate> Staging::publish(const std::vector<std::string>& gone, const std::string& index) {
     waitForOthers();
+    const std::scoped_lock lock(publishing);
+    ++published;
     std::error_code error;
     bool isThere = fs::exists(m_target, error);
     if (!isThere) {
@@ -184,13 +232,20 @@ Result<std::monostate> Staging::publish(const std::vector<std::string>& gone, co
 Result<std::monostate> Staging::moveFiles(const std::vector<std::string>& gone, const std::string& index) {
     std::error_code error;
     std::vector<std::string> names;
-    for (const fs::directory_entry& entry : fs::directory_iterator(m_folder, error))
-        if (entry.path().filename() != index) names.push_back(entry.path().filename().string());
+    for (fs::recursive_directory_iterator entry(m_folder, error), end; !error && entry != end; entry.increment(error)) {
+        if (entry->is_directory(error)) continue;
+        const std::string name = entry->path().lexically_relative(m_folder).generic_string();
+        if (name != index) names.push_back(name);
+    }
     if (error) return folderError(m_target, error);
     if (!index.empty()) names.push_back(index);
     // Looked at before the first one moves: either all can, or none does.
-    for (const std::string& name : names)
+    for (const std::string& name : names) {
         if (fs::is_directory(m_target / name, error)) return writeError(m_target / name, EISDIR);
+        if (isInput(m_target / name)) return replacesInput(m_target / name);
+    }
+    for (const std::string& name : gone)
+        if (isInput(m_target / name)) return replacesInput(m_target / name);
     error.clear();
 
     std::vector<std::string> old;  // the index first
@@ -214,10 +269,12 @@ Result<std::monostate> Staging::moveFiles(const std::vector<std::string>& gone, 
         if (error) return folderError(mark, error);
     }
     Moves moves;
-    std::string moved;  // the last one
+    std::string moved;            // the last one
+    std::vector<fs::path> added;  // folders below the target, outermost first
     const auto undo = [&] {
         moves.undo();
         std::error_code ignored;
+        for (auto folder = added.rbegin(); folder != added.rend(); ++folder) fs::remove(*folder, ignored);
         if (!index.empty() && !wasMarked) fs::remove(mark, ignored);
     };
     try {
@@ -226,9 +283,18 @@ Result<std::monostate> Staging::moveFiles(const std::vector<std::string>& gone, 
             moves.move(from / name, to / name, error);
         };
         if (!old.empty()) fs::create_directory(aside, error);
+        std::vector<std::string> all = names;
+        all.insert(all.end(), old.begin(), old.end());
+        for (const std::string& name : all) {
+            const fs::path below = fs::path(name).parent_path();
+            if (below.empty() || error) continue;
+            if (!old.empty()) fs::create_directories(aside / below, error);
+            if (!error && fs::create_directory(m_target / below, error)) added.push_back(m_target / below);
+        }
         for (const std::string& name : old) move(name, m_target, aside);
         for (const std::string& name : names) {
-            if (name == index) bringToDisk(m_target);
+            if (name == index)
+                for (const fs::path& folder : foldersOf(names)) bringToDisk(m_target / folder);
             move(name, m_folder, m_target);
         }
     } catch (const std::bad_alloc&) {
@@ -243,31 +309,52 @@ Result<std::monostate> Staging::moveFiles(const std::vector<std::string>& gone, 
     return std::monostate{};
 }
 
+Errors whyNotInto(const fs::path& folder, const std::vector<std::string>& names) {
+    for (const std::string& name : names)
+        if (isInput(folder / name)) return {replacesInput(folder / name)};
+    const Result<Staging> tried = Staging::begin(folder);
+    return tried ? Errors() : tried.errors();
+}
+
+Errors whyNotTo(const fs::path& file) {
+    if (isInput(file)) return {replacesInput(file)};
+    const auto place = placeOf(file);
+    if (!place) return place.errors();
+    const Result<Staging> tried = Staging::begin(place->parent_path());
+    return tried ? Errors() : inFolder(tried.errors(), file.parent_path());
+}
+
 Result<std::vector<std::string>> writeFiles(const std::vector<std::pair<std::string, std::string>>& files,
                                             const fs::path& folder) {
+    return replaceFiles(files, folder, {});
+}
+
+Result<std::vector<std::string>> replaceFiles(const std::vector<std::pair<std::string, std::string>>& files,
+                                              const fs::path& folder, const std::vector<std::string>& gone) {
     Result<Staging> staging = Staging::begin(folder);
     if (!staging) return staging.errors();
     Staging target = std::move(staging).value();
     std::vector<std::string> names;
     for (const auto& [name, bytes] : files) {
+        std::error_code made;  // what failed the file tells
+        if (const fs::path below = fs::path(name).parent_path(); !below.empty())
+            fs::create_directories(target.folder() / below, made);
         ByteFile out(target.folder() / name);
         out.write(bytes);
         if (const auto written = out.close(); !written) return inFolder(written.errors(), folder);
         names.push_back(name);
     }
-    if (const auto published = target.publish({}, names.size() > 1 ? names.back() : std::string()); !published)
+    if (const auto published = target.publish(gone, names.size() > 1 ? names.back() : std::string()); !published)
         return published.errors();
     return names;
 }
 
 Result<std::monostate> writeWhole(const fs::path& file, std::string_view bytes) {
     std::error_code error;
-    fs::path target = file;
-    if (fs::is_symlink(fs::symlink_status(file, error))) target = fs::weakly_canonical(file, error);
+    const auto place = placeOf(file);
+    if (!place) return place.errors();
+    const fs::path target = *place, folder = target.parent_path();
     const fs::file_status before = fs::status(target, error);
-    if (fs::exists(before) && ::access(target.c_str(), W_OK) != 0) return writeError(file, errno);
-    const fs::path folder = fs::absolute(target, error).parent_path();
-    if (!fs::is_directory(folder, error)) return writeError(file, error ? error.value() : ENOTDIR);
     Result<Staging> staging = Staging::begin(folder);
     if (!staging) return inFolder(staging.errors(), folder);
     Staging hidden = std::move(staging).value();

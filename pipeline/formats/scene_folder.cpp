@@ -6,10 +6,13 @@
 #include <cerrno>
 #include <fstream>
 #include <memory>
+#include <mutex>
 #include <new>
 #include <optional>
+#include <set>
 
 #include "pipeline/core/text.h"
+#include "pipeline/formats/inputs.h"
 #include "pipeline/formats/model_reader.h"
 #include "pipeline/formats/text_scanner.h"
 #include "pipeline/formats/utf16.h"
@@ -25,6 +28,21 @@ Error noPlace(std::string found, std::string expected = {}) { return {{}, std::m
 
 Error tooLarge(std::size_t limit) {
     return noPlace("the file is larger than " + groupedDigits(limit) + " bytes", "a smaller file");
+}
+
+// The inputs by their paths without links: what replaces a file by another name leaves the file.
+struct Inputs {
+    std::mutex mutex;
+    std::optional<std::set<fs::path>> paths;  // none: nothing is remembered
+};
+Inputs& inputs() {
+    static Inputs all;
+    return all;
+}
+void remember(const fs::path& file) {
+    const std::scoped_lock lock(inputs().mutex);
+    std::error_code ignored;
+    if (inputs().paths) inputs().paths->insert(fs::weakly_canonical(file, ignored));
 }
 
 struct OpenFile {
@@ -74,6 +92,11 @@ Result<std::string> readBytes(const fs::path& file, std::size_t count) {
     OpenFile from = std::move(opened).value();
     return readFrom(from, count);
 }
+Result<std::string> readWhole(const fs::path& file, std::size_t limit) {
+    Result<std::string> text = readBytes(file, limit + 1);
+    if (text && text->size() > limit) return tooLarge(limit);
+    return text;
+}
 
 // Whether all components of `folder` begin `path`; "/a/bc" is not below "/a/b".
 bool isBelow(const fs::path& path, const fs::path& folder) {
@@ -122,10 +145,10 @@ Result<fs::path> pathInFolder(const fs::path& folder, std::string_view name, std
 }
 
 Result<std::string> readFile(const fs::path& file, std::size_t limit) {
-    Result<std::string> text = readBytes(file, limit + 1);
-    if (text && text->size() > limit) return tooLarge(limit);
-    return text;
+    remember(file);
+    return readWhole(file, limit);
 }
+Result<std::string> readOwnFile(const fs::path& file, std::size_t limit) { return readWhole(file, limit); }
 
 Result<std::string> wholeText(const SourceText& source) {
     std::string text(source.text);
@@ -139,6 +162,7 @@ Result<std::string> wholeText(const SourceText& source) {
 Result<std::string> readStart(const fs::path& file, std::size_t count) { return readBytes(file, count); }
 
 Result<NamedFile> openFile(const fs::path& file) {
+    remember(file);
     Result<OpenFile> opened = open(file);
     if (!opened) return opened.errors();
     OpenFile from = std::move(opened).value();
@@ -165,6 +189,20 @@ bool FileTail::read(std::string& to, std::size_t count) {
     const std::size_t before = to.size();
     append(*m_stream, count, to);
     return to.size() == before + count;
+}
+
+InputMemory::InputMemory() {
+    const std::scoped_lock lock(inputs().mutex);
+    inputs().paths.emplace();
+}
+InputMemory::~InputMemory() {
+    const std::scoped_lock lock(inputs().mutex);
+    inputs().paths.reset();
+}
+bool isInput(const fs::path& file) {
+    const std::scoped_lock lock(inputs().mutex);
+    std::error_code ignored;
+    return inputs().paths && inputs().paths->contains(fs::weakly_canonical(file, ignored));
 }
 
 FileLoader filesBeside(const fs::path& scene) {

@@ -39,8 +39,8 @@ struct Found {
 };
 Found filesIn(const fs::path& folder) {
     Found found;
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-        const std::string name = entry.path().filename().string();
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
+        const std::string name = entry.path().lexically_relative(folder).string();
         if (name.starts_with('.'))
             found.hidden = true;
         else if (entry.is_regular_file())
@@ -66,6 +66,14 @@ Files namedInJson(const std::string& index) {
     return named;
 }
 
+Files namedInSheets(const std::string& index) {
+    Files named;
+    for (const auto& entry : nlohmann::json::parse(index)["files"])
+        named[entry["file"]] =
+            std::to_string(entry["bytes"].get<std::size_t>()) + ' ' + entry["sha256"].get<std::string>();
+    return named;
+}
+
 // "<!-- Answers to a handout of 123 bytes, SHA-256 0abc… -->"
 Files namedInAnswers(const std::string& index) {
     const std::string before = "<!-- Answers to a handout of ", between = " bytes, SHA-256 ";
@@ -73,7 +81,9 @@ Files namedInAnswers(const std::string& index) {
     return {{"pyramid.html", index.substr(at, comma - at) + ' ' + index.substr(comma + between.size(), 64)}};
 }
 
-const std::array<Writer, 4> kWriters{{
+const std::string kSheets = std::string(SHADESCOPE_SCENES) + "/../sheets/light";
+
+const std::array<Writer, 5> kWriters{{
     {"export",
      "manifest.json",
      {"export", "pyramid", "--size", "16x12", "--buffers", "depth,color,normal,z_view", "--format", "npy"},
@@ -90,6 +100,11 @@ const std::array<Writer, 4> kWriters{{
      {"lesson", "export", "pyramid"},
      {"lesson", "export", "pyramid"},
      namedInAnswers},
+    {"sheet",
+     "keys/sheets.json",
+     {"sheet", kSheets, "--variants", "2", "--seed", "1"},
+     {"sheet", kSheets, "--variants", "1", "--seed", "2"},
+     namedInSheets},
 }};
 
 class EndedByForce : public testing::TestWithParam<Writer> {
@@ -137,7 +152,7 @@ protected:
 // Either the folder is the one before or the new one, as its index says file by file, or it has no index and says so.
 TEST_P(EndedByForce, LeavesTheOldFolderOrTheNewOneOrSaysThatItIsNeither) {
     const Writer& writer = GetParam();
-    const std::string mark = writer.index + ".unfinished";
+    const std::string mark = fs::path(writer.index).filename().string() + ".unfinished";
     const test::TemporaryFolder folder;
     fs::create_directory(folder / "old");
     test::writeText(folder / "old/notes.txt", "mine");
@@ -152,7 +167,7 @@ TEST_P(EndedByForce, LeavesTheOldFolderOrTheNewOneOrSaysThatItIsNeither) {
     const Files old = filesIn(folder / "old").files;
     ASSERT_TRUE(isWhole(old));
 
-    fs::copy(folder / "old", folder / "new");
+    fs::copy(folder / "old", folder / "new", fs::copy_options::recursive);
     const auto counts = test::countFaults(into(writer.after, folder / "new"));
     const Files fresh = filesIn(folder / "new").files;
     ASSERT_TRUE(isWhole(fresh));
@@ -162,7 +177,7 @@ TEST_P(EndedByForce, LeavesTheOldFolderOrTheNewOneOrSaysThatItIsNeither) {
     for (const std::size_t i : test::sweep(counts.changes)) {
         SCOPED_TRACE(testing::Message() << writer.name << ", change " << i + 1);
         const fs::path out = folder / "out";
-        fs::copy(folder / "old", out);
+        fs::copy(folder / "old", out, fs::copy_options::recursive);
         const auto ended = test::runWithFaults({{"KILL_AT", i + 1}}, into(writer.after, out));
         ASSERT_TRUE(ended.status == 128 + SIGKILL || i + 1 == counts.changes) << ended.status << ended.err;
         const Found found = filesIn(out);
@@ -180,8 +195,8 @@ TEST_P(EndedByForce, LeavesTheOldFolderOrTheNewOneOrSaysThatItIsNeither) {
 
         const auto again = test::run(into(writer.after, out));
         EXPECT_EQ(again.status, 0) << again.err;
-        // A handout is always written whole, so that there is nothing to say.
-        EXPECT_TRUE(isOld || isNew || writer.name == std::string("lesson") ||
+        // Handouts and sheets are always written whole, so that there is nothing to say.
+        EXPECT_TRUE(isOld || isNew || writer.name == std::string("lesson") || writer.name == std::string("sheet") ||
                     test::has(again.err, writer.index + " is missing"))
             << again.err;
         const Found after = filesIn(out);
