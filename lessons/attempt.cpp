@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "lessons/lesson_text.h"
+#include "lessons/typed_number.h"
 
 namespace lessons {
 
@@ -16,6 +17,19 @@ constexpr double kPrice = 0.25, kLeast = 0.25;  // of the full points: of a wron
 constexpr std::size_t kMostGiven = 200;         // characters of an answer that are remembered
 
 bool isUntil(const Question& question) { return std::holds_alternative<UntilQuestion>(question.kind); }
+
+// Numbers by their value: 3/2 is 1.5.
+bool wasTried(const Question& question, const std::vector<Try>& tries, const std::string& given) {
+    if (isUntil(question)) return false;
+    const auto* number = std::get_if<NumberQuestion>(&question.kind);
+    const auto valueOf = [&](const std::string& text) {
+        const auto typed = number ? typedNumber(text, number->unit) : pipeline::Error{};
+        return typed ? std::optional(typed->value) : std::nullopt;
+    };
+    const auto value = valueOf(given);
+    return std::ranges::any_of(
+        tries, [&](const Try& one) { return one.given == given || (value && valueOf(one.given) == value); });
+}
 
 std::string optionName(std::size_t option) { return std::string(1, char('A' + option)); }
 
@@ -61,7 +75,10 @@ pipeline::Result<Verdict> Attempt::check(const Given& given, const Context& cont
     auto verdict = judge(*m_question, given, context);
     if (!verdict || verdict->mark == Mark::Again) return verdict;
     const bool right = verdict->mark == Mark::Right;
-    m_progress.tries.push_back({textOf(*m_question, given), right, verdict->mistake, m_progress.hints, seconds});
+    std::string text = textOf(*m_question, given);
+    if (!right && wasTried(*m_question, m_progress.tries, text))
+        return Verdict{Mark::Again, {}, {}, "You tried this answer already. It costs nothing.\n\n" + verdict->said};
+    m_progress.tries.push_back({std::move(text), right, verdict->mistake, m_progress.hints, seconds});
     if (right)
         m_progress.outcome = Progress::Outcome::Right;
     else if (triesLeft() == 0)

@@ -32,7 +32,6 @@ public:
         m_column->addLayout(row);
         m_column->addWidget(forms);
         connect(m_field, &QLineEdit::textChanged, this, &AnswerBody::changed);
-        connect(m_field, &QLineEdit::returnPressed, this, &AnswerBody::entered);
         followTheme(this, [this, behind, forms, row] {
             const Theme& theme = Theme::current();
             m_field->setFont(theme.mono());

@@ -9,7 +9,8 @@ class QVBoxLayout;
 
 namespace app {
 
-// Where a question is answered: a field, rows to choose from, a thing to click, settings to turn.
+// Where a question is answered: a field, rows to choose from, a thing to click, settings to turn. Enter is left to the
+// panel, which checks.
 class AnswerBody : public QWidget {
     Q_OBJECT
 public:
@@ -25,7 +26,6 @@ public:
 
 signals:
     void changed();  // given() is another
-    void entered();  // and is to be checked
 
 protected:
     explicit AnswerBody(QWidget* parent);

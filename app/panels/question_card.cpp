@@ -170,7 +170,6 @@ void QuestionCard::fill() {
     m_body = makeAnswerBody(m_run, m_document, this);
     m_column->insertWidget(1, m_body);
     m_body->takeAttempt(*m_run.attempt());
-    connect(m_body, &AnswerBody::entered, this, &QuestionCard::check);
     connect(m_body, &AnswerBody::changed, this, &QuestionCard::arrange);
     m_show->setEnabled(true);
     showHints();

@@ -139,6 +139,23 @@ TEST_F(AskingLesson, ThreeTriesShowTheAnswerWithItsWorking) {
     EXPECT_TRUE(part<QPushButton>("nextPage").isEnabled());
 }
 
+TEST_F(AskingLesson, EnterChecksOnceAndTheSameValueCostsNothingAgain) {
+    auto& field = part<QLineEdit>("answer");
+    field.setFocus();
+    field.setText("700");
+    press(Qt::Key_Return);
+    ASSERT_EQ(panel->run().attempt()->progress().tries.size(), 1u);
+    EXPECT_EQ(part<QLabel>("tries").text(), "2 tries left");
+    press(Qt::Key_Enter);
+    EXPECT_EQ(panel->run().attempt()->progress().tries.size(), 1u);
+    EXPECT_EQ(part<QLabel>("tries").text(), "2 tries left");
+    EXPECT_TRUE(comment().startsWith("You tried this answer already.")) << comment().toStdString();
+    field.setText("5");
+    press(Qt::Key_Enter);
+    EXPECT_EQ(panel->run().attempt()->progress().tries.size(), 2u);
+    EXPECT_EQ(panel->run().attempt()->state(), lessons::Attempt::State::Right);
+}
+
 // From the first page to the last, and to the next lesson, without a mouse.
 TEST_F(AskingLesson, TheKeyboardAloneGoesThroughTheLesson) {
     panel->findChild<QLineEdit*>("answer")->setFocus();

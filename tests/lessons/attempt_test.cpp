@@ -188,6 +188,29 @@ TEST_F(AttemptTest, ThreeWrongTriesOrShowMeSettleItWithoutPoints) {
     EXPECT_EQ(m_attempt->points(), 0);
 }
 
+TEST_F(AttemptTest, AValueThatWasTriedCostsNothingAgain) {
+    ask(kAngle);
+    type("39.2");
+    for (const char* same : {"39.2", "39,2", "39.20 °", "196/5"}) {
+        const Verdict verdict = type(same);
+        EXPECT_EQ(verdict.mark, Mark::Again) << same;
+        EXPECT_NE(verdict.said.find("You tried this answer already."), std::string::npos) << verdict.said;
+        EXPECT_NE(verdict.said.find("That is another polygon's."), std::string::npos) << "what was said to it";
+    }
+    EXPECT_EQ(m_attempt->progress().tries.size(), 1u);
+    EXPECT_EQ(m_attempt->triesLeft(), 2u);
+    EXPECT_EQ(m_attempt->worth(), 1.5);
+    EXPECT_EQ(m_attempt->state(), Attempt::State::WrongKnown);
+    EXPECT_EQ(type("39.3").mark, Mark::Known) << "another value, however near";
+    EXPECT_EQ(type("35.4").mark, Mark::Right);
+
+    ask(kOrder);
+    check(Ordered{{0, 1, 2}});
+    EXPECT_EQ(check(Ordered{{0, 1, 2}}).mark, Mark::Again);
+    EXPECT_EQ(check(Ordered{{1, 0, 2}}).mark, Mark::Known);
+    EXPECT_EQ(m_attempt->triesLeft(), 1u);
+}
+
 TEST_F(AttemptTest, AChoiceKnowsWhatWasTriedAndTheLastOptionNeedsNoTry) {
     ask("question: Which?\n"
         "choice: Kept. | if verdict(1) = kept | It is kept.\n"
