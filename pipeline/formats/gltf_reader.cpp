@@ -38,9 +38,9 @@ constexpr std::string_view kQuantized = "KHR_mesh_quantization";
 
 // Extensions of materials, pictures, lights and what is said about the file leave the shape as it is.
 bool isBesideGeometry(std::string_view extension) {
-    constexpr std::string_view kBeside[]{"KHR_materials_", "EXT_materials_", "KHR_texture_",     "EXT_texture_",
-                                         "MSFT_texture_",  "KHR_lights_",    "EXT_lights_",      "KHR_xmp",
-                                         "KHR_audio",      "KHR_animation_", "KHR_interactivity"};
+    constexpr std::string_view kBeside[]{"KHR_materials_", "EXT_materials_", "KHR_texture_",      "EXT_texture_",
+                                         "MSFT_texture_",  "KHR_lights_",    "EXT_lights_",       "KHR_xmp",
+                                         "KHR_audio",      "KHR_animation_", "KHR_interactivity", "KHR_techniques_"};
     return std::ranges::any_of(kBeside, [&](std::string_view start) { return extension.starts_with(start); });
 }
 
@@ -56,6 +56,7 @@ public:
         const std::vector<GltfInstance> instances = instancesOf(m_file);
         ReadMeter meter(kShares * instances.size(), m_file.name, m_progress);
         m_meter = &meter;
+        m_someNormals = std::ranges::any_of(instances, givesNormals);
         for (const GltfInstance& instance : instances) {
             if (m_file.errors.size() >= kMaxErrors || !meter.goesOn(m_told, m_file.errors)) break;
             const GltfValue primitives = instance.mesh["primitives"];
@@ -70,6 +71,12 @@ public:
     }
 
 private:
+    static bool givesNormals(const GltfInstance& instance) {
+        const GltfValue primitives = instance.mesh["primitives"];
+        for (std::size_t k = 0; k < primitives.size() && k <= kMaxPrimitives; ++k)
+            if (primitives.at(k)["attributes"]["NORMAL"].isThere()) return true;
+        return false;
+    }
     static bool isIn(const GltfValue& list, std::string_view name) {
         for (std::size_t i = 0; i < list.size(); ++i)
             if (list.at(i).text() == name) return true;
@@ -134,17 +141,23 @@ private:
         if (!positions || !place(instance, *positions, normals)) return;
         addObject(instance, primitive, hasTwins, [&](Mesh& mesh) {
             const bool mirrored = glm::determinant(glm::dmat3(instance.toWorld)) < 0;
-            WeldedVertices welded(mesh, !normals.empty());
+            // Without normals a primitive is flat (section 3.7.2.1), also beside others that have some.
+            const bool isFlat = normals.empty() && m_someNormals;
+            WeldedVertices welded(mesh, isFlat || !normals.empty());
             welded.reserve(positions->size());
             for (std::size_t i = 0; i < count; ++i) {
                 if (m_file.check.stopped(3) || !m_meter->goesOn(m_told + kShares * i / count, m_file.errors)) return;
                 std::array<std::size_t, 3> triangle = cornersOf(*mode, i);
                 if (mirrored) std::swap(triangle[1], triangle[2]);
+                const auto cornerOf = [&](std::size_t k) { return (*corners)[triangle[k]]; };
+                const auto placeOf = [&](std::size_t k) -> const Vec3d& { return (*positions)[cornerOf(k)]; };
+                Vec3d ofAll(0.0);
+                if (isFlat)  // without area any will do
+                    ofAll = unitVector(glm::cross(placeOf(1) - placeOf(0), placeOf(2) - placeOf(0)))
+                                .value_or(Vec3d(0, 0, 1));
                 std::array<std::uint32_t, 3> polygon{};
-                for (std::size_t k = 0; k < 3; ++k) {
-                    const std::uint32_t corner = (*corners)[triangle[k]];
-                    polygon[k] = welded.at((*positions)[corner], normals.empty() ? Vec3d(0.0) : normals[corner]);
-                }
+                for (std::size_t k = 0; k < 3; ++k)
+                    polygon[k] = welded.at(placeOf(k), normals.empty() ? ofAll : normals[cornerOf(k)]);
                 // A strip may repeat a corner to go on elsewhere.
                 if (!addPolygon(mesh, polygon) && *mode == kTriangles) ++m_leftOut;
             }
@@ -262,7 +275,7 @@ private:
     const ReadProgress& m_progress;
     ReadMeter* m_meter = nullptr;
     std::size_t m_told = 0;  // of kShares for each instance
-    bool m_quantized = false;
+    bool m_quantized = false, m_someNormals = false;
     std::size_t m_bytes = 0;                       // of the file, without its buffers' files
     std::size_t m_elements = 0, m_primitives = 0;  // read so far
     std::size_t m_leftOut = 0;                     // triangles without an area

@@ -14,17 +14,20 @@
 namespace pipeline {
 namespace {
 
-// glTF says which axis is up, and its reader has done what follows from that. Of the other formats OBJ alone is written
-// both ways about as often.
+// glTF says which axis is up, and its reader has done what follows from that. STL files come from construction and
+// printing, where z is up.
 void findUp(const SourceText& source, Scene& scene) {
-    const auto remark = [&](std::string text) { scene.remarks.push_back({"up", std::move(text)}); };
-    if (upOf(scene) == UpAxis::Y) return remark("y of the file points up, as in every glTF file.");
+    if (upOf(scene) == UpAxis::Y)
+        return scene.remarks.push_back({"up", "y of the file points up, as in every glTF file."});
     const std::string extension = std::filesystem::path(source.name).extension().string();
-    const UpGuess guess = sameLetters(extension, ".obj") ? guessUp(source.text, scene.objects) : UpGuess();
+    const UpGuess guess = sameLetters(extension, ".stl") ? UpGuess{UpAxis::Z, "as in most STL files"}
+                                                         : guessUp(source.text, scene.objects, source.progress.stop);
     for (Object& object : scene.objects) object.transform.up = guess.up;
     const bool isY = guess.up == UpAxis::Y;
-    remark(fmt::format("{} of the file is taken to point up{}{}; up={} turns it.", isY ? 'y' : 'z',
-                       guess.why.empty() ? "" : ": ", guess.why, isY ? 'z' : 'y'));
+    const char up = isY ? 'y' : 'z', other = isY ? 'z' : 'y';
+    scene.remarks.push_back(
+        {fmt::format("up={}", up),
+         fmt::format("{} of the file is taken to point up: {}; up={} turns it.", up, guess.why, other)});
 }
 
 }  // namespace
@@ -42,7 +45,12 @@ Result<Scene> readModelScene(const SourceText& source, const FileLoader& load) {
         scene.settings.shading = Shading::Phong;
         scene.settings.normalWeight = NormalWeight::Given;
     }
-    if (model->doubleSided) scene.settings.cull = CullMode::None;
+    if (model->doubleSided) {
+        scene.settings.cull = CullMode::None;
+        // glTF 2.0, section 3.9.5. Of closed meshes no back is seen.
+        scene.settings.twoSided =
+            std::ranges::any_of(scene.objects, [](const Object& object) { return !object.mesh->facts.closed; });
+    }
     frameModel(scene);
     return scene;
 }

@@ -12,6 +12,8 @@
 #include "pipeline/formats/no_memory.h"
 #include "pipeline/formats/text_scanner.h"
 #include "pipeline/scene/alike_remarks.h"
+#include "pipeline/scene/closed_mesh.h"
+#include "pipeline/scene/coplanar.h"
 #include "pipeline/scene/settings_table.h"
 
 namespace pipeline {
@@ -83,6 +85,29 @@ void remarkOnNormals(const Object& object, AlikeRemarks& remarks) {
                          plural(turned, "polygon"), inQuotes(object.name))});
 }
 
+// Where backs are left out, or are not lit from behind, the inside of such a mesh is seen.
+void remarkOnTurned(const Object& object, StopCheck& check, AlikeRemarks& remarks) {
+    const Mesh& mesh = *object.mesh;
+    const std::string name = inQuotes(object.name), mend = "cull=none with two_sided=on shows and lights both sides.";
+    const auto inward = std::int64_t(mesh.facts.closed ? inwardPolygons(mesh, check) : 0);
+    const auto edges = std::int64_t(mesh.facts.closed ? 0 : edgeUseOf(mesh, check).turned);
+    const bool isAll = inward == std::int64_t(mesh.polygonCount());
+    if (inward > 0)
+        remarks.add("inward", name,
+                    {object.name,
+                     fmt::format("{} turned inside out: seen from outside {} run clockwise, as backs do. Reverse the "
+                                 "order of their vertices; {}",
+                                 isAll         ? name + " is closed and"
+                                 : inward == 1 ? fmt::format("1 polygon of {} is", name)
+                                               : fmt::format("{} polygons of {} are", inward, name),
+                                 isAll ? "its polygons" : "they", mend)});
+    if (edges > 0)
+        remarks.add("turned edges", name,
+                    {object.name, fmt::format("At {} of {} both polygons run along the edge the same way: one of the "
+                                              "two is turned inside out. {}",
+                                              plural(edges, "edge"), name, mend)});
+}
+
 }  // namespace
 
 Result<Scene> readScene(const std::filesystem::path& file, const ReadProgress& progress) {
@@ -97,9 +122,15 @@ Result<Scene> readScene(const std::filesystem::path& file, const ReadProgress& p
         scene.file = name;
         const Errors errors = checkScene(scene);
         if (!errors.empty()) return inFile(errors, name);
-        AlikeRemarks ofNormals;
-        for (const Object& object : scene.objects) remarkOnNormals(object, ofNormals);
-        ofNormals.moveTo(scene.remarks);
+        AlikeRemarks ofMeshes;
+        StopCheck check(progress.stop);
+        for (const Object& object : scene.objects) {
+            remarkOnTurned(object, check, ofMeshes);
+            remarkOnNormals(object, ofMeshes);
+        }
+        remarkOnCoplanar(scene, check, ofMeshes);
+        if (check.stopped()) return readingStopped(name);
+        ofMeshes.moveTo(scene.remarks);
         return scene;
     } catch (const std::bad_alloc&) {
         return noMemoryToRead({name, 0, 0}, "scene");

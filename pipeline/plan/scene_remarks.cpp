@@ -15,6 +15,7 @@
 #include "pipeline/plan/black.h"
 #include "pipeline/scene/alike_remarks.h"
 #include "pipeline/scene/opacity.h"
+#include "pipeline/scene/settings_table.h"
 #include "pipeline/stages/transform.h"
 
 namespace pipeline {
@@ -22,7 +23,10 @@ namespace {
 
 class Remarks {
 public:
-    explicit Remarks(const Scene& scene) : m_scene(scene), m_list(scene.remarks) {}
+    explicit Remarks(const Scene& scene)
+        : m_scene(scene), m_isBlack(maximumIntensity(scene) <= 0 || isBlack(scene)), m_list(scene.remarks) {
+        std::erase_if(m_list, [&](Remark& remark) { return isOver(remark); });
+    }
 
     std::vector<Remark> collect() {
         if (m_scene.settings.defect != Defect::None)
@@ -36,7 +40,7 @@ public:
         ofNearPlane();
         if (m_scene.objects.empty())
             add("object", "The scene has no object: every pixel is background.");
-        else if (maximumIntensity(m_scene) <= 0 || isBlack(m_scene))
+        else if (m_isBlack)
             ofBlack();
         if (m_list.size() > kMaxRemarks) {
             const std::size_t more = m_list.size() - (kMaxRemarks - 1);
@@ -47,6 +51,15 @@ public:
     }
 
 private:
+    // Of a remark about "KEY=VALUE", which a reader has chosen: whether the setting has another value. Else it is about KEY.
+    bool isOver(Remark& remark) const {
+        const std::size_t sign = remark.about.find('=');
+        const auto setting = findSetting(m_scene, std::string_view(remark.about).substr(0, sign));
+        if (sign == remark.about.npos || !setting) return false;  // the name of an object may have the sign too
+        if (remark.about.substr(sign + 1) != formatSetting(*setting, setting->get(m_scene))) return true;
+        remark.about.resize(sign);
+        return false;
+    }
     void add(std::string about, std::string text) { m_list.push_back({std::move(about), std::move(text)}); }
     // Of one light or object among many; kind and name: as AlikeRemarks has them.
     void addOf(std::string_view kind, const std::string& name, std::string about, std::string text) {
@@ -296,7 +309,12 @@ private:
         ofCoefficient("k_d", "k", material.diffuse);
         ofCoefficient("k_s", "ks", material.specular);
         if (model.found.ownAmbient) ofCoefficient("k_a", "ka", material.ambient);
-        if (model.found.emission) ofCoefficient("The emission", "ke", material.emission);
+        if (model.found.emission)
+            ofCoefficient("The emission", "ke", material.emission);
+        else if (material.emission != Vec3d(0) && !m_isBlack)
+            addOf(side + "emission", name, "model",
+                  fmt::format("The {}material of {} gives off light, which {} does not read; {} does.", side, name,
+                              model.name, namesOfModels([](const ModelFacts& one) { return one.found.emission; })));
         if (material.alpha < 0 || material.alpha > 1)
             addOf(fmt::format("{}alpha {}", side, material.alpha < 0), name, key + "alpha",
                   fmt::format("α of the {}material of {} is {}, beyond [0, 1]: it acts as {}.", side, name,
@@ -308,6 +326,7 @@ private:
     }
 
     const Scene& m_scene;
+    bool m_isBlack;
     std::vector<Remark> m_list;
     AlikeRemarks m_alike;
 };

@@ -34,9 +34,11 @@ bool allConvex(const Scene& scene) {
     return std::ranges::all_of(scene.objects, [](const Object& object) { return object.mesh->facts.convex; });
 }
 
-// Which polygons face a light is known beforehand of normals in their stable form alone.
+// Which polygons face a light is known beforehand of normals in their stable form alone, and where none is turned round
+// for an eye within the body.
 bool trustsNormals(const Settings& settings) {
-    return settings.forms.polygonNormal == PolygonNormalForm::Newell && settings.forms.unit != UnitForm::Direct;
+    return !lightsBacks(settings) && settings.forms.polygonNormal == PolygonNormalForm::Newell &&
+           settings.forms.unit != UnitForm::Direct;
 }
 
 }  // namespace

@@ -83,6 +83,32 @@ bool showsBlackAlone(const AnyBuffer& color) {
     return std::ranges::all_of(bytes, [](std::uint8_t byte) { return byte == 0; });
 }
 
+// Where 1 is white, and almost every pixel that shows something is. Of large pictures some pixels are looked at.
+std::optional<Remark> whyWhite(const Frame& frame) {
+    const Scene& scene = frame.scene();
+    const auto color = frame.until() == StageId::Shading ? frame.buffer({BufferId::Color}) : std::nullopt;
+    const ModelFacts& model = modelFacts(scene.settings.model);
+    if (!color || model.white != White::One) return {};
+    const auto bytes = std::get<std::span<const std::uint8_t>>(color->data);
+    constexpr std::size_t kMostLooks = 1 << 18;
+    const std::size_t step = 3 * (1 + bytes.size() / 3 / kMostLooks);
+    std::size_t white = 0, shown = 0;
+    for (std::size_t i = 0; i + 2 < bytes.size(); i += step) {
+        const int least = std::min({bytes[i], bytes[i + 1], bytes[i + 2]});
+        white += least == 255, shown += least > 0 || bytes[i] > 0 || bytes[i + 1] > 0 || bytes[i + 2] > 0;
+    }
+    constexpr double kAlmostAll = 0.9;
+    if (shown == 0 || double(white) < kAlmostAll * double(shown)) return {};
+    std::string key = "ambient.intensity";
+    double most = scene.ambient.intensityIn(scene.settings.model);
+    for (std::size_t k = 0; k < scene.lights.size(); ++k)
+        if (scene.lights[k].intensity > most)
+            most = scene.lights[k].intensity, key = fmt::format("light.{}.intensity", k);
+    return Remark{key, fmt::format("{:.0f} % of the pixels that are not black are white. In {} 1 is white, and {} is "
+                                   "{}: set it lower.",
+                                   100 * double(white) / double(shown), model.name, key, shortestText(most))};
+}
+
 // What the stages have drawn; empty if the last stage that could tell has not run.
 struct Drawn {
     bool isKnown = false;
@@ -127,6 +153,7 @@ std::vector<Remark> frameRemarks(const Frame& frame) {
     const bool isSaid = nothing && (frame.scene().objects.empty() ||
                                     (isBlack(frame.scene()) && nothing->about == whyBlack(frame.scene()).about));
     if (nothing && !isSaid) remarks.push_back(*std::move(nothing));
+    if (auto white = whyWhite(frame)) remarks.push_back(*std::move(white));
     return remarks;
 }
 

@@ -4,9 +4,18 @@
 
 namespace pipeline {
 
-// Whether there are polygons, and from every vertex to every other at most one edge, and then one back: MeshFacts::closed.
+// Closed: there are polygons, and from every vertex to every other at most one edge, and then one back: MeshFacts::closed.
+// Turned: where every edge is used twice, but not always there and back, edges that are used twice the same way; else 0.
 // Of large meshes a part of the vertices at a time: with memory for some ten million edges' ends, whatever the mesh.
-// False where it is stopped.
-bool isClosed(const Mesh& mesh, StopCheck& check);
+// Neither where it is stopped.
+struct EdgeUse {
+    bool closed = false;
+    std::size_t turned = 0;
+};
+EdgeUse edgeUseOf(const Mesh& mesh, StopCheck& check);
+
+// Of a closed mesh whose box is known: how many polygons belong to pieces that enclose a negative volume. A piece within
+// the box of the others may be the wall of a cavity, and does not count.
+std::size_t inwardPolygons(const Mesh& mesh, StopCheck& check);
 
 }  // namespace pipeline

@@ -4,8 +4,13 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
+
+#include <fmt/format.h>
 
 #include "pipeline/core/angles.h"
+#include "pipeline/core/text.h"
+#include "pipeline/scene/alike_remarks.h"
 #include "pipeline/scene/object_matrix.h"
 #include "pipeline/scene/opacity.h"
 
@@ -103,9 +108,37 @@ Framing chooseFraming(const Scene& scene, const Box& box) {
     return framing;
 }
 
+// Of a camera that was chosen.
+void tellOfCamera(Scene& scene) {
+    std::erase_if(scene.remarks, [](const Remark& remark) { return remark.about.starts_with("camera.phi="); });
+    if (scene.camera.phi < 90) return;
+    scene.remarks.push_back({"camera.phi=" + shortestText(scene.camera.phi),
+                             "Most polygons face down: the camera looks from below. If they run clockwise in the file, "
+                             "cull=none and camera.phi=60 show them from above."});
+}
+
 bool isMostlyAmbient(const Material& material) {
     const auto largest = [](const Vec3d& k) { return std::max({k.x, k.y, k.z}); };
     return largest(material.diffuse) < 0.5 * largest(material.ambient);
+}
+
+// A model that is chosen here refuses no file.
+void clampExponents(Scene& scene) {
+    const ModelFacts& model = modelFacts(scene.settings.model);
+    AlikeRemarks clamped;
+    for (std::size_t i = 0; model.mostExponent && i < scene.objects.size(); ++i) {
+        Object& object = scene.objects[i];
+        const double n =
+            std::exchange(object.material.exponent, std::min(object.material.exponent, *model.mostExponent));
+        if (n == object.material.exponent) continue;
+        const std::string name = inQuotes(object.name);
+        const std::string most = shortestText(*model.mostExponent);
+        clamped.add("n", name,
+                    {fmt::format("material.{}.n={}", i, most),
+                     fmt::format("n of the material of {} is {} in the file; {} takes at most {}, which is set.", name,
+                                 shortestText(n), model.name, most)});
+    }
+    clamped.moveTo(scene.remarks);
 }
 
 // Lecture 1's model stands, with its intensities, where it reads what makes the materials visible. It has neither
@@ -124,12 +157,13 @@ void chooseIllumination(Scene& scene) {
     scene.settings.model = Model(found - modelTable().begin());
     scene.lights[0].intensity = 0.6;
     scene.ambient.intensity = 0.4;
-    scene.remarks.push_back({"model", emits
-                                          ? "A material gives off light, which only OpenGL's illumination model reads: "
-                                            "model=opengl is set."
-                                          : "A material reflects ambient light (k_a) and less than half as much "
-                                            "diffuse light (k_d). Phong's model reads k_d alone: model=blinn-phong "
-                                            "is set."});
+    scene.remarks.push_back({"model=" + std::string(modelFacts(scene.settings.model).word),
+                             emits ? "A material gives off light, which only OpenGL's illumination model reads: "
+                                     "model=opengl is set."
+                                   : "A material reflects ambient light (k_a) and less than half as much "
+                                     "diffuse light (k_d). Phong's model reads k_d alone: model=blinn-phong "
+                                     "is set."});
+    clampExponents(scene);
 }
 
 }  // namespace
@@ -140,6 +174,7 @@ void frameModel(Scene& scene) {
     const Framing framing = chooseFraming(scene, box);
     scene.camera = framing.camera;
     scene.lights = {framing.light};
+    tellOfCamera(scene);
     chooseIllumination(scene);
     scene.framed = true;
 }
@@ -158,7 +193,7 @@ void setUp(Scene& scene, UpAxis up) {
         transform.translation = offset - makeObjectMatrix(transform).linear * file.middle();
     }
     const Framing after = chooseFraming(scene, boxOf(scene));
-    if (scene.camera == before.camera) scene.camera = after.camera;
+    if (scene.camera == before.camera) scene.camera = after.camera, tellOfCamera(scene);
     if (scene.lights.size() == 1 && scene.lights[0].position == before.light.position)
         scene.lights[0].position = after.light.position;
 }

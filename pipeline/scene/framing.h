@@ -8,7 +8,8 @@
 namespace pipeline {
 
 // Puts the middle of the objects' common box, which nothing moves yet, into the world's origin, and adds a light and a
-// camera that shows all of them from their front; the scene is framed then. What a reader could not know the remarks say.
+// camera that shows all of them from their front; the scene is framed then. What a reader could not know the remarks say;
+// one about "KEY=VALUE" says what was chosen, and counts while the setting has that value (plan/scene_remarks.h).
 //
 // The front of a file with y up faces +z (glTF 2.0, section 3.4), here -y: the camera stands at θ = -45°, else at 45° as in
 // lecture 1's example, with φ = 60°. Where less than a quarter of the projected area faces it there, as of an open mesh

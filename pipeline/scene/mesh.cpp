@@ -275,7 +275,7 @@ std::shared_ptr<const Mesh> makeMesh(Mesh mesh, const Stop& stop) {
     }
     mesh.facts.ownNormals = hasOwnNormals(mesh, check), mesh.facts.offUnit = offUnitOf(mesh, check);
     mesh.vertexRanges = vertexRangesOf(mesh.triangles, check);
-    mesh.facts.closed = isClosed(mesh, check);
+    mesh.facts.closed = edgeUseOf(mesh, check).closed;
     mesh.facts.convex = isConvex(mesh, polygon, check);
     if (check.stopped()) return std::make_shared<const Mesh>();
     return std::make_shared<const Mesh>(std::move(mesh));

@@ -88,13 +88,15 @@ constexpr std::array<ModelFacts, kModelCount> kTable{{
                .base = kPhongBase,
                .light = kPhongLight,
                .lobe = Lobe::Reflection,
+               .twoSided = true,
                .white = White::Maximum}),
     completed({.word = "blinn-phong",
                .label = "Blinn–Phong",
                .name = "Blinn–Phong's model",
                .base = kBlinnBase,
                .light = kPhongLight,
-               .lobe = Lobe::Halfway}),
+               .lobe = Lobe::Halfway,
+               .twoSided = true}),
     completed({.word = "opengl",
                .label = "OpenGL",
                .name = "OpenGL's model",
@@ -120,7 +122,8 @@ constexpr std::array<ModelFacts, kModelCount> kTable{{
                .factors = kCookTorranceFactors,
                .choosesLobe = {"Cook–Torrance's model has a highlight of its own."},
                .exponentFactor = {"Cook–Torrance's model takes the exponent as it is."},
-               .dullWithoutKs = false}),
+               .dullWithoutKs = false,
+               .twoSided = true}),
 }};
 
 constexpr auto wordsOf() {

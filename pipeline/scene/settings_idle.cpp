@@ -98,7 +98,7 @@ std::string_view onlyViewer(const Scene& scene) {
     return onlyWhere(scene, [](const ModelFacts& facts) { return facts.viewer == Viewer::Setting; });
 }
 std::string_view onlyTwoSided(const Scene& scene) {
-    return onlyWhere(scene, [](const ModelFacts& facts) { return facts.twoSided; });
+    return scene.settings.cull == CullMode::Back ? "Back faces are left out: cull = back." : "";
 }
 std::string_view onlyEmission(const Scene& scene) {
     return onlyWhere(scene, [](const ModelFacts& facts) { return facts.found.emission; });

@@ -118,9 +118,9 @@ constexpr auto kSceneTable = std::to_array<Setting>({
     row<OfShading, &S::localViewer>(
         {"local_viewer", "Local viewer", "", "Whether V points to the eye; otherwise it is the viewing axis."},
         {0, 1, 0, 1}, kSwitch, onlyViewer),
-    row<OfShading, &S::twoSided>({"two_sided", "Two-sided lighting", "",
-                                  "Whether the OpenGL model lights back faces, with the reversed normal."},
-                                 {0, 1, 0, 1}, kSwitch, onlyTwoSided),
+    row<OfShading, &S::twoSided>(
+        {"two_sided", "Two-sided lighting", "", "Whether back faces are lit with the reversed normal."}, {0, 1, 0, 1},
+        kSwitch, onlyTwoSided),
     choice<OfShading, &S::normalWeight>(
         {"normal_weight", "Vertex normals", "", "How the polygons around a vertex are weighted in its normal."},
         kNormalWeight, onlyVertexNormals),

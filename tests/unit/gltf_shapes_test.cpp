@@ -274,5 +274,31 @@ TEST(GltfShapes, RemarksAboutWhatIsNotRead) {
     EXPECT_EQ(model.remarks.size(), starts.size());  // the two pictures have one remark
 }
 
+// glTF 2.0, 3.7.2.1: a primitive without normals is flat, also beside one that has some. Two triangles in planes of their
+// own: (0, 0, 1) and (1, 0, 0) share the edge from (0, 0, 0) to (0, 1, 0), of which each then has its own vertices.
+TEST(GltfShapes, APrimitiveWithoutNormalsIsFlatBesideOthers) {
+    const std::string positions = bytesOf<float>({0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1}), normals = test::kNormals;
+    const std::string indices = bytesOf<std::uint16_t>({0, 1, 2, 0, 2, 3});
+    Parts parts = squareParts();
+    parts["buffers"] = fmt::format(R"([{{"byteLength": 108, "uri": "{}"}}])", dataUri(positions + indices + normals));
+    const auto withFirst = [&](const char* attributes) {
+        parts["meshes"] = fmt::format(R"([{{"primitives": [{{"attributes": {}, "indices": 1}},
+                                                          {{"attributes": {{"POSITION": 0}}, "indices": 1}}]}}])",
+                                      attributes);
+        return shapesOf(fileOf(parts));
+    };
+    const LoadedModel model = withFirst(R"({"POSITION": 0, "NORMAL": 2})");
+    ASSERT_EQ(model.objects.size(), 2u);
+    EXPECT_EQ(model.objects[0].mesh->positions.size(), 4u);
+    const Mesh& flat = *model.objects[1].mesh;
+    ASSERT_EQ(flat.positions.size(), 6u);
+    ASSERT_EQ(flat.normals.size(), 6u);
+    const Vec3d expected[]{{0, 0, 1}, {1, 0, 0}};
+    for (std::size_t i = 0; i < 2; ++i)
+        for (const std::uint32_t corner : flat.polygon(i)) EXPECT_EQ(Vec3d(flat.normals[corner]), expected[i]);
+    // Where none has normals the scene's own shading is flat.
+    EXPECT_TRUE(withFirst(R"({"POSITION": 0})").objects[1].mesh->normals.empty());
+}
+
 }  // namespace
 }  // namespace pipeline
