@@ -34,10 +34,11 @@ BufferName mainBufferInside(StageId stage, const pipeline::Scene& scene) {
 
 namespace {
 
-// The shadows, where there are any; else the highlights.
+// The shadows, where the plan has any computed; else the highlights.
 BufferName besideTheFrame(const pipeline::Scene& scene) {
+    const pipeline::Needs needs = needsOf(scene, {});
     for (std::size_t k = 0; k < scene.lights.size(); ++k)
-        if (scene.lights[k].castsShadow && whyUseless(scene, BufferId::Shadow).empty())
+        if (needs.of(pipeline::Part::ShadowBuffer, k) && whyUseless(scene, BufferId::Shadow).empty())
             return {BufferId::Shadow, int(k)};
     return scene.lights.empty() ? BufferName{BufferId::Ambient} : BufferName{BufferId::Specular, 0};
 }

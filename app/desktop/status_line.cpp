@@ -1,8 +1,10 @@
 #include "app/desktop/status_line.h"
 
+#include <algorithm>
 #include <thread>
 
 #include <QLabel>
+#include <QPushButton>
 
 #include "app/core/stage_status.h"
 #include "app/core/text.h"
@@ -11,6 +13,7 @@
 #include "app/panels/elided_label.h"
 #include "app/panels/follow_theme.h"
 #include "pipeline/run/frame_remarks.h"
+#include "pipeline/scene/settings_table.h"
 
 namespace app {
 
@@ -52,6 +55,15 @@ StatusLine::StatusLine(Document& document, const SceneOpener& opener, QWidget* p
     m_hovered = add();
     m_secrets = add();
     m_secrets->setObjectName("statusHidden");
+    m_turn = new QPushButton(this);
+    m_turn->setObjectName("statusTurn");
+    m_turn->setProperty("kind", "link");
+    m_turn->hide();
+    addPermanentWidget(m_turn);
+    connect(m_turn, &QPushButton::clicked, this, [this] {
+        const auto up = findSetting(m_document.scene(), "up");
+        if (up) m_document.change(*up, 1 - up->get(m_document.scene()));
+    });
     m_remarks = add();
     m_nan = add();
     m_nan->setTextFormat(Qt::RichText);
@@ -69,6 +81,7 @@ StatusLine::StatusLine(Document& document, const SceneOpener& opener, QWidget* p
             label->setFont(theme.text(12));
             label->setIndent(theme.px(12));
         }
+        m_turn->setFont(theme.text(12));
         m_hovered->setFont(theme.mono(12));
         m_sentence->setContentsMargins(theme.px(12), 0, 0, 0);
         setFixedHeight(theme.px(28));
@@ -123,7 +136,7 @@ void StatusLine::showCheck() {
 // The error stands in the stage's card too. What has given way comes back with the next sentence, not while the cursor
 // moves.
 void StatusLine::makeRoom(bool anew) {
-    int needed = m_sentence->sizeHint().width();
+    int needed = m_sentence->sizeHint().width() + (m_turn->isHidden() ? 0 : m_turn->sizeHint().width());
     for (const QLabel* label : {m_hovered, m_secrets, m_remarks, m_nan})
         if (!label->text().isEmpty()) needed += label->sizeHint().width();
     const QList<QLabel*> last{m_error, m_threads};
@@ -152,6 +165,11 @@ void StatusLine::showRemarks() {
                                              : tr("%1 remarks").arg(remarks.size()));
     m_remarks->setToolTip(lines.join(QLatin1Char('\n')));
     m_remarks->setAccessibleDescription(m_remarks->toolTip());
+    // Which axis is up was a guess, and is still what was guessed.
+    const auto up = frame && !remarks.empty() ? findSetting(frame->scene(), "up") : pipeline::Error{};
+    const std::string guess = up ? "up=" + formatSetting(*up, up->get(frame->scene())) : std::string();
+    m_turn->setVisible(up && std::ranges::count(frame->scene().remarks, guess, &pipeline::Remark::about) > 0);
+    m_turn->setText(guess == "up=y" ? tr("y taken as up: use z") : tr("z taken as up: use y"));
 }
 
 }  // namespace app

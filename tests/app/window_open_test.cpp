@@ -4,6 +4,7 @@
 #include <QMimeData>
 #include <QPlainTextEdit>
 #include <QPointer>
+#include <QPushButton>
 #include <QTest>
 #include <set>
 
@@ -51,6 +52,30 @@ TEST_F(WindowOpen, BeginsOnTheStartPageWithPicturesOfTheScenes) {
         return middle.blue() > 100 && middle.red() < 60;
     };
     EXPECT_TRUE(QTest::qWaitFor(isBlue, 10000));
+}
+
+// Which axis of a model is up is a guess: the status bar says it, and one click turns the model.
+TEST_F(WindowOpen, AGuessedUpAxisIsSaidAndTurnedByOneClick) {
+    QFile file(folder.filePath("chair.obj"));
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write("v 0 0 0\nv 2 0 0\nv 2 3 0\nv 0 3 1\nf 1 2 3\nf 1 3 4\n");
+    file.close();
+    ASSERT_TRUE(window.openFile(file.fileName()));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return document().hasScene(); }, 10000));
+    ASSERT_TRUE(waitForFrame());
+    auto* turn = find<QPushButton>("statusTurn");
+    ASSERT_TRUE(turn->isVisible());
+    EXPECT_EQ(turn->text(), "y taken as up: use z");
+    turn->click();
+    ASSERT_TRUE(waitForFrame());
+    EXPECT_EQ(document().scene().objects[0].transform.up, pipeline::UpAxis::Z);
+    EXPECT_FALSE(turn->isVisible()) << "it is no guess any more";
+    document().history().stack()->undo();
+    ASSERT_TRUE(waitForFrame());
+    EXPECT_EQ(document().scene().objects[0].transform.up, pipeline::UpAxis::Y);
+    EXPECT_TRUE(turn->isVisible());
+    openPyramid();
+    EXPECT_FALSE(turn->isVisible());
 }
 
 // Lecture 1's four pictures, each with the name of its scene, at one height and one zoom.

@@ -210,6 +210,11 @@ TEST(UsefulBuffers, BesideTheFrameBufferStandsOneThatIsNotZero) {
         bool any = false;
         for (std::size_t i = 0; i < buffer->count() && !any; ++i) any = buffer->flat(i) != 0;
         EXPECT_TRUE(any) << built.name << ' ' << useful[1].text();
+        // Nor a buffer of a stage that the scene has no need of: its shadows are all 1.
+        if (useful[1].id != BufferId::Shadow) continue;
+        bool isShadowed = false;
+        for (std::size_t i = 0; i < buffer->count() && !isShadowed; ++i) isShadowed = buffer->flat(i) < 1;
+        EXPECT_TRUE(isShadowed) << built.name;
     }
 }
 
