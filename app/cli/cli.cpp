@@ -56,6 +56,7 @@ void declareProgram(CLI::App& program, const CliHost& host, int& status) {
         std::string("See how polygons become a picture, one step at a time.\n") +
         (host.hasWindow
              ? "shadescope [FILE] opens the window, shadescope present FILE[:CUE] a talk; a command needs no display.\n"
+               "shadescope FOLDER checks the renderer that has written its buffers there.\n"
                "--no-session, as the first argument, leaves the session alone for once: nothing is read, nothing kept."
              : "This build has no window: it has the commands alone."));
     program.set_help_flag("-h,--help", "Print this help");

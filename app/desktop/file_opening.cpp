@@ -74,7 +74,9 @@ bool FileOpening::open(const QString& file, const std::function<void()>& then) {
         if (opened && then) then();
         return opened;
     }
-    return m_files.open(file, then);
+    if (!m_renderer.accepts({file})) return m_files.open(file, then);
+    m_renderer.check({file});
+    return false;
 }
 
 void FileOpening::choose() { choose(tr("Open a file"), fileFilters()); }

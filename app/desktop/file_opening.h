@@ -15,8 +15,8 @@ class WindowCues;
 class WindowLessons;
 class WindowRenderer;
 
-// Opens a file of any kind: a scene, a lesson, a list of cues. The user chooses it on the start page or in a dialog, or
-// drops it anywhere on the window; there it may also be what somebody's renderer has written.
+// Opens a file of any kind: a scene, a lesson, a list of cues, the folder that somebody's renderer has written. The user
+// names it on the command line, chooses it on the start page or in a dialog, or drops it anywhere on the window.
 class FileOpening : public QObject {
     Q_OBJECT
 public:

@@ -95,6 +95,19 @@ TEST_F(WindowRenderer, AFolderBringsItsScene) {
     EXPECT_EQ(document().renderer().report()->firstWrong, StageId::Normals);
 }
 
+// shadescope FOLDER
+TEST_F(WindowRenderer, AFolderThatIsOpenedAsAFileIsCheckedAsADroppedOneIs) {
+    QFile scene(folder.filePath("check_me.toml"));
+    ASSERT_TRUE(scene.open(QIODevice::WriteOnly));
+    scene.write(QByteArray::fromStdString(*toTomlScene(smallCheckMe())));
+    scene.close();
+    window.openFile(folder.path());
+    ASSERT_TRUE(QTest::qWaitFor([&] { return document().hasScene(); }, 30000));
+    ASSERT_TRUE(waitForNames());
+    EXPECT_TRUE(find<RendererPanel>("rendererPanel")->isVisible());
+    EXPECT_EQ(document().renderer().report()->firstWrong, StageId::Normals);
+}
+
 TEST_F(WindowRenderer, WithoutASceneTheReasonIsSaid) {
     drop(folder.path());
     auto* errors = window.centralWidget()->findChild<ErrorList*>();
