@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <iterator>
 #include <sstream>
 
 #include "lessons/check.h"
@@ -19,6 +20,22 @@ TEST(Lessons, CanAllBeRead) {
     const Library library = allLessons();
     EXPECT_EQ(format(library.errors), "");
     EXPECT_FALSE(library.lessons.empty());
+}
+
+// A page asks soon; the very first one within 60 words, beside the picture that it is about.
+TEST(Lessons, EveryPageAsksWithinAHundredWords) {
+    const auto wordsIn = [](const Prose& prose) {
+        std::istringstream words(withGaps(prose));
+        return std::distance(std::istream_iterator<std::string>(words), {});
+    };
+    for (const Lesson& lesson : allLessons().lessons)
+        for (const Page& page : lesson.pages)
+            EXPECT_LE(wordsIn(page.first.text), 100) << lesson.name << ", " << page.heading;
+    const Lesson pyramid = *findLesson("pyramid");
+    const Half& first = pyramid.pages[0].first;
+    EXPECT_LE(wordsIn(first.text), 60);
+    ASSERT_TRUE(first.state.window.place);
+    EXPECT_EQ(*first.state.window.place, pipeline::Place{pipeline::StageId::Shading}) << "all is drawn";
 }
 
 TEST(Lessons, EveryPageIsTrue) {
@@ -181,7 +198,7 @@ TEST_F(PyramidLesson, NumbersInTheTextAreThoseOfTheLecture) {
         EXPECT_NE(text(s.page).find(s.words), std::string::npos) << s.words << " is not in\n" << text(s.page);
 }
 
-// What the first page quotes as lines of the two files does stand there, in this order.
+// What each half of the first page quotes as lines of the two files does stand there, in this order.
 TEST_F(PyramidLesson, QuotedLinesStandInTheFiles) {
     const auto contents = [](const std::filesystem::path& file) {
         std::ifstream stream(file);
@@ -191,18 +208,20 @@ TEST_F(PyramidLesson, QuotedLinesStandInTheFiles) {
     };
     const std::filesystem::path scene = pipeline::builtInScenes().front().file;
     const std::string files = contents(scene) + contents(scene.parent_path() / "pyramid.des");
-    std::istringstream words(withGaps(m_lesson.pages[0].first.text));
-    bool fenced = false;
     int quotes = 0;
-    std::size_t at = 0;
-    for (std::string line; std::getline(words, line);) {
-        if (line == "```")
-            fenced = !fenced;
-        else if (fenced) {
-            const std::size_t found = files.find(line, at);
-            ASSERT_NE(found, std::string::npos) << line;
-            at = found;
-            ++quotes;
+    for (const Prose* text : {&m_lesson.pages[0].first.text, &m_lesson.pages[0].then->text}) {
+        std::istringstream words(withGaps(*text));
+        bool fenced = false;
+        std::size_t at = 0;
+        for (std::string line; std::getline(words, line);) {
+            if (line == "```") {
+                fenced = !fenced;
+            } else if (fenced) {
+                const std::size_t found = files.find(line, at);
+                ASSERT_NE(found, std::string::npos) << line;
+                at = found;
+                ++quotes;
+            }
         }
     }
     EXPECT_EQ(quotes, 14);
