@@ -149,6 +149,10 @@ void WindowLessons::begin() {
     m_aside.emplace();
     m_layout.setKept(false);
     m_aside->thumbnails = m_centre.views().hasThumbnails();
+    m_aside->looks.stage = m_document.stage();
+    m_aside->looks.step = m_document.stepper().level();
+    m_aside->looks.algorithm = m_document.stepper().showsAlgorithm();
+    m_centre.views().fill(m_aside->looks);
     if (!m_layout.showsScene()) return;
     m_aside->state = m_shown.now();
     m_aside->scene.emplace(m_document);
@@ -162,9 +166,9 @@ void WindowLessons::end() {
     m_centre.views().setThumbnails(before.thumbnails);
     if (!before.scene) m_layout.showStart();  // which does not keep the lesson's panels
     m_layout.setKept(true);
-    if (!before.scene) return;
+    if (!before.scene) return m_shown.showPlace(before.looks);
     before.scene->putBack(m_document);
-    if (before.state) m_shown.showPlace(*before.state);
+    m_shown.showPlace(before.state ? *before.state : before.looks);
     m_around.strip.setVisible(true);
     m_around.timelineBar.setVisible(true);
     m_layout.fit(WindowLayout::Fit::Always);

@@ -67,7 +67,8 @@ private:
     struct Before {
         std::optional<SceneAside> scene = {};  // nothing: the start page
         std::optional<lessons::WindowState> state = {};
-        QList<PanelId> panels = {};  // that were on show
+        lessons::WindowState looks = {};  // stage, steps and views, also of a window without a scene
+        QList<PanelId> panels = {};       // that were on show
         bool thumbnails = true;
     };
     std::optional<Before> m_aside;

@@ -92,6 +92,32 @@ TEST_F(WindowLesson, ItsPanelsAreNotKeptForTheNextScene) {
     EXPECT_TRUE(shows("scene"));
 }
 
+// Nothing was open before: the scene that is opened next has the stage and the views of a new window.
+TEST_F(WindowLesson, ItsStageArrangementAnd3dOptionsStayInItWithoutASceneToo) {
+    openPyramid();
+    const auto expected = window.shown().now();
+    MainWindow other;
+    other.resize(window.size());
+    other.show();
+    QFile file(folder.filePath("lesson.md"));
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write(
+        "title: T\nlecture: L\nsummary: S.\nscene: pyramid\n\n# First\nstage: cull\n"
+        "arrangement: (buffer / buffer) | 3d\noptions: normals = 1, handles = 0\nText.\n");
+    file.close();
+    ASSERT_TRUE(other.openFile(folder.path()));
+    Document& document = other.document();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return document.stage() == pipeline::StageId::Cull; }, 10000));
+    other.findChild<QToolButton*>("closeLesson")->click();
+    ASSERT_TRUE(other.openFile(resourceScene("pyramid.scene")));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return other.shown().now() && document.frames().shown(); }, 10000));
+    const auto shown = other.shown().now();
+    EXPECT_EQ(shown->stage, expected->stage);
+    EXPECT_EQ(shown->arrangement, expected->arrangement);
+    ASSERT_FALSE(shown->spaces.empty());
+    EXPECT_EQ(shown->spaces[0].options, expected->spaces[0].options);
+}
+
 TEST_F(WindowLesson, WhatAPageHidesIsHiddenUntilTheAnswer) {
     openLesson();
     const auto normalView = [&] {
