@@ -6,6 +6,7 @@
 
 #include "lessons/lesson.h"
 #include "lessons/lesson_text.h"
+#include "lessons/live_text.h"
 #include "lessons/question_reader.h"
 #include "lessons/window_keys.h"
 #include "pipeline/core/printable.h"
@@ -385,9 +386,13 @@ Result<std::vector<Page>> readReturning(const Lesson& lesson, const LessonSource
 
 }  // namespace
 
+Result<Lesson> parseOwnPages(std::string_view text, const std::string& file, const SceneSource& sceneNamed) {
+    return Reader(text, file, sceneNamed).read();
+}
+
 Result<Lesson> parseLesson(std::string_view text, const std::string& file, const SceneSource& sceneNamed,
                            const LessonSource& lessonNamed) {
-    auto lesson = Reader(text, file, sceneNamed).read();
+    auto lesson = parseOwnPages(text, file, sceneNamed);
     if (!lesson || lesson->returns.empty()) return lesson;
     auto returning = readReturning(*lesson, lessonNamed);
     if (!returning) return returning.errors();

@@ -108,31 +108,20 @@ Json nextJson(const Lesson& lesson, const LiveParts& parts) {
 Result<LivePage> makePage(const LessonText& from, const std::string& folderName, const LiveParts& parts,
                           const pipeline::Stop& stop) {
     Json files = Json::object();
-    // A lesson's scenes, put among the files of the page; those of another lesson below its name.
-    const auto keptOf = [&files](const LessonText& lesson, const std::string& below) -> SceneSource {
-        return [&files, sceneNamed = lesson.sceneNamed, below](std::string_view name) {
-            Result<pipeline::Scene> scene = sceneNamed(name);
-            if (!scene) return scene;
-            const auto toml = pipeline::toTomlScene(*scene);
-            if (!toml) return Result<pipeline::Scene>(toml.errors());
-            files[below + std::string(name) + ".toml"] = *toml;
-            return scene;
-        };
-    };
-    std::string all = from.text;  // of this lesson and of those that have pages in it
-    auto read = parseLesson(from.text, from.file, keptOf(from, ""), [&](std::string_view other) {
-        auto text = otherLesson(other, stop);
-        if (!text) return text;
-        const std::string below = std::string(other) + '/';
-        files[below + "lesson.md"] = text->text;
-        all += text->text;
-        return Result<LessonText>(LessonText{text->text, text->file, text->folder, keptOf(*text, below)});
+    // Its questions alone: a page knows nothing of what its reader has answered in other lessons.
+    auto read = parseOwnPages(from.text, from.file, [&](std::string_view name) {
+        Result<pipeline::Scene> scene = from.sceneNamed(name);
+        if (!scene) return scene;
+        const auto toml = pipeline::toTomlScene(*scene);
+        if (!toml) return Result<pipeline::Scene>(toml.errors());
+        files[std::string(name) + ".toml"] = *toml;
+        return scene;
     });
     if (!read) return read.errors();
     Lesson lesson = std::move(read).value();
     lesson.name = folderName;
     lesson.folder = from.folder;
-    files["misconceptions.md"] = misconceptionRows(all);
+    files["misconceptions.md"] = misconceptionRows(from.text);
 
     auto handout = makeHandout(lesson, stop);
     if (!handout) return handout.errors();
@@ -268,10 +257,11 @@ Result<LiveParts> liveParts() {
     }
     auto core = readPageFile(kCoreName);
     if (!core)
-        return Error{{},
-                     "the core of live pages is not built: install the packages under [web] of resources/packages.txt, "
-                     "then cmake --preset web && ninja -C build/web",
-                     {}};
+        return Error{
+            {},
+            "the core of live pages is not built: ./run builds it for this command; by hand install the packages "
+            "under [live] of resources/packages.txt, then cmake --preset web && ninja -C build/web",
+            {}};
     parts.core = std::move(core).value();
     return parts;
 }

@@ -51,6 +51,8 @@ Result<Results> parseResults(std::string_view text, const std::string& file) {
         for (const auto& [lesson, pages] : json.at("lessons").items())
             for (const auto& [heading, progress] : pages.items())
                 results.m_lessons[lesson][heading] = progressFrom(progress);
+        for (const Json& lesson : json.value("done", Json::array()))
+            results.m_done.push_back(pipeline::escapedControls(lesson.get<std::string>()));
     } catch (const std::exception& error) {
         return Error{
             {file, 0, 0},

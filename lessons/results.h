@@ -21,17 +21,23 @@ public:
     // Null where nothing was answered on this page yet. A page is known by its heading, so that pages may move.
     const Progress* find(const Lesson& lesson, const Page& page) const;
     void put(const Lesson& lesson, const Page& page, Progress progress);
-    void forget() { m_lessons.clear(); }
-    void forget(const std::string& lesson) { m_lessons.erase(lesson); }
+    void forget() { *this = {}; }
+    void forget(const std::string& lesson) {
+        m_lessons.erase(lesson);
+        std::erase(m_done, lesson);
+    }
     bool empty() const { return m_lessons.empty(); }
     // The progress of each page by its heading, of each lesson by its name.
     using Pages = std::map<std::string, Progress>;
     const std::map<std::string, Pages>& lessons() const { return m_lessons; }
+    // Names of the lessons of which every question was settled, in the order in which they came to that.
+    const std::vector<std::string>& done() const { return m_done; }
     bool operator==(const Results&) const = default;
 
 private:
     friend pipeline::Result<Results> parseResults(std::string_view text, const std::string& file);
     std::map<std::string, Pages> m_lessons;
+    std::vector<std::string> m_done;
 };
 
 // JSON; parseResults gives the same back. Errors name `file`.

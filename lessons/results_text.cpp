@@ -1,4 +1,5 @@
 // Results as text: the part of results.h that a live page needs too, which has no files.
+#include <algorithm>
 #include <array>
 
 #include "lessons/results.h"
@@ -32,12 +33,20 @@ const Progress* Results::find(const Lesson& lesson, const Page& page) const {
 
 void Results::put(const Lesson& lesson, const Page& page, Progress progress) {
     m_lessons[lesson.name].insert_or_assign(page.heading, std::move(progress));
+    const auto isOpen = [&](const Page& one) {
+        const Progress* known = one.question && !one.from ? find(lesson, one) : nullptr;
+        return one.question && !one.from && (!known || known->outcome == Progress::Outcome::Open);
+    };
+    if (!lesson.pages.empty() && std::ranges::none_of(lesson.pages, isOpen) &&
+        std::ranges::find(m_done, lesson.name) == m_done.end())
+        m_done.push_back(lesson.name);
 }
 
 std::string toText(const Results& results) {
     Json json{{"version", 1}, {"lessons", Json::object()}};
     for (const auto& [lesson, pages] : results.lessons())
         for (const auto& [heading, progress] : pages) json["lessons"][lesson][heading] = toJson(progress);
+    if (!results.done().empty()) json["done"] = results.done();
     return json.dump(1, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 

@@ -14,6 +14,7 @@ public:
     lessons::Progress progress(const QString& lesson, const QString& page) const;
     void keep(const lessons::Lesson& lesson, const lessons::Page& page, const lessons::Progress& progress);
     void forget();  // everything, and the file
+    const lessons::Results& all() const { return m_all; }
     bool isEmpty() const { return m_all.empty(); }
 
     static QString file();

@@ -18,8 +18,7 @@ QString progressKey(const lessons::Lesson& lesson) {
 
 LessonShelf::LessonShelf(QObject* parent) : QAbstractListModel(parent) {
     lessons::Library library = lessons::allLessons();
-    for (lessons::Lesson& lesson : library.lessons)
-        m_lessons.push_back(std::make_unique<lessons::Lesson>(std::move(lesson)));
+    for (lessons::Lesson& lesson : library.lessons) add(std::move(lesson));
     m_errors = std::move(library.errors);
 }
 
@@ -53,25 +52,53 @@ const lessons::Lesson* LessonShelf::find(const QString& name) const {
     return found == m_lessons.end() ? nullptr : found->get();
 }
 
+// What its author has return comes when the reader has done the lesson that it is from.
+void LessonShelf::add(lessons::Lesson lesson) {
+    for (lessons::Page& page : lesson.pages)
+        if (page.from) m_returning[page.from->lesson].push_back(page);
+    std::erase_if(lesson.pages, [](const lessons::Page& page) { return page.from.has_value(); });
+    m_lessons.push_back(std::make_unique<lessons::Lesson>(std::move(lesson)));
+}
+
+void LessonShelf::setReturning(const lessons::Lesson& lesson, const lessons::Results& results) {
+    if (lesson.returns.empty()) return;
+    std::vector<std::string> done = results.done();
+    std::erase(done, lesson.name);
+    const auto wasAsked = [&](const auto& from) {
+        return std::ranges::any_of(from.second, [&](const lessons::Page& page) { return results.find(lesson, page); });
+    };
+    auto from = std::ranges::find_if(m_returning, wasAsked);
+    if (from == m_returning.end() && done.size() > 1) from = m_returning.find(done[done.size() - 2]);
+    const auto own = std::ranges::find(m_lessons, &lesson, [](const auto& other) { return other.get(); });
+    std::vector<lessons::Page>& pages = (*own)->pages;
+    std::erase_if(pages, [](const lessons::Page& page) { return page.from.has_value(); });
+    if (from != m_returning.end()) pages.insert(pages.begin(), from->second.begin(), from->second.end());
+}
+
 void LessonShelf::put(lessons::Lesson lesson) {
     const auto same = std::ranges::find(m_lessons, lesson.name, [](const auto& other) { return other->name; });
     if (same != m_lessons.end()) {
+        std::erase_if(lesson.pages, [](const lessons::Page& page) { return page.from.has_value(); });
         **same = std::move(lesson);
         const QModelIndex row = index(int(same - m_lessons.begin()));
         return emit dataChanged(row, row);
     }
     beginInsertRows({}, rowCount(), rowCount());
-    m_lessons.push_back(std::make_unique<lessons::Lesson>(std::move(lesson)));
+    add(std::move(lesson));
     endInsertRows();
 }
 
+// Kept is the number among the lesson's own pages; below 0 one that returns, -1 the last of them.
 int LessonShelf::page(const lessons::Lesson& lesson) const {
+    const int kept = QSettings().value(progressKey(lesson), 0).toInt(), returning = int(returningPages(lesson));
+    if (kept == 0) return 0;
     // A lesson may have become shorter since.
-    return std::clamp(QSettings().value(progressKey(lesson), 0).toInt(), 0, int(lesson.pages.size()));
+    return std::clamp(returning + kept + (kept < 0), 1, int(lesson.pages.size()));
 }
 
 void LessonShelf::setPage(const lessons::Lesson& lesson, int page) {
-    QSettings().setValue(progressKey(lesson), page);
+    const int own = page - int(returningPages(lesson));
+    QSettings().setValue(progressKey(lesson), own <= 0 ? own - 1 : own);
     const auto at = std::ranges::find(m_lessons, &lesson, [](const auto& other) { return other.get(); });
     const QModelIndex row = index(int(at - m_lessons.begin()));
     emit dataChanged(row, row);

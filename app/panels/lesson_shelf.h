@@ -1,9 +1,11 @@
 #pragma once
 #include <QAbstractListModel>
+#include <map>
 #include <memory>
 #include <vector>
 
 #include "lessons/library.h"
+#include "lessons/results.h"
 
 namespace app {
 
@@ -28,6 +30,9 @@ public:
 
     // Null when there is no such lesson. Valid as long as the shelf is.
     const lessons::Lesson* find(const QString& name) const;
+    // Has questions of another lesson return at its start: of those that the reader has done before it the last but one.
+    // Where some of them were asked already, the same stay. It must not be open.
+    void setReturning(const lessons::Lesson& lesson, const lessons::Results& results);
     // One of its own name takes the place of that which had it.
     void put(lessons::Lesson lesson);
     const pipeline::Errors& errors() const { return m_errors; }  // of lessons that cannot be read
@@ -37,7 +42,11 @@ public:
     void forgetPages();  // of all lessons
 
 private:
-    std::vector<std::unique_ptr<lessons::Lesson>> m_lessons;
+    void add(lessons::Lesson lesson);
+
+    std::vector<std::unique_ptr<lessons::Lesson>>
+        m_lessons;  // of their own pages, and of an opened one those that return
+    std::map<std::string, std::vector<lessons::Page>> m_returning;  // by the name of the lesson that they come from
     pipeline::Errors m_errors;
 };
 

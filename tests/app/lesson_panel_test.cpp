@@ -90,6 +90,44 @@ TEST_F(LessonPanelTest, EveryPageIsFilledFromTheDocumentsFrames) {
     EXPECT_TRUE(text().contains("is 0.7746")) << text().toStdString();
 }
 
+// The author has questions of "pyramid" return in "camera", whoever reads it. Here those of a lesson that this student has
+// done do: of two the one before the last.
+TEST_F(LessonPanelTest, QuestionsReturnOnlyFromLessonsThatWereDoneInTheirOrder) {
+    const auto first = [&](const char* name) {
+        EXPECT_TRUE(panel->open(name));
+        const lessons::Page& page = panel->lesson()->pages.front();
+        const std::string from = page.from ? page.from->lesson : "";
+        panel->close();
+        return from;
+    };
+    const auto settle = [&](const char* name) {
+        const lessons::Lesson& lesson = *panel->shelf().find(name);
+        for (const lessons::Page& page : lesson.pages)
+            panel->run().results().keep(lesson, page, {lessons::Progress::Outcome::Right, 0, {}});
+    };
+    EXPECT_EQ(first("camera"), "") << "nothing was answered yet";
+    settle("shadows");
+    EXPECT_EQ(first("camera"), "");
+    settle("pyramid");
+    EXPECT_EQ(first("camera"), "shadows");
+    EXPECT_EQ(first("pyramid"), "") << "none return in the first lesson";
+    // Begun, it keeps them, and the page at which it was left.
+    ASSERT_TRUE(panel->open("camera"));
+    panel->run().results().keep(*panel->lesson(), panel->lesson()->pages[0],
+                                {lessons::Progress::Outcome::Shown, 0, {}});
+    const int returning = int(lessons::returningPages(*panel->lesson()));
+    EXPECT_EQ(returning, 2);
+    panel->goTo(returning + 2);
+    panel->close();
+    settle("z-buffer");
+    EXPECT_EQ(first("camera"), "shadows");
+    ASSERT_TRUE(panel->open("camera"));
+    EXPECT_EQ(panel->page(), returning + 2);
+    panel->run().results().forget();
+    panel->close();
+    EXPECT_EQ(first("camera"), "");
+}
+
 TEST_F(LessonPanelTest, NextWaitsForTheAnswer) {
     ASSERT_TRUE(panel->open("pyramid"));
     EXPECT_FALSE(part<QPushButton>("previousPage").isEnabled());

@@ -32,6 +32,30 @@ TEST(Results, AreReadBackAsTheyWereWritten) {
     EXPECT_FALSE(std::filesystem::exists(file)) << "forgotten is gone";
 }
 
+// Of a lesson whose questions are all settled, right or shown; asked once more it keeps its place.
+TEST(Results, KnowInWhichOrderLessonsWereDone) {
+    const Lesson pyramid = *findLesson("pyramid"), shadows = *findLesson("shadows");
+    Results results;
+    const auto settle = [&](const Lesson& lesson, Progress::Outcome outcome) {
+        for (const Page& page : lesson.pages)
+            if (!page.from) results.put(lesson, page, {outcome, 0, {}});
+    };
+    settle(shadows, Progress::Outcome::Open);
+    EXPECT_TRUE(results.done().empty());
+    settle(shadows, Progress::Outcome::Right);
+    settle(pyramid, Progress::Outcome::Shown);
+    settle(shadows, Progress::Outcome::Right);
+    EXPECT_EQ(results.done(), (std::vector<std::string>{"shadows", "pyramid"}));
+    const auto read = parseResults(toText(results), "results.json");
+    ASSERT_TRUE(read);
+    EXPECT_EQ(*read, results);
+    results.forget("shadows");
+    EXPECT_EQ(results.done(), std::vector<std::string>{"pyramid"});
+    results.forget();
+    EXPECT_TRUE(results.empty() && results.done().empty());
+    EXPECT_FALSE(parseResults(R"({"version": 1, "lessons": {}, "done": [5]})", "r"));
+}
+
 TEST(Results, OfAFileThatSomebodyHasChangedAreAnErrorOrHarmless) {
     for (const char* text :
          {"", "[]", "{}", R"({"version": 2, "lessons": {}})", R"({"version": 1, "lessons": {"a": {"b": 5}}})",

@@ -221,10 +221,8 @@ try {
   const { answers: [graded] } = JSON.parse(fs.readFileSync(path.join(folder, 'class', 'class.json'), 'utf8'));
   expect('grade reads it', graded.student === 'anna' && graded.lesson === 'pyramid' && graded.outcome === 'shown' && graded.tries[0].given === '123456' && graded.hints === 1, graded);
 
-  // Two questions of an earlier lesson return before the first page, and move no number.
+  // No question of another lesson returns: the page does not know whether its reader has done that.
   const c = await browser.open('file://' + write('camera.html', 'lesson', 'export', 'camera'));
-  expect('the first question returns', (await c.run('document.querySelector("#count").textContent')) === 'question 1 of 2 that returns');
-  await c.run('openPage(2)');
   expect('the first page is page 1', /^page 1 of 9$/.test(await c.run('document.querySelector("#count").textContent')));
   await c.close();
   const d = await browser.open('file://' + path.join(folder, 'camera.html') + '?page=3');

@@ -173,9 +173,8 @@ int givePage() {
     for (const auto& [number, pixel] : window.pins) pins[std::to_string(number)] = pixel;
     const bool keepsFigure = page().first.held.figure || (page().then && page().then->held.figure);
     Json json{{"number", open.page},
-              {"count", open.lesson.pages.size() - returningPages(open.lesson)},
+              {"count", open.lesson.pages.size()},
               {"name", pageName(open.lesson, open.page)},
-              {"returns", page().from.has_value()},
               {"answered", std::ranges::any_of(open.progress, [](const auto& one) { return !one.tries.empty(); })},
               {"heading", page().heading},
               {"text", html(half.text, context, errors)},
@@ -222,14 +221,11 @@ lessons::Given givenIn(const Json& json) {
     return lessons::Reached{};
 }
 
-// The scenes of a lesson among the files of the page.
-lessons::SceneSource scenesBelow(const std::string& below) {
-    return [below](std::string_view name) {
-        const auto found = core().files.find(below + std::string(name) + ".toml");
-        if (found == core().files.end())
-            return pipeline::Result<pipeline::Scene>(pipeline::Error{{}, "no scene " + pipeline::inQuotes(name), {}});
-        return sceneFromText(found->first, found->second);
-    };
+// A scene of the lesson among the files of the page.
+pipeline::Result<pipeline::Scene> sceneOfPage(std::string_view name) {
+    const auto found = core().files.find(std::string(name) + ".toml");
+    if (found == core().files.end()) return pipeline::Error{{}, "no scene " + pipeline::inQuotes(name), {}};
+    return sceneFromText(found->first, found->second);
 }
 
 Json parsed(const char* text, int size) { return Json::parse(textAt(text, size), nullptr, false); }
@@ -244,19 +240,10 @@ pipeline::BufferSet readByPage(const OpenLesson& open) {
     return until && !open.then ? held | until->holds.buffers : held;
 }
 
-// lesson: lesson.md, whose scenes are files of the page by the names that it has for them, with ".toml"; a lesson that has a page in
-// it is the file "NAME/lesson.md", with its scenes below NAME. html: of each of
+// lesson: lesson.md, whose scenes are files of the page by the names that it has for them, with ".toml". html: of each of
 // its texts in the order of liveTexts(), a JSON array.
 WEB_CALL(lesson) int webLesson(const char* text, int size, const char* html, int htmlSize) {
-    auto lesson = lessons::parseLesson(textAt(text, size), "lesson.md", scenesBelow(""), [](std::string_view name) {
-        const std::string below = std::string(name) + '/';
-        const auto found = core().files.find(below + "lesson.md");
-        if (found == core().files.end())
-            return pipeline::Result<lessons::LessonText>(
-                pipeline::Error{{}, "no lesson " + pipeline::inQuotes(name), {}});
-        return pipeline::Result<lessons::LessonText>(
-            lessons::LessonText{found->second, found->first, {}, scenesBelow(below)});
-    });
+    auto lesson = lessons::parseOwnPages(textAt(text, size), "lesson.md", sceneOfPage);
     if (!lesson) return refuse(lesson.errors());
     core() = LiveCore{.files = std::move(core().files)};
     OpenLesson& open = core().lesson.emplace(OpenLesson{std::move(lesson).value(), {}});
@@ -269,10 +256,7 @@ WEB_CALL(lesson) int webLesson(const char* text, int size, const char* html, int
             return refuse("the texts of this page are not its lesson's");
     double points = 0;
     for (const Page& page : open.lesson.pages) points += page.question ? page.question->points : 0;
-    return give({{"title", open.lesson.title},
-                 {"points", points},
-                 {"pages", open.lesson.pages.size()},
-                 {"returning", returningPages(open.lesson)}});
+    return give({{"title", open.lesson.title}, {"points", points}, {"pages", open.lesson.pages.size()}});
 }
 
 // Opens a page, from 0; then: its second half, which the reader has reached. frame() has to follow.

@@ -4,7 +4,7 @@
 let verdict = null;
 
 function drawLesson() {
-  one('#count').textContent = page.returns ? `question ${page.number + 1} of ${data.returning} that returns` : page.count > 1 ? `page ${page.name} of ${page.count}` : '';
+  one('#count').textContent = page.count > 1 ? `page ${page.name} of ${page.count}` : '';
   one('#heading').textContent = page.heading;
   fillHtml(one('#text'), page.text);
   document.title = page.heading + ' – ' + data.title;

@@ -131,10 +131,10 @@ function startKeys() {
   addEventListener('beforeprint', () => guarded(drawPaper));
 }
 
-/** ?page=3 or #3: of the lesson's own pages, from 1. Without either, the questions that return. */
+/** ?page=3 or #3, from 1. */
 function firstPage() {
   const asked = parseInt(new URLSearchParams(location.search).get('page') || location.hash.slice(1), 10);
-  return asked ? Math.min(data.pages - 1, data.returning + Math.max(1, asked) - 1) : 0;
+  return asked ? Math.min(data.pages, Math.max(1, asked)) - 1 : 0;
 }
 
 async function start() {
@@ -148,7 +148,7 @@ async function start() {
   core = await Core.start(await unpackedCore());
   for (const [name, text] of Object.entries(data.files)) core.ask('file', name, text);
   const lesson = core.ask('lesson', data.lesson, JSON.stringify(data.texts));
-  data.pages = lesson.pages, data.returning = lesson.returning, data.points = lesson.points, data.isScene = data.name === '';
+  data.pages = lesson.pages, data.points = lesson.points, data.isScene = data.name === '';
   view.inside = data.isScene;
   document.documentElement.classList.toggle('scene', data.isScene);
   one('#title').textContent = lesson.title;
