@@ -142,7 +142,7 @@ private:
         addObject(instance, primitive, hasTwins, [&](Mesh& mesh) {
             const bool mirrored = glm::determinant(glm::dmat3(instance.toWorld)) < 0;
             // Without normals a primitive is flat (section 3.7.2.1), also beside others that have some.
-            const bool isFlat = normals.empty() && m_someNormals;
+            const bool isFlat = !attributes["NORMAL"].isThere() && m_someNormals;
             WeldedVertices welded(mesh, isFlat || !normals.empty());
             welded.reserve(positions->size());
             for (std::size_t i = 0; i < count; ++i) {
