@@ -43,8 +43,9 @@ public:
     bool isSettled() const { return m_progress.outcome != Progress::Outcome::Open; }
     const Progress& progress() const { return m_progress; }
 
-    // Judges and remembers an answer; Mark::Again is not remembered and costs nothing. The question must be open. After
-    // the last try the state is Shown. Errors as judge's: then nothing has happened.
+    // Judges and remembers an answer; Mark::Again, which a value that was tried before gets too, is not remembered and
+    // costs nothing. The question must be open. After the last try the state is Shown. Errors as judge's: then nothing
+    // has happened.
     pipeline::Result<Verdict> check(const Given& given, const Context& context, double seconds = 0);
 
     std::size_t hintsSeen() const { return m_progress.hints; }
