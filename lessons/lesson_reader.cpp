@@ -6,7 +6,6 @@
 
 #include "lessons/lesson.h"
 #include "lessons/lesson_text.h"
-#include "lessons/live_text.h"
 #include "lessons/question_reader.h"
 #include "lessons/window_keys.h"
 #include "pipeline/core/printable.h"
@@ -365,10 +364,8 @@ Result<std::vector<Page>> readReturning(const Lesson& lesson, const LessonSource
             auto text = lessonNamed ? lessonNamed(one.lesson) : Error{{}, "no page of another lesson returns here"};
             auto read =
                 text ? Reader(text->text, text->file, text->sceneNamed).read(wanted[one.lesson]) : text.errors();
-            if (read)
-                source->second.emplace(std::move(text).value(), std::move(read).value());
-            else
-                complaints.add(one.where, read.errors());
+            if (!read) complaints.add(one.where, read.errors());
+            if (read) source->second.emplace(std::move(text).value(), std::move(read).value());
         }
         if (!source->second) continue;
         const auto& [text, from] = *source->second;
@@ -380,8 +377,7 @@ Result<std::vector<Page>> readReturning(const Lesson& lesson, const LessonSource
         else
             pages.push_back(again(from.pages[one.page - 1], from, one, text));
     }
-    if (!complaints.empty()) return complaints.take();
-    return pages;
+    return complaints.empty() ? Result<std::vector<Page>>(std::move(pages)) : complaints.take();
 }
 
 }  // namespace
@@ -397,8 +393,7 @@ Result<Lesson> parseLesson(std::string_view text, const std::string& file, const
     auto returning = readReturning(*lesson, lessonNamed);
     if (!returning) return returning.errors();
     Lesson whole = std::move(lesson).value();
-    whole.pages.insert(whole.pages.begin(), std::make_move_iterator(returning->begin()),
-                       std::make_move_iterator(returning->end()));
+    whole.pages.insert(whole.pages.begin(), returning->begin(), returning->end());
     return whole;
 }
 

@@ -98,15 +98,11 @@ Result<LessonText> lessonText(const std::filesystem::path& folder, const pipelin
                       [folder, stop](std::string_view name) { return sceneOfLesson(name, folder, stop); }};
 }
 
-namespace {
-
 Result<LessonText> otherLesson(std::string_view name, const pipeline::Stop& stop) {
     const std::vector<std::string> names = lessonNames();
     if (std::ranges::find(names, name) != names.end()) return lessonText(lessonFolder() / name, stop);
     return Error{{}, "no lesson " + inQuotes(name) + "; " + pipeline::insteadOf(name, names), {}};
 }
-
-}  // namespace
 
 Result<Lesson> readLesson(const std::filesystem::path& folder, const pipeline::Stop& stop) {
     const auto text = lessonText(folder, stop);

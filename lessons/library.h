@@ -15,8 +15,9 @@ struct Library {
 };
 Library allLessons();
 
-// A lesson's text.
+// A lesson's text, and of one that comes with the program, by its name.
 pipeline::Result<LessonText> lessonText(const std::filesystem::path& folder, const pipeline::Stop& stop = {});
+pipeline::Result<LessonText> otherLesson(std::string_view name, const pipeline::Stop& stop = {});
 
 // The names of the lessons that come with the program, sorted.
 std::vector<std::string> lessonNames();

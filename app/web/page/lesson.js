@@ -16,7 +16,7 @@ function drawLesson() {
 function drawDots() {
   one('#dots').hidden = data.pages === 1;
   fillKept(one('#dots'), Array.from({ length: data.pages }, (_, i) => [`page ${i}`, () => {
-    const name = i < data.returning ? `Question ${i + 1} that returns` : `Page ${i - data.returning + 1}`;
+    const name = `Page ${i + 1}`;
     const button = element('button', { type: 'button', ariaLabel: name, title: name }, element('i'));
     button.addEventListener('click', () => guarded(() => openPage(i)));
     return button;
