@@ -26,7 +26,7 @@ using pipeline::Palette;
 using pipeline::PaletteRange;
 using pipeline::Tile;
 
-constexpr std::size_t kMostRows = 40, kMostCategories = 8;
+constexpr std::size_t kMostFigureRows = 40, kMostCategories = 8;
 constexpr double kTallest = 24;  // of a picture, rem
 
 // "1.5·10^−6" with its power set high.
@@ -151,7 +151,7 @@ std::string tableHtml(const AnyBuffer& buffer, const std::string& caption) {
                     : pipeline::element("th class=number",
                                         std::string_view(isColor ? "rgb" : "xyz").substr(std::size_t(c), 1));
     html += "</tr></thead><tbody>\n";
-    const std::size_t rows = std::min(buffer.rows(), kMostRows);
+    const std::size_t rows = std::min(buffer.rows(), kMostFigureRows);
     for (std::size_t row = 0; row < rows; ++row) {
         html += fmt::format("<tr><td>{}</td>", row);
         for (int c = 0; c < buffer.channels(); ++c) html += cellHtml(buffer, row, c);

@@ -46,7 +46,6 @@ std::vector<std::string_view> withWindowKeys(const std::array<std::string_view, 
     all.insert(all.end(), keys.begin(), keys.end());
     return all;
 }
-bool has(Keys keys, std::string_view key) { return std::ranges::find(keys, key) != keys.end(); }
 
 // Turns the lines of one file into a lesson, collecting what is wrong on the way.
 class Reader {

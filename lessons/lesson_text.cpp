@@ -11,13 +11,9 @@ namespace lessons {
 using pipeline::inQuotes;
 using pipeline::SourceLocation;
 
-namespace {
-
 bool has(std::span<const std::string_view> words, std::string_view word) {
     return std::ranges::find(words, word) != words.end();
 }
-
-}  // namespace
 
 Line trimmed(Line line) {
     const auto first = std::min(line.text.find_first_not_of(" \t"), line.text.size());

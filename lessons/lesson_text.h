@@ -36,6 +36,8 @@ std::optional<std::pair<Line, Line>> splitAt(const Line& line, std::string_view 
 // "a, b and c"; "none" of nothing.
 std::string listed(const std::vector<std::string>& words);
 
+bool has(std::span<const std::string_view> words, std::string_view word);
+
 // The first entry with this key, or null.
 const Entry* find(std::span<const Entry> entries, std::string_view key);
 

@@ -66,10 +66,12 @@ std::string indexLink(const std::string& file) {
 // What stands between <main> and </main>: the lesson on paper, for a browser without scripts. Words stand for the pictures,
 // which the page makes itself otherwise.
 std::string paperOf(const std::string& handout) {
-    constexpr std::string_view kStart = "<main>", kEnd = "</main>", kPicture = "<img src=\"data:", kWords = " alt=\"";
-    const std::size_t start = handout.find(kStart), end = handout.rfind(kEnd);
+    constexpr std::string_view kMainStart = "<main>", kMainEnd = "</main>",
+                               kPicture = "<img src=\"data:", kWords = " alt=\"";
+    const std::size_t start = handout.find(kMainStart), end = handout.rfind(kMainEnd);
     if (start == handout.npos || end == handout.npos) return {};
-    std::string_view rest = std::string_view(handout).substr(start + kStart.size(), end - start - kStart.size());
+    std::string_view rest =
+        std::string_view(handout).substr(start + kMainStart.size(), end - start - kMainStart.size());
     std::string paper;
     for (std::size_t at; (at = rest.find(kPicture)) != rest.npos;) {
         paper += rest.substr(0, at);

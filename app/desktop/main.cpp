@@ -14,6 +14,7 @@
 #include "pipeline/core/memory.h"
 #include "pipeline/core/text.h"
 #include "pipeline/formats/built_in_scenes.h"
+#include "pipeline/simd/missing_instructions.h"
 #ifdef SHADESCOPE_WINDOW
 #include "app/desktop/cue_picture.h"
 #include "app/desktop/window_main.h"
@@ -95,6 +96,11 @@ int runProgram(int argc, char** argv) {
     app::keepStandardFiles();
     app::tellOfFullFiles();
     pipeline::keepFreedMemory();
+    if (const std::string_view lacking = pipeline::missingInstructions(); !lacking.empty()) {
+        app::tell("shadescope: built for a CPU with {}, which this machine lacks; ./run builds it for this one\n",
+                  lacking);
+        return app::kWrongUsage;
+    }
     const bool session = !(argc > 1 && std::string_view(argv[1]) == kNoSession);
     if (!session) std::rotate(argv + 1, argv + 2, argv + argc--);  // Qt reads the rest
     const std::string first = argc > 1 ? argv[1] : "";

@@ -14,9 +14,6 @@ using pipeline::Error;
 using pipeline::Result;
 using Kind = Node::Kind;
 
-Error error(const Node& node, std::string found, std::string expected = {}) {
-    return {node.where, std::move(found), std::move(expected)};
-}
 Value truth(bool holds) { return {{double(holds)}, holds ? "true" : "false"}; }
 
 Result<Value> evaluate(const Node& node, const Context& context);

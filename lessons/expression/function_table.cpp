@@ -31,9 +31,6 @@ using Operands = std::span<const double>;
 
 Value number(double value) { return {{value}, {}}; }
 Value words(std::string_view text) { return {{}, std::string(text)}; }
-Error error(const Node& node, std::string found, std::string expected = {}) {
-    return {node.where, std::move(found), std::move(expected)};
-}
 
 Result<AnyBuffer> bufferOf(const Node& call, const Frame& frame) {
     if (auto buffer = frame.buffer(*call.buffer)) return *std::move(buffer);

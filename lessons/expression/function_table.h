@@ -41,6 +41,11 @@ struct Function {
 };
 std::span<const Function> functionTable();
 
+// What is wrong with a call, at its place in the text.
+inline pipeline::Error error(const Node& call, std::string found, std::string expected = {}) {
+    return {call.where, std::move(found), std::move(expected)};
+}
+
 // What may stand behind the point; empty for functions without fields.
 std::span<const std::string_view> fieldsOf(Takes takes);
 // "(BUFFER, place, channel)", for the reference.

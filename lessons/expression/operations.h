@@ -8,21 +8,21 @@ namespace lessons {
 // they agree. Comparisons with NaN are false. No operator, or one of one operand: nothing is done.
 template <class Use>
 void withOperation(Node::Kind kind, Use use) {
-    using Kind = Node::Kind;
+    using enum Node::Kind;
     switch (kind) {
-        case Kind::Add: return use([](double a, double b) { return a + b; });
-        case Kind::Subtract: return use([](double a, double b) { return a - b; });
-        case Kind::Multiply: return use([](double a, double b) { return a * b; });
-        case Kind::Divide: return use([](double a, double b) { return a / b; });
-        case Kind::Power: return use([](double a, double b) { return pipeline::pow(a, b); });
-        case Kind::Less: return use([](double a, double b) { return double(a < b); });
-        case Kind::LessEqual: return use([](double a, double b) { return double(a <= b); });
-        case Kind::Greater: return use([](double a, double b) { return double(a > b); });
-        case Kind::GreaterEqual: return use([](double a, double b) { return double(a >= b); });
-        case Kind::Equal: return use([](double a, double b) { return double(a == b); });
-        case Kind::NotEqual: return use([](double a, double b) { return double(a < b || a > b); });
-        case Kind::And: return use([](double a, double b) { return double(a != 0 && b != 0); });
-        case Kind::Or: return use([](double a, double b) { return double(a != 0 || b != 0); });
+        case Add: return use([](double a, double b) { return a + b; });
+        case Subtract: return use([](double a, double b) { return a - b; });
+        case Multiply: return use([](double a, double b) { return a * b; });
+        case Divide: return use([](double a, double b) { return a / b; });
+        case Power: return use([](double a, double b) { return pipeline::pow(a, b); });
+        case Less: return use([](double a, double b) { return double(a < b); });
+        case LessEqual: return use([](double a, double b) { return double(a <= b); });
+        case Greater: return use([](double a, double b) { return double(a > b); });
+        case GreaterEqual: return use([](double a, double b) { return double(a >= b); });
+        case Equal: return use([](double a, double b) { return double(a == b); });
+        case NotEqual: return use([](double a, double b) { return double(a < b || a > b); });
+        case And: return use([](double a, double b) { return double(a != 0 && b != 0); });
+        case Or: return use([](double a, double b) { return double(a != 0 || b != 0); });
         default: return;
     }
 }

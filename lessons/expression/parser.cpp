@@ -46,7 +46,7 @@ constexpr std::array<Comparison, 10> kComparisons{{{"<=", Kind::LessEqual},
 
 bool isWordPart(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
 
-std::string_view trimmed(std::string_view text) {
+std::string_view withoutBlanks(std::string_view text) {
     const auto first = text.find_first_not_of(" \t\n");
     return first == text.npos ? std::string_view() : text.substr(first, text.find_last_not_of(" \t\n") - first + 1);
 }
@@ -82,7 +82,7 @@ pipeline::Result<Expression> Parser::parse(std::optional<Type> wanted) {
     if (wanted) need(*wanted, root);
     if (m_error) return *m_error;
     if (m_elements) wantDrawn();
-    return Expression{std::string(trimmed(m_text)), std::move(root), m_buffers, m_operators};
+    return Expression{std::string(withoutBlanks(m_text)), std::move(root), m_buffers, m_operators};
 }
 
 Parser::Deeper::Deeper(Parser& parser) : m_parser(parser) {
@@ -128,7 +128,7 @@ std::string_view Parser::takeUntil(std::string_view ends, std::size_t& start) {
     skipBlanks();
     start = m_at;
     m_at = std::min(m_text.find_first_of(ends, m_at), m_text.size());
-    return trimmed(m_text.substr(start, m_at - start));
+    return withoutBlanks(m_text.substr(start, m_at - start));
 }
 
 void Parser::wantDrawn() {

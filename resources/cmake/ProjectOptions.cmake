@@ -17,6 +17,17 @@ target_link_libraries(project_options INTERFACE fmt::fmt)
 # What the loader has filled in cannot be overwritten later: all functions of libraries are looked up at the start.
 target_link_options(project_options INTERFACE LINKER:-z,relro,-z,now)
 
+if(SHADESCOPE_THIS_MACHINE)
+  include(CheckLinkerFlag)
+  foreach(linker mold lld gold)
+    check_linker_flag(CXX -fuse-ld=${linker} SHADESCOPE_LINKS_WITH_${linker})
+    if(SHADESCOPE_LINKS_WITH_${linker})
+      target_link_options(project_options INTERFACE -fuse-ld=${linker})
+      break()
+    endif()
+  endforeach()
+endif()
+
 # GCC 12 puts two numbers that go from double to float and back side by side into a vector, and forgets to round them.
 include(CheckCXXSourceRuns)
 set(CMAKE_REQUIRED_FLAGS -O2)
@@ -61,7 +72,8 @@ option(SHADESCOPE_PRECOMPILE "Precompile headers, see Precompile.cmake" OFF)
 find_program(CCACHE ccache)
 if(CCACHE)
   # Without the first ccache keeps nothing that was compiled with a precompiled header; with the second it does not
-  # preprocess every file before it compiles it; with the others one clone takes what another one compiled.
+  # preprocess every file before it compiles it. A clone at another path finds little of what this one has compiled:
+  # a precompiled header holds its own path.
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros
       CCACHE_DEPEND=1 CCACHE_BASEDIR=${PROJECT_SOURCE_DIR} CCACHE_NOHASHDIR=1 ${CCACHE})
 endif()

@@ -112,13 +112,15 @@ build() {
     # One build at a time in a folder.
     exec 9> "$folder/.lock"
     flock 9
-    # The build files watch every CMake file, but not the presets.
-    if [ ! -e "$folder/.configured" ] || [ "$root/CMakePresets.json" -nt "$folder/.configured" ]; then
+    # The build files watch every CMake file, but neither the presets nor on which machine they are.
+    local machine
+    machine=$(sed -n 's/^\(flags\|Features\)[^:]*//p' /proc/cpuinfo 2> /dev/null | head -1) || true
+    if [ "$root/CMakePresets.json" -nt "$folder/.configured" ] || [ "$machine" != "$(cat "$folder/.configured")" ]; then
         say "Configuring, preset $1"
         cd "$root"
         configure "$1" || return
         cd - > /dev/null
-        touch "$folder/.configured"
+        printf '%s\n' "$machine" > "$folder/.configured"
     fi
     if ! NINJA_STATUS='%f of %t: ' ninja -C "$folder" "${@:2}" 2>&1 < /dev/null | followBuild "$folder/build.log"; then
         cat "$folder/build.log" >&2
@@ -128,22 +130,38 @@ build() {
     exec 9>&-
 }
 
-# followBuild FILE: keeps ninja's lines in FILE. Says that there is something to build, once, or
-# on a terminal how far it is.
+# What a step of a build from nothing costs on average, in CPU seconds: tests/bench/build_cost measures it.
+secondsAStep=2
+
+# followBuild FILE: keeps ninja's lines in FILE. If there is something to build, says how long that takes about, and how
+# far it is: on a terminal after each step, else after each tenth of them.
 followBuild() {
-    local line said= began=$SECONDS
+    local line done total said= tenth=1 began=$SECONDS cores
+    cores=$(nproc)
     while IFS= read -r line; do
         printf '%s\n' "$line" >&3
-        [[ $line =~ ^[0-9]+\ of\ [0-9]+: ]] || continue
-        if [ -t 2 ]; then
-            printf '\rBuilding: %s' "${line%%:*}" >&2
-        elif [ -z "$said" ]; then
-            say "Building"
-        fi
+        [[ $line =~ ^([0-9]+)\ of\ ([0-9]+): ]] || continue
+        done=${BASH_REMATCH[1]} total=${BASH_REMATCH[2]}
+        [ -n "$said" ] || say "Building $total steps: $(minutes $((total * secondsAStep / cores))) on $cores cores"
         said=yes
+        if [ -t 2 ]; then
+            printf '\rBuilding: %s of %s' "$done" "$total" >&2
+        elif [ $((done * 10 / total)) -ge $tenth ] && [ "$done" != "$total" ]; then
+            tenth=$((done * 10 / total + 1))
+            say "Building: $done of $total, $(minutes $(((SECONDS - began) * (total - done) / done))) left"
+        fi
     done 3> "$1"
     if [ -n "$said" ]; then
         if [ -t 2 ]; then printf '\r\033[K' >&2; fi
         say "Built in $((SECONDS - began)) s"
     fi
+}
+
+# minutes SECONDS: "about 6 minutes", in words for the user.
+minutes() {
+    case $((($1 + 30) / 60)) in
+        0) echo "less than a minute" ;;
+        1) echo "about a minute" ;;
+        *) echo "about $((($1 + 30) / 60)) minutes" ;;
+    esac
 }
