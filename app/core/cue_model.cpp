@@ -274,6 +274,9 @@ QVariant CueModel::data(const QModelIndex& index, int role) const {
     const lessons::Cue& one = cue(index.row());
     switch (role) {
         case Qt::DisplayRole: return QStringLiteral("%1  %2").arg(index.row() + 1).arg(onOneLine(one.name));
+        case CaptionRole:
+            return QStringLiteral("%1  %2").arg(index.row() + 1).arg(
+                onOneLine(one.caption.empty() ? one.name : one.caption));
         case Qt::EditRole: return toQString(one.name);
         case Qt::ToolTipRole:
         case PlaceRole: return placeText(one.state);

@@ -13,7 +13,8 @@ namespace app {
 class CueModel : public QAbstractListModel {
     Q_OBJECT
 public:
-    enum Role { PlaceRole = Qt::UserRole, CurrentRole };  // the cue's place in words; whether it is current
+    // The cue's place in words; whether it is current; its number with its caption, which an audience reads.
+    enum Role { PlaceRole = Qt::UserRole, CurrentRole, CaptionRole };
 
     // file: the list's file until another one is opened; it need not exist. If it cannot be read, it is kept: the list
     // then begins empty in a new file beside it, and unread() gives the reason.

@@ -144,6 +144,11 @@ QString formatOf(const pipeline::Scene& scene) {
 
 }  // namespace
 
+static QString defectOf(const pipeline::Scene& scene) {
+    const pipeline::Defect defect = scene.settings.defect;
+    return defect == pipeline::Defect::None ? QString() : QStringLiteral("Planted: %1").arg(toQString(idOf(defect)));
+}
+
 FrameStatus frameStatus(const pipeline::Steps& steps, pipeline::Moment at, pipeline::StepLevel level) {
     const QString label = toQString(stageInfo(at.stage).label);
     QString words = toQString(steps.words(at, level));
@@ -152,7 +157,7 @@ FrameStatus frameStatus(const pipeline::Steps& steps, pipeline::Moment at, pipel
     const QString made =
         QStringLiteral("%1 of %2 steps").arg(count(steps.made(at, level)), count(steps.count(at.stage, level)));
     return {QStringLiteral("Inside %1").arg(label), comma < 0 ? words : words.left(comma), made,
-            formatOf(steps.frame()->scene())};
+            formatOf(steps.frame()->scene()), defectOf(steps.frame()->scene())};
 }
 
 FrameStatus frameStatus(const pipeline::Frame& frame) {
@@ -161,7 +166,7 @@ FrameStatus frameStatus(const pipeline::Frame& frame) {
     if (const int n = countOf(frame, Action::Reuse)) actions += QStringLiteral("%1 reused").arg(n);
     if (const int n = countOf(frame, Action::LeaveOut)) actions += QStringLiteral("%1 left out").arg(n);
     return {QStringLiteral("Frame %1").arg(frame.number()), milliseconds(frame.milliseconds()),
-            actions.join(QStringLiteral(", ")), formatOf(frame.scene())};
+            actions.join(QStringLiteral(", ")), formatOf(frame.scene()), defectOf(frame.scene())};
 }
 
 QString frameSentence(const pipeline::Frame& frame) {

@@ -37,10 +37,11 @@ std::array<StageStatus, pipeline::kStageCount> stageStatus(const pipeline::Steps
 
 // The texts of the last card.
 struct FrameStatus {
-    QString title;    // "Frame 42"
-    QString time;     // "0.287 ms"
-    QString actions;  // "1 ran, 4 reused, 1 left out"
-    QString format;   // "float, 640 × 480"
+    QString title;     // "Frame 42"
+    QString time;      // "0.287 ms"
+    QString actions;   // "1 ran, 4 reused, 1 left out"
+    QString format;    // "float, 640 × 480"
+    QString defect{};  // "Planted: z-flip"; empty without one
 };
 FrameStatus frameStatus(const pipeline::Frame& frame);
 FrameStatus frameStatus(const pipeline::Steps& steps, pipeline::Moment at, pipeline::StepLevel level);

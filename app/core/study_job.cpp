@@ -28,17 +28,32 @@ struct Work {
         return std::chrono::duration<double>(Clock::now() - start).count();
     }
 
-    // A frame in 128 bits and the rays take far longer than a frame: of all the work the errors are put at one half.
+    // A frame in 128 bits and the rays take far longer than a frame: of all the work the errors are put at one half. Each
+    // point comes with a first look at its time, so that the plot fills as they arrive.
     bool findErrors(StudyReport& study, const std::stop_token& stop) const {
         pipeline::ErrorFinder finder(request);
+        StudyRequest quick = request;
+        quick.warmups = 1;
+        quick.repeats = kFirstLook;
+        StudyReport soFar = study;
+        soFar.points.clear();
+        soFar.warmups = quick.warmups;
+        soFar.repeats = quick.repeats;
+        soFar.processes = 1;
         const auto start = Clock::now();
         for (std::size_t i = 0; i < study.points.size(); ++i) {
             const double done = double(i) / double(study.points.size());
             std::string what = "errors of";
             for (const std::string& value : study.points[i].values) what += ' ' + value;
-            progress(done / 2, what, i == 0 ? -1 : secondsSince(start) * (1 - done) / done);
-            if (!study.points[i].failure.empty()) continue;
-            if (!finder.find(study.points[i], study, stop)) return false;
+            progress(0.55 * done, what, i == 0 ? -1 : secondsSince(start) * (1 - done) / done);
+            if (study.points[i].failure.empty() && !finder.find(study.points[i], study, stop)) return false;
+            if (request.repeats <= kFirstLook) continue;
+            std::vector<StudyPoint> one{study.points[i]};
+            if (!measureTimes(
+                    quick, one, [](int, int) {}, stop))
+                return false;
+            soFar.points.push_back(std::move(one.front()));
+            report(soFar);
         }
         return true;
     }
@@ -62,16 +77,6 @@ struct Work {
         StudyReport study = beginStudy(request);
         study.load = {pipeline::loadAverage()};
         if (!findErrors(study, stop)) return false;
-        if (request.repeats > kFirstLook) {
-            StudyRequest quick = request;
-            quick.warmups = 1;
-            quick.repeats = kFirstLook;
-            StudyReport first = study;
-            first.warmups = quick.warmups;
-            first.repeats = quick.repeats;
-            if (!takeTimes(quick, first, 0.5, 0.55, stop)) return false;
-            report(first);
-        }
         // Of a cancelled measurement the first look stays.
         if (!takeTimes(request, study, 0.55, 1, stop)) return false;
         report(study);

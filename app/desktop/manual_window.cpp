@@ -7,6 +7,7 @@
 #include <QPushButton>
 #include <QScreen>
 #include <QScrollBar>
+#include <QShortcut>
 #include <QTextBlock>
 #include <QVBoxLayout>
 #include <array>
@@ -115,6 +116,7 @@ ManualWindow::ManualWindow(QWidget* parent) : QWidget(parent, Qt::Window), m_pag
     auto* forward = new QPushButton(tr("Forward"), this);
     back->setShortcut(QKeySequence::Back);
     forward->setShortcut(QKeySequence::Forward);
+    new QShortcut(QKeySequence(Qt::Key_Escape), this, [this] { close(); });
     back->setEnabled(false), forward->setEnabled(false);
     connect(contents, &QPushButton::clicked, this, [this] { open("README.md"); });
     connect(back, &QPushButton::clicked, m_page, &QTextBrowser::backward);

@@ -4,6 +4,7 @@
 #include <QDateTime>
 #include <QLabel>
 #include <QListView>
+#include <QStyledItemDelegate>
 #include <QScrollArea>
 #include <QVBoxLayout>
 
@@ -19,6 +20,18 @@
 
 namespace app {
 namespace {
+
+// A lecturer looks for what the audience reads, not for what a cue is called in its file.
+class CaptionDelegate : public QStyledItemDelegate {
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+protected:
+    void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override {
+        QStyledItemDelegate::initStyleOption(option, index);
+        option->text = index.data(CueModel::CaptionRole).toString();
+    }
+};
 
 QString minutesText(qint64 seconds) {
     return QStringLiteral("%1:%2").arg(seconds / 60).arg(seconds % 60, 2, 10, QLatin1Char('0'));
@@ -103,6 +116,7 @@ QWidget* NotesWindow::makeRight() {
     scroll->setWidget(m_notes);
     m_list = new QListView(right);
     m_list->setModel(&m_cues);
+    m_list->setItemDelegate(new CaptionDelegate(m_list));
     m_list->setAccessibleName(tr("Cues"));
     m_list->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_list->setFocusPolicy(Qt::NoFocus);  // it would search for a letter that is a key of the presentation

@@ -2,12 +2,14 @@
 
 #include <QApplication>
 #include <QClipboard>
+#include <QMimeData>
 
 #include "app/core/document_state.h"
 #include "app/core/text.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/scene_files.h"
 #include "app/desktop/shown_state.h"
+#include "app/panels/buffer_view.h"
 #include "app/panels/error_list.h"
 #include "lessons/state/cue_list.h"
 #include "pipeline/formats/toml_writer.h"
@@ -21,7 +23,9 @@ StateClipboard::StateClipboard(QWidget& pages, Actions& actions, Document& docum
                  .menu = "Edit",
                  .text = "Copy view and state",
                  .keys = "Ctrl+C",
-                 .tip = "Copy scene, stage, step, pixel and how every view looks, as text that a window shows again.",
+                 .tip =
+                     "Copy scene, stage, step, pixel and how every view looks, as text that a window shows again; in a "
+                     "buffer view its picture too.",
                  .run = [this] { copy(); },
                  .startsGroup = true,
                  .within = &pages});
@@ -35,6 +39,18 @@ StateClipboard::StateClipboard(QWidget& pages, Actions& actions, Document& docum
                  .within = &pages});
 }
 
+namespace {
+
+// Of the buffer view that has the keys; null for any other part.
+QImage pictureInFocus() {
+    for (QWidget* part = QApplication::focusWidget(); part; part = part->parentWidget())
+        if (const auto* view = qobject_cast<BufferView*>(part))
+            return view->shown() ? view->shown()->content.image : QImage();
+    return {};
+}
+
+}  // namespace
+
 // A scene that is no part of the program goes along, for a machine that does not have its file.
 void StateClipboard::copy() {
     auto now = m_shown.now();
@@ -44,8 +60,15 @@ void StateClipboard::copy() {
     }
     if (std::filesystem::path(now->scene).is_absolute())
         if (const auto text = toTomlScene(m_document.scene())) now->sceneText = *text, now->set.clear();
-    QApplication::clipboard()->setText(toQString(toToml(*now)));
-    emit m_document.said(tr("Copied what you see as text. Ctrl+V in a view shows it again, in any window."));
+    auto* copied = new QMimeData;
+    copied->setText(toQString(toToml(*now)));
+    const QImage picture = pictureInFocus();
+    if (!picture.isNull()) copied->setImageData(picture);
+    QApplication::clipboard()->setMimeData(copied);
+    emit m_document.said(
+        picture.isNull()
+            ? tr("Copied what you see as text. Ctrl+V in a view shows it again, in any window.")
+            : tr("Copied the picture, and what you see as text. Ctrl+V in a view shows it again, in any window."));
 }
 
 // Without a scene it is a place in the scene on show.

@@ -8,12 +8,17 @@
 #include "app/panels/algorithm_panel.h"
 #include "app/panels/algorithm_view.h"
 #include "app/panels/follow_theme.h"
+#include "app/panels/step_tables.h"
 #include "lessons/talk_words.h"
 
 namespace app {
 
 TalkAlgorithm::TalkAlgorithm(const Document& document, QWidget* parent)
-    : QWidget(parent), m_document(document), m_lines(new AlgorithmView(this)), m_leftOut(new QLabel(this)) {
+    : QWidget(parent),
+      m_document(document),
+      m_lines(new AlgorithmView(this)),
+      m_tables(new StepTables(this)),
+      m_leftOut(new QLabel(this)) {
     m_lines->setLetters(20.8, 17.6);  // 38 and 32 px in 1080 lines
     m_lines->setMostLines(int(lessons::kMostAlgorithmRows));
     m_lines->setShowsLoop(true);
@@ -24,6 +29,7 @@ TalkAlgorithm::TalkAlgorithm(const Document& document, QWidget* parent)
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(m_lines);
+    column->addWidget(m_tables, 1000);
     column->addWidget(m_leftOut);
     column->addStretch(1);
     followTheme(this, [this] { m_leftOut->setFont(Theme::current().text(12)); });
@@ -39,6 +45,7 @@ void TalkAlgorithm::showStep(bool wanted) {
     m_leftOut->setText(why.join('\n'));
     m_leftOut->setVisible(!why.isEmpty());
     m_lines->setState(std::move(state));
+    m_tables->showStep(m_lines->rows(), m_document);
 }
 
 }  // namespace app

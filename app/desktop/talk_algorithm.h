@@ -7,6 +7,7 @@ namespace app {
 
 class AlgorithmView;
 class Document;
+class StepTables;
 
 // The algorithm of the step beside the views: its lines, and below them why some are left out.
 class TalkAlgorithm : public QWidget {
@@ -20,6 +21,7 @@ public:
 private:
     const Document& m_document;
     AlgorithmView* m_lines;
+    StepTables* m_tables;
     QLabel* m_leftOut;
 };
 

@@ -19,6 +19,7 @@
 #include "app/panels/algorithm_view.h"
 #include "app/panels/elided_label.h"
 #include "app/panels/follow_theme.h"
+#include "app/panels/step_tables.h"
 
 namespace app {
 
@@ -42,9 +43,9 @@ AlgorithmPanel::AlgorithmPanel(Document& document, QWidget* parent)
       m_loopName(new QLabel(m_loop)),
       m_first(new QLabel(m_loop)),
       m_last(new QLabel(m_loop)),
-      m_variables(new QLabel(this)),
       m_note(new QLabel(this)),
       m_hint(new ElidedLabel(tr("Ctrl+click a line: run to it"), this)),
+      m_tables(new StepTables(this)),
       m_slider(new QSlider(Qt::Horizontal, m_loop)),
       m_back(new QPushButton(tr("Back"), this)),
       m_next(new QPushButton(tr("Next line"), this)) {
@@ -82,23 +83,22 @@ AlgorithmPanel::AlgorithmPanel(Document& document, QWidget* parent)
     m_next->setProperty("kind", "primary");
     m_next->setToolTip(tr("Step to the next line (F10 when stepping by line)"));
     m_back->setToolTip(tr("Step back to the line before, exactly (Shift+F10)"));
-    for (QLabel* label : {m_variables, m_note}) label->setTextFormat(Qt::PlainText), label->setWordWrap(true);
+    m_note->setTextFormat(Qt::PlainText), m_note->setWordWrap(true);
     for (QLabel* label : {m_loopName, m_note, m_hint}) label->setProperty("tone", "2");
-    m_variables->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     m_hint->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     m_hint->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     auto* column = new QVBoxLayout(this);
     column->addLayout(head);
     column->addWidget(m_scroll, 1);
     column->addWidget(m_loop);
-    column->addWidget(m_variables);
+    column->addWidget(m_tables, 1000);
     column->addWidget(m_note);
     column->addLayout(foot);
     followTheme(this, [this, head, column, loop, foot] {
         const Theme& theme = Theme::current();
         m_list->setFont(theme.text(12));
         for (QLabel* label : {m_loopName, m_note, m_hint}) label->setFont(theme.text(12));
-        for (QLabel* label : {m_first, m_last, m_variables}) label->setFont(theme.mono(12));
+        for (QLabel* label : {m_first, m_last}) label->setFont(theme.mono(12));
         for (QPushButton* button : {m_back, m_next}) button->setFont(theme.text(12, 600));
         m_copy->setIconSize(QSize(1, 1) * theme.px(16));
         const int edge = theme.px(8);
@@ -106,7 +106,7 @@ AlgorithmPanel::AlgorithmPanel(Document& document, QWidget* parent)
         column->setSpacing(theme.px(6));
         for (QHBoxLayout* row : {head, loop, foot})
             row->setContentsMargins(edge, 0, edge, 0), row->setSpacing(theme.px(6));
-        for (QLabel* label : {m_variables, m_note}) label->setContentsMargins(edge, 0, edge, 0);
+        m_note->setContentsMargins(edge, 0, edge, 0);
     });
 
     connect(m_list, &QComboBox::activated, this, [this](int i) {
@@ -135,7 +135,8 @@ void AlgorithmPanel::showEvent(QShowEvent*) { showStep(); }
 void AlgorithmPanel::showLit() {
     const QSize room = m_scroll->viewport()->size();
     m_view->setMinimumHeight(m_view->heightForWidth(room.width()));
-    m_view->resize(room.width(), std::max(m_view->minimumHeight(), room.height()));  // the bar's range with it
+    m_view->resize(room.width(), std::max(m_view->minimumHeight(), room.height()));    // the bar's range with it
+    m_scroll->setMaximumHeight(m_view->minimumHeight() + 2 * m_scroll->frameWidth());  // the tables have the rest
     const QRect lit = m_view->currentRect();
     QScrollBar* bar = m_scroll->verticalScrollBar();
     if (lit.isEmpty() || (lit.top() >= bar->value() && lit.bottom() < bar->value() + room.height())) return;
@@ -153,7 +154,7 @@ void AlgorithmPanel::showStep() {
     m_view->setState(algorithmState(stepper, m_document.stage()));
     showList();
     showLoop();
-    showVariables();
+    m_tables->showStep(m_view->rows(), m_document);
     const auto& state = m_view->state();
     QStringList sentences;
     if (state)
@@ -201,20 +202,6 @@ void AlgorithmPanel::showLoop() {
     m_slider->setEnabled(range.last > range.first && place && place->x && inner->numbers.size() == 2);
     m_slider->setToolTip(m_slider->isEnabled() ? tr("Drag to another pixel of the row")
                                                : tr("Step to move on; only a row of pixels can be dragged along"));
-}
-
-void AlgorithmPanel::showVariables() {
-    QStringList lines;
-    std::vector<std::string> named;
-    for (const AlgorithmRow& row : m_view->rows())
-        for (const AlgorithmValue& value : row.values) {
-            if (value.from.empty() || std::ranges::find(named, value.shown) != named.end()) continue;
-            named.push_back(value.shown);
-            lines +=
-                QStringLiteral("%1 = %2, %3").arg(toQString(value.shown), toQString(value.text), toQString(value.from));
-        }
-    m_variables->setText(lines.join('\n'));
-    m_variables->setVisible(!lines.isEmpty() && height() > Theme::current().px(560));
 }
 
 void AlgorithmPanel::stepLine(int direction) {

@@ -14,6 +14,7 @@ class QToolButton;
 namespace app {
 
 class AlgorithmView;
+class StepTables;
 
 // The lectures' algorithm of the stage on show: the line that the step is at, its values, and where its loop is.
 class AlgorithmPanel : public QWidget {
@@ -31,7 +32,6 @@ private:
     void showStep();
     void showList();
     void showLoop();
-    void showVariables();
     void showLit();
     void stepLine(int direction);
     void runToLine(int number);
@@ -44,7 +44,8 @@ private:
     QScrollArea* m_scroll;
     AlgorithmView* m_view;
     QWidget* m_loop;
-    QLabel *m_loopName, *m_first, *m_last, *m_variables, *m_note, *m_hint;
+    QLabel *m_loopName, *m_first, *m_last, *m_note, *m_hint;
+    StepTables* m_tables;
     QSlider* m_slider;
     QPushButton *m_back, *m_next;
 };

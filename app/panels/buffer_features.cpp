@@ -7,14 +7,17 @@
 #include "app/panels/buffer_copies.h"
 #include "app/panels/buffer_counts.h"
 #include "app/panels/buffer_flip.h"
+#include "app/panels/buffer_late.h"
 #include "app/panels/buffer_loupe.h"
 #include "app/panels/buffer_overlays.h"
+#include "app/panels/buffer_pinch.h"
 #include "app/panels/buffer_pins.h"
 #include "app/panels/buffer_range.h"
 #include "app/panels/buffer_readout.h"
 #include "app/panels/buffer_region.h"
 #include "app/panels/buffer_selection.h"
 #include "app/panels/buffer_source.h"
+#include "app/panels/buffer_step.h"
 #include "app/panels/buffer_zoom.h"
 
 namespace app {
@@ -42,6 +45,10 @@ BufferFeatures makeFeatures(BufferView& view) {
     // A comparison is of what the source gives, and a range of what the comparison shows.
     f.all = {f.zoom,   f.channel, f.overlays, f.condition, f.source,  f.loupe,    f.selection, f.readout,
              f.copies, f.pins,    f.region,   f.flip,      f.compare, f.captions, f.range,     f.counts};
+    // Nobody asks for them by a name.
+    f.all.push_back(new StepMark(view));
+    f.all.push_back(new LateVeil(view));
+    new PinchZoom(view);
     return f;
 }
 

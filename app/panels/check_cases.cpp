@@ -49,7 +49,7 @@ CheckCases::CheckCases(QWidget* parent) : QTableWidget(0, kColumns, parent) {
         verticalHeader()->setDefaultSectionSize(Theme::current().px(26));
         horizontalHeader()->setMinimumSectionSize(Theme::current().px(48));
         // Case, naive, verdict, and titles of sixteen letters.
-        setMinimumWidth(Theme::current().px(52 + 168 + 88 + 148) + verticalScrollBar()->sizeHint().width());
+        setMinimumWidth(Theme::current().px(52 + 168 + 68 + 148) + verticalScrollBar()->sizeHint().width());
         layOut();
     });
     connect(this, &QTableWidget::currentCellChanged, this, [this](int row) {
@@ -62,9 +62,9 @@ CheckCases::CheckCases(QWidget* parent) : QTableWidget(0, kColumns, parent) {
 // contents would be found anew for every cell. Where there is little room, what the details say as well goes first.
 void CheckCases::layOut() {
     const Theme& theme = Theme::current();
-    constexpr std::array kWidths{std::pair(Id, 52),    std::pair(Naive, 168), std::pair(Verdict, 88),
+    constexpr std::array kWidths{std::pair(Id, 52),    std::pair(Naive, 168), std::pair(Verdict, 68),
                                  std::pair(Bound, 88), std::pair(EndsIn, 84), std::pair(Ours, 112)};
-    int left = viewport()->width() - theme.px(200);  // for the titles
+    int left = viewport()->width() - theme.px(320);  // for the titles
     for (const auto& [column, width] : kWidths) left -= theme.px(width);
     for (const auto& [column, width] : kWidths) {
         setColumnWidth(column, theme.px(width));
@@ -125,10 +125,13 @@ void CheckCases::fill(int row, const std::optional<CaseResult>& result) {
     if (!result)
         set(Verdict, tr("not run"), c.text3, false);
     else if (result->holds)
-        set(Verdict, tr("● holds"), c.run, false);
+        set(Verdict, QStringLiteral("●"), c.run, false);
     else
-        set(Verdict, tr("▲ breaks"), c.failed, false);
-    if (breaks(result)) item(row, Verdict)->setToolTip(toQString(result->reason));
+        set(Verdict, QStringLiteral("▲"), c.failed, false);
+    if (!result) return;
+    // The mark alone: the names of the cases have the room.
+    item(row, Verdict)->setToolTip(result->holds ? tr("holds") : tr("breaks: %1").arg(toQString(result->reason)));
+    item(row, Verdict)->setData(Qt::AccessibleTextRole, result->holds ? tr("holds") : tr("breaks"));
 }
 
 std::size_t CheckCases::caseIn(int row) const { return std::size_t(item(row, Id)->data(kCase).toULongLong()); }

@@ -4,6 +4,7 @@
 
 #include <QGridLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QScrollBar>
@@ -107,12 +108,14 @@ void SettingsPanel::showSetting(const QString& key) {
         if (has(settingsOf(scene, kGroups[i]))) m_tabs->setCurrentIndex(int(i) + 1);
     for (const OutlineRow& row : outline(scene))
         if (has(settingsOf(scene, row.item))) select(row.item);
-    const auto controls = m_scroll->findChildren<QWidget*>(key);
-    for (QWidget* control : controls)
-        if (control->focusPolicy() != Qt::NoFocus) {
-            control->setFocus(Qt::OtherFocusReason);
-            return m_scroll->ensureWidgetVisible(control);
-        }
+    // A number is typed over what the field says; others by their own control.
+    QWidget* control = m_scroll->findChild<QLineEdit*>(key);
+    for (QWidget* other : m_scroll->findChildren<QWidget*>(key))
+        if (!control && other->focusPolicy() != Qt::NoFocus) control = other;
+    if (!control) return;
+    control->setFocus(Qt::OtherFocusReason);
+    if (auto* field = qobject_cast<QLineEdit*>(control)) field->selectAll();
+    m_scroll->ensureWidgetVisible(control);
 }
 
 std::vector<pipeline::SettingRef> SettingsPanel::settingsOnShow() const {

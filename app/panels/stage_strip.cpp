@@ -123,10 +123,11 @@ FrameCard::FrameCard(QWidget* parent) : QWidget(parent) {
 
 void FrameCard::setStatus(const std::optional<FrameStatus>& status) {
     m_status = status;
-    const QString line =
+    QString line =
         m_status
             ? QStringLiteral("%1, %2. %3. %4").arg(m_status->title, m_status->time, m_status->actions, m_status->format)
             : QString();
+    if (m_status && !m_status->defect.isEmpty()) line = m_status->defect + QStringLiteral(". ") + line;
     setToolTip(line);
     setAccessibleName(line);
     update();
@@ -166,11 +167,15 @@ void FrameCard::paintEvent(QPaintEvent*) {
     };
     QFont big = theme.mono(m_compact ? 13 : 17);
     big.setWeight(QFont::DemiBold);
+    // A planted defect is more than the frame's number.
+    const bool isPlanted = !m_status->defect.isEmpty();
+    const QString title = isPlanted ? m_status->defect : m_status->title;
+    const QColor tone = isPlanted ? c.failed : c.text2;
     if (m_compact) {
         line(m_status->time, big, c.text, theme.px(19));
-        line(m_status->title, theme.text(12), c.text2, theme.px(18));
+        line(title, theme.text(12), tone, theme.px(18));
     } else {
-        line(m_status->title, theme.text(12), c.text2, theme.px(16));
+        line(title, theme.text(12), tone, theme.px(16));
         line(m_status->time, big, c.text, theme.px(21));
         line(m_status->actions, theme.text(12), c.text2, theme.px(16));
         line(m_status->format, theme.text(12), c.text2, theme.px(16));

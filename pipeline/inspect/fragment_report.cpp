@@ -51,7 +51,13 @@ ComparisonText comparisonText(const FragmentReport& fragment, const NumberText& 
     for (int digits = 7;; ++digits) {
         ComparisonText both{text(fragment.depth, digits), std::string(fragment.relation),
                             text(fragment.stored, digits)};
-        if (both.depth != both.stored || fragment.depth == fragment.stored || digits == kMostDigits) return both;
+        if (both.depth == both.stored && fragment.depth != fragment.stored && digits < kMostDigits) continue;
+        // "636.1 > 0 (the error)": said behind the numbers.
+        if (const std::size_t said = both.relation.find(' '); said != std::string::npos) {
+            both.stored += both.relation.substr(said);
+            both.relation.resize(said);
+        }
+        return both;
     }
 }
 

@@ -221,8 +221,13 @@ void reportFragments(const FrameData<Real>& data, const Stop& stop, PixelReport&
         const FragmentVerdict verdict = !f.won         ? FragmentVerdict::NotNearer
                                         : i == lastWon ? FragmentVerdict::WonStays
                                                        : FragmentVerdict::Overwritten;
-        // What is as far away as the cleared buffer is nearer than nothing.
+        const bool isNearer = reversed ? f.depth > f.stored : f.depth < f.stored;
+        // What is as far away as the cleared buffer is nearer than nothing. Otherwise only a planted defect decides against
+        // the numbers; comparisonText() reads its sign.
+        const bool isError = f.won ? !isNearer && f.depth != f.stored : isNearer;
         const std::string_view sign = f.won && f.depth == f.stored ? "="
+                                      : isError && f.won           ? (reversed ? "< (the error)" : "> (the error)")
+                                      : isError                    ? (reversed ? "> (the error)" : "< (the error)")
                                       : f.won                      ? (reversed ? ">" : "<")
                                                                    : (reversed ? "≤" : "≥");
         report.fragments.push_back({polygon, f.depth, f.stored, verdict, sign});

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "pipeline/inspect/formula.h"
 #include "pipeline/steps/algorithm.h"
@@ -23,9 +24,32 @@ void eachPart(std::string_view text, Plain plain, Named named) {
     }
 }
 
+// What the comparison in a line's text says of the numbers: "{z'} > {Z'[x'][y']} + {bias}", "{A} < 0". Nothing where
+// there is none, or where the numbers are equal: stages that round may then decide either way.
+std::optional<bool> compared(std::string_view text, const std::vector<AlgorithmValue>& values) {
+    const std::size_t sign = text.find_first_of("<>");
+    if (sign == text.npos || values.empty() || values.front().numbers.size() != 1) return {};
+    double right = 0;
+    for (std::size_t i = 1; i < values.size(); ++i) {
+        if (values[i].numbers.size() != 1) return {};
+        right += values[i].numbers.front();
+    }
+    if (values.size() == 1 && !text.substr(sign + 1).starts_with(" 0")) return {};
+    const double left = values.front().numbers.front();
+    if (!(left < right) && !(left > right)) return {};
+    return text[sign] == '<' ? left < right : left > right;
+}
+
+// A planted defect has decided against the numbers.
+bool isError(const AlgorithmLine& line, const AlgorithmRow& row) {
+    if (!row.taken) return false;
+    const auto right = compared(line.text, row.values);
+    return right && *right != *row.taken;
+}
+
 // For an If the text from its first value to its last, because the signs around them belong to the language; otherwise
 // the values alone.
-std::string valuesText(const AlgorithmLine& line, const std::vector<AlgorithmValue>& values, bool named) {
+std::string valuesText(const AlgorithmLine& line, const std::vector<AlgorithmValue>& values, bool named, bool isError) {
     const auto written = [&](const AlgorithmValue& value) {
         return named ? value.shown + " = " + value.text : value.text;
     };
@@ -35,7 +59,7 @@ std::string valuesText(const AlgorithmLine& line, const std::vector<AlgorithmVal
         for (const AlgorithmValue& value : values) out += (out.empty() ? "" : "; ") + written(value);
         return out;
     }
-    const std::size_t first = line.text.find('{'), last = line.text.rfind('}');
+    const std::size_t first = line.text.find('{'), last = std::max(line.text.rfind('}'), line.text.find(" 0") + 1);
     if (first == std::string_view::npos) return out;
     eachPart(
         line.text.substr(first, last + 1 - first), [&](std::string_view plain) { out += plain; },
@@ -43,7 +67,11 @@ std::string valuesText(const AlgorithmLine& line, const std::vector<AlgorithmVal
             const auto value = std::ranges::find(values, name, &AlgorithmValue::name);
             out += value == values.end() ? std::string(name) : written(*value);
         });
-    return out;
+    if (!isError) return out;
+    // The comparison that was made.
+    char& sign = out[out.find_first_of("<>")];
+    sign = sign == '<' ? '>' : '<';
+    return out + " (the error)";
 }
 
 // The last visit of a line up to the state's own visit; null if there is none.
@@ -83,7 +111,10 @@ std::string remarkOf(const AlgorithmState& state, const AlgorithmRow& row, const
     if (row.status == LineStatus::LeftOut) return "left out";
     if (row.status == LineStatus::Elsewhere) return std::string(line.of);
     if (row.status == LineStatus::Next) return "next";
-    if (row.taken) return *row.taken ? "true, taken" : "false, not taken";
+    if (row.taken)
+        return isError(line, row) ? (*row.taken ? "taken" : "not taken")
+               : *row.taken       ? "true, taken"
+                                  : "false, not taken";
     return row.status == LineStatus::Now && state.over ? "done" : "";
 }
 
@@ -127,8 +158,8 @@ std::vector<AlgorithmRow> rowsOf(const AlgorithmState& state) {
         AlgorithmRow row{int(i) + 1, line.text, line.indent, statusOf(state, i), {}, {}, {}, {}, {}};
         if (const Visit* const last = lastVisitOf(state, i); last && row.status != LineStatus::NotTaken)
             row.values = last->values, row.taken = last->taken;
-        row.valuesText = valuesText(*line.row, row.values, false);
-        row.named = valuesText(*line.row, row.values, true);
+        row.valuesText = valuesText(*line.row, row.values, false, isError(*line.row, row));
+        row.named = valuesText(*line.row, row.values, true, isError(*line.row, row));
         row.remark = remarkOf(state, row, *line.row);
         rows.push_back(std::move(row));
     }

@@ -60,7 +60,9 @@ std::string Steps::words(Moment moment, StepLevel level) const {
     Place place = placeOf(moment);
     const bool inside = place.row.has_value() || moment.line > 0;
     place.kind = phase.kind, place.number = phase.number(spot.element);
-    std::string words = phase.light >= 0 ? fmt::format("light {}, ", phase.light) : std::string();
+    // The line first: it is what changes, and what a place that is cut must still say.
+    std::string words = place.line ? fmt::format("line {}, ", *place.line) : std::string();
+    if (phase.light >= 0) words += fmt::format("light {}, ", phase.light);
     const bool endsObject = !inside && moment.done == end(moment.stage, moment.step(), StepLevel::Object);
     const bool hasObject = phase.kind != ElementKind::Layers && phase.kind != ElementKind::Samples;
     if (level == StepLevel::Object && endsObject && hasObject) {
@@ -71,7 +73,6 @@ std::string Steps::words(Moment moment, StepLevel level) const {
     const auto pixel = level >= StepLevel::Scanline || inside ? pixelOf(moment) : std::nullopt;
     if (pixel) words += fmt::format(", row {}", pixel->y);
     if (pixel && (level >= StepLevel::Pixel || place.x)) words += fmt::format(", x {}", pixel->x);
-    if (place.line) words += fmt::format(", line {}", *place.line);
     return words;
 }
 

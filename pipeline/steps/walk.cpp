@@ -101,7 +101,8 @@ void bindElement(const BoundStep& step, std::string name, Bindings& out) {
     out.begins[std::size_t(Begins::Phase)] = step.within == 0 && step.element == 0;
     AlgorithmValue& value =
         out.whole(name, step.number(), fmt::format("number {} of {}", step.element + 1, step.phase->count));
-    value.range = {std::move(name), 1, std::int64_t(step.phase->count), std::int64_t(step.element) + 1};
+    // As the code counts: from its first element's number to the last one's.
+    value.range = {std::move(name), step.phase->number(0), step.phase->number(step.phase->count - 1), step.number()};
 }
 
 Walk walkThrough(Algorithm algorithm, const Bindings& bindings) {

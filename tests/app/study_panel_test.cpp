@@ -162,7 +162,8 @@ TEST_F(StudyPanelTest, MeasuresAStudyBesideTheWindow) {
     part<QPushButton>("studyBegin").click();
     EXPECT_TRUE(part<app::StudyRun>().running());
     ASSERT_TRUE(QTest::qWaitFor([&] { return !part<app::StudyRun>().running(); }, 60000));
-    EXPECT_EQ(reported.size(), 2) << "a first look, then all";
+    EXPECT_EQ(reported.size(), 3) << "each of the two as it arrives, then all";
+    EXPECT_EQ(reported[0][0].value<StudyReport>().points.size(), 1u);
     const StudyReport& report = panel.report();
     ASSERT_EQ(report.points.size(), 2u);
     for (const pipeline::StudyPoint& point : report.points) {

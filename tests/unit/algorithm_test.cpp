@@ -71,7 +71,7 @@ TEST(Algorithm, BuffersAtALineAreThoseBeforeItsStepAndTheEndOfTheStepIsNext) {
     EXPECT_TRUE(steps.algorithmAt(end)->over);
     EXPECT_EQ(steps.algorithmAt(end)->visit, steps.algorithmAt(writes)->visit);
     EXPECT_EQ(steps.pixelOf(writes), glm::ivec2(250, 270));
-    EXPECT_EQ(steps.words(writes, StepLevel::Line), "polygon 1, row 270, x 250, line 6");
+    EXPECT_EQ(steps.words(writes, StepLevel::Line), "line 6, polygon 1, row 270, x 250");
 }
 
 TEST(Algorithm, ALineOfAPlaceIsFoundAgainAndOneThatTheStepDoesNotPassIsNotThere) {
@@ -93,6 +93,40 @@ TEST(Algorithm, AFormatWhoseNearIsLargerComparesTheOtherWayRound) {
     EXPECT_EQ(state.walk.algorithm.lines[0].text, "zbuffer(x, y) = 0 for all x, y");
     EXPECT_EQ(state.walk.algorithm.lines[4].text, "if(z > zbuffer(x, y)) then");
     EXPECT_GT(valueOf(state, "z")->numbers[0], valueOf(state, "zbuffer(x, y)")->numbers[0]);
+}
+
+// z-flip keeps the farther fragment and clears to 0: the nearer face, of which any depth is above 0, is stored first, and what
+// is nearer than that is refused. Every sentence is true of its numbers, and says whose error it is.
+TEST(Algorithm, WithAPlantedDefectTheComparisonThatWasMadeIsPrinted) {
+    Scene scene = unculledPyramid();
+    scene.settings.defect = Defect::ZFlip;
+    const Steps steps(test::frameOf(scene));
+    const auto row = [&](const char* place) { return rowsOf(*steps.algorithmAt(momentAt(steps, place)))[4]; };
+    const AlgorithmRow first = row("z-buffer/polygon=0/row=270/x=250/line=5");
+    EXPECT_EQ(first.valuesText, "742.3430 > 0.000000 (the error)");
+    EXPECT_EQ(first.remark, "taken");
+    const AlgorithmRow second = row("z-buffer/polygon=1/row=270/x=250/line=5");
+    EXPECT_EQ(second.valuesText, "671.9340 > 742.3430 (the error)");
+    EXPECT_EQ(second.remark, "not taken");
+    const auto fragments = inspectPixel(*steps.frame(), {250, 270}).fragments;
+    ASSERT_GE(fragments.size(), 2u);
+    EXPECT_EQ(comparisonText(fragments[0]).whole(), "742.3430 > 0.000000 (the error)");
+    EXPECT_EQ(comparisonText(fragments[1]).whole(), "671.9340 < 742.3430 (the error)");
+}
+
+// The signed area of a face that is turned away is below 0, and a right comparison says so without a word about errors.
+TEST(Algorithm, AWrongSignOfCullingIsSaidOfTheAreaThatItDecidesAgainst) {
+    Scene scene = test::pyramid();
+    for (const Defect defect : {Defect::None, Defect::CullSign}) {
+        scene.settings.defect = defect;
+        const Steps steps(test::frameOf(scene));
+        const AlgorithmRow row = rowsOf(*steps.algorithmAt(momentAt(steps, "cull/polygon=1/line=4")))[3];
+        ASSERT_GT(row.values.front().numbers.front(), 0) << "Front is seen";
+        const bool isPlanted = defect == Defect::CullSign;
+        EXPECT_EQ(row.taken, isPlanted);
+        EXPECT_EQ(row.valuesText.find(isPlanted ? " > 0 (the error)" : " < 0") != std::string::npos, true)
+            << row.valuesText;
+    }
 }
 
 TEST(Algorithm, OfAStageThatIsLeftOutTheLinesStandGreyWithThePlansReason) {

@@ -1,0 +1,33 @@
+#pragma once
+#include <QPolygonF>
+#include <vector>
+
+#include "app/panels/buffer_feature.h"
+
+class QPushButton;
+
+namespace app {
+
+// Marks the pixel, polygon or vertex that the algorithm is at, and keeps it in the middle, so large that the numbers in
+// the pixels can be read; what only has names is shown whole. A view that somebody moves stays until Follow is pressed.
+class StepMark : public BufferFeature {
+public:
+    explicit StepMark(BufferView& view);
+
+    void show() override;
+    void place(CanvasRoom& room) override;
+    pipeline::Errors read(const lessons::BufferShown& state) override;
+
+private:
+    class Layer;
+    void follow();
+    void paint(class QPainter& painter) const;
+
+    Layer* m_layer;  // over the canvas
+    QPushButton* m_button;
+    std::optional<QPoint> m_pixel;
+    std::vector<QPolygonF> m_outlines;  // a single corner is a vertex
+    bool m_isStepping = false, m_follows = true, m_moves = false;
+};
+
+}  // namespace app

@@ -1,0 +1,47 @@
+#pragma once
+#include <QWidget>
+#include <optional>
+#include <vector>
+
+#include "pipeline/inspect/fragment_report.h"
+#include "pipeline/steps/algorithm.h"
+
+namespace app {
+
+class Document;
+
+// Below an algorithm: its variables with where they come from, and the fragments of the step's pixel in the order in which
+// they came. Where there is no height for both, the variables go first.
+class StepTables : public QWidget {
+    Q_OBJECT
+public:
+    explicit StepTables(QWidget* parent);
+
+    // rows: those of the algorithm on show.
+    void showStep(const std::vector<pipeline::AlgorithmRow>& rows, const Document& document);
+
+    QSize sizeHint() const override { return {0, wanted()}; }
+    QSize minimumSizeHint() const override { return {0, 0}; }
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    struct Fragments {
+        QString title;  // "Fragments at 250, 270"
+        std::vector<pipeline::FragmentReport> rows;
+        std::optional<std::size_t> tested;  // the row that the step is at
+    };
+    static std::optional<Fragments> fragmentsAtStep(const Document& document);
+    int lineHeight() const;
+    int variablesHeight() const;
+    int fragmentsHeight() const;
+    int wanted() const { return variablesHeight() + fragmentsHeight(); }
+    int paintVariables(QPainter& painter, int y) const;
+    void paintFragments(QPainter& painter, int y) const;
+
+    std::vector<pipeline::AlgorithmValue> m_variables;
+    std::optional<Fragments> m_fragments;
+};
+
+}  // namespace app
