@@ -15,7 +15,8 @@ std::vector<RecentFile> recentFiles() {
     for (int i = 0; i < n; ++i) {
         settings.setArrayIndex(i);
         RecentFile entry{settings.value("file").toString(), settings.value("when").toDateTime(),
-                         settings.value("where").toString(), settings.value("state").toString()};
+                         settings.value("where").toString(), settings.value("state").toString(),
+                         settings.value("title").toString()};
         if (QFileInfo::exists(entry.file)) files.push_back(std::move(entry));
     }
     return files;
@@ -33,15 +34,18 @@ void writeRecentFiles(const std::vector<RecentFile>& files) {
         settings.setValue("when", files[i].when);
         settings.setValue("where", files[i].where);
         settings.setValue("state", files[i].state);
+        settings.setValue("title", files[i].title);
     }
     settings.endArray();
 }
 
 }  // namespace
 
+QString nameOf(const RecentFile& recent) { return recent.title.isEmpty() ? shownName(recent.file) : recent.title; }
+
 QStringList recentNames(const std::vector<RecentFile>& files) {
     QStringList names, all;
-    for (const RecentFile& recent : files) names += shownName(recent.file);
+    for (const RecentFile& recent : files) names += nameOf(recent);
     for (qsizetype i = 0; i < names.size(); ++i)
         all += names.count(names[i]) == 1
                    ? names[i]
@@ -49,8 +53,8 @@ QStringList recentNames(const std::vector<RecentFile>& files) {
     return all;
 }
 
-void addRecentFile(const QString& file) {
-    RecentFile entry{QFileInfo(file).absoluteFilePath(), QDateTime::currentDateTime()};
+void addRecentFile(const QString& file, const QString& title) {
+    RecentFile entry{.file = QFileInfo(file).absoluteFilePath(), .when = QDateTime::currentDateTime(), .title = title};
     std::vector<RecentFile> files = recentFiles();
     const auto before = std::ranges::find(files, entry.file, &RecentFile::file);
     if (before != files.end()) {

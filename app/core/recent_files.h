@@ -10,7 +10,8 @@ struct RecentFile {
     QString file;        // absolute path
     QDateTime when;      // of the last opening
     QString where = {};  // "z-buffer/polygon=2 · pixel 268, 281": the window's place when it was closed; may be empty
-    QString state = {};  // the same as TOML: lessons/state/window_state.h
+    QString state = {};  // the same as TOML: lessons/state/window_state.h; of a list of cues the cue's name
+    QString title = {};  // of a lesson or a list of cues
 };
 
 inline constexpr int kMaxRecentFiles = 8;
@@ -18,7 +19,8 @@ inline constexpr int kMaxRecentFiles = 8;
 std::vector<RecentFile> recentFiles();  // files that still exist
 // Their names, with the folder if two names are equal.
 QStringList recentNames(const std::vector<RecentFile>& files);
-void addRecentFile(const QString& file);
+QString nameOf(const RecentFile& recent);  // its title, else its file's name
+void addRecentFile(const QString& file, const QString& title = {});
 // For a file in the list; does nothing for other files.
 void rememberPlace(const QString& file, const QString& where, const QString& state);
 

@@ -14,22 +14,25 @@ namespace {
 
 constexpr int kWidth = 480, kHeight = 360;
 
-// A picture whose scene is small in it is cut to the scene, so that it can be recognised.
-QImage cutToScene(const pipeline::Frame& frame) {
-    const QImage picture = colorImage(frame);
-    const auto ids = frame.buffer({pipeline::BufferId::PolygonId});
-    if (!ids) return picture;
+QRect drawnIn(const pipeline::Frame& frame) {
     QRect drawn;
-    for (int y = 0; y < picture.height(); ++y)
-        for (int x = 0; x < picture.width(); ++x)
-            if (ids->value(std::size_t(x), std::size_t(y)) >= 0) drawn |= QRect(x, y, 1, 1);
-    if (drawn.isEmpty() || drawn.width() > kWidth / 2 || drawn.height() > kHeight / 2) return picture;
+    if (const auto ids = frame.buffer({pipeline::BufferId::PolygonId}))
+        for (int y = 0; y < kHeight; ++y)
+            for (int x = 0; x < kWidth; ++x)
+                if (ids->value(std::size_t(x), std::size_t(y)) >= 0) drawn |= QRect(x, y, 1, 1);
+    return drawn;
+}
+
+// A picture whose scene is small in it is cut to the scene, so that it can be recognised.
+ScenePicture cutToScene(const QImage& picture, const QRect& drawn) {
+    if (drawn.isEmpty() || drawn.width() > kWidth / 2 || drawn.height() > kHeight / 2) return {picture, drawn};
     const int width = std::max(drawn.width(), drawn.height() * kWidth / kHeight) * 3 / 2,
               height = width * kHeight / kWidth;
     QRect part(0, 0, width, height);
     part.moveCenter(drawn.center());
     const int times = std::max(1, kWidth / width);  // whole pixels, to be seen as such
-    return picture.copy(part).scaled(width * times, height * times);
+    return {picture.copy(part).scaled(width * times, height * times),
+            QRect((drawn.topLeft() - part.topLeft()) * times, drawn.size() * times)};
 }
 
 // Intensities from 0 to white.
@@ -46,7 +49,7 @@ QImage termImage(const pipeline::Frame& frame, const pipeline::BufferName& name)
     return image;
 }
 
-QImage render(const pipeline::BuiltInScene& builtIn, const pipeline::BufferName& buffer, std::stop_token stop) {
+ScenePicture render(const pipeline::BuiltInScene& builtIn, const pipeline::BufferName& buffer, std::stop_token stop) {
     auto scene = pipeline::readScene(builtIn.file);
     if (!scene || !pipeline::checkSceneAndMemory(*scene).empty()) return {};
     auto small = std::make_shared<pipeline::Scene>(std::move(scene).value());
@@ -59,7 +62,9 @@ QImage render(const pipeline::BuiltInScene& builtIn, const pipeline::BufferName&
         {.wanted = pipeline::setOf({buffer.id, pipeline::BufferId::PolygonId}), .threads = 1, .stop = std::move(stop)},
         nullptr);
     if (!frame) return {};
-    return buffer.id == pipeline::BufferId::Color ? cutToScene(*frame) : termImage(*frame, buffer);
+    const QRect drawn = drawnIn(*frame);
+    return buffer.id == pipeline::BufferId::Color ? cutToScene(colorImage(*frame), drawn)
+                                                  : ScenePicture{termImage(*frame, buffer), drawn};
 }
 
 }  // namespace
@@ -75,12 +80,11 @@ QImage colorImage(const pipeline::Frame& frame) {
 SceneGallery::SceneGallery(QObject* parent) : QObject(parent), m_scenes(pipeline::builtInScenes()) {
     for (std::size_t i = 0; i < m_scenes.size(); ++i) m_terms.push_back({i, {pipeline::BufferId::Color}});
     for (const StartLecture& lecture : startOrder())
-        for (const StartView& view : lecture.views)
-            for (const StartView::Part& part : view.parts) {
-                const auto scene = std::ranges::find(m_scenes, part.scene, &pipeline::BuiltInScene::name);
-                if (scene != m_scenes.end() && !find(part.scene, part.buffer))
-                    m_terms.push_back({std::size_t(scene - m_scenes.begin()), part.buffer});
-            }
+        for (const StartView::Part& part : lecture.first.parts) {
+            const auto scene = std::ranges::find(m_scenes, part.scene, &pipeline::BuiltInScene::name);
+            if (scene != m_scenes.end() && !find(part.scene, part.buffer))
+                m_terms.push_back({std::size_t(scene - m_scenes.begin()), part.buffer});
+        }
     m_pictures.resize(m_terms.size());
     m_thread = std::jthread([this, scenes = m_scenes, terms = m_terms](const std::stop_token& stop) {
         for (std::size_t i = 0; i < terms.size() && !stop.stop_requested(); ++i) {

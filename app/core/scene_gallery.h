@@ -15,6 +15,12 @@ namespace app {
 // The frame buffer as an image; empty if the frame has none.
 QImage colorImage(const pipeline::Frame& frame);
 
+// A picture of a scene, and the rectangle in it that the scene's polygons cover.
+struct ScenePicture {
+    QImage image;
+    QRect drawn = {};
+};
+
 // Pictures of the built-in scenes, computed by the pipeline in the background, one at a time.
 class SceneGallery : public QObject {
     Q_OBJECT
@@ -27,7 +33,7 @@ public:
 
     const std::vector<pipeline::BuiltInScene>& scenes() const { return m_scenes; }
     // 4:3; empty before it is ready, and for a scene that cannot be read.
-    const QImage& picture(std::size_t scene) const { return m_pictures[scene]; }
+    const ScenePicture& picture(std::size_t scene) const { return m_pictures[scene]; }
     // The number of a picture that start views show: of a scene's frame buffer, or of one of its terms. These come after
     // the scenes. Nothing where the gallery has none.
     std::optional<std::size_t> find(const std::string& scene, const pipeline::BufferName& buffer) const;
@@ -42,7 +48,7 @@ private:
         pipeline::BufferName buffer;
     };
     std::vector<Term> m_terms;
-    std::vector<QImage> m_pictures;
+    std::vector<ScenePicture> m_pictures;
     std::mutex m_mutex;
     std::condition_variable_any m_changed;
     bool m_watched = false;

@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <algorithm>
 
+#include "app/core/text.h"
 #include "pipeline/formats/built_in_scenes.h"
 
 namespace app {
@@ -32,9 +33,7 @@ StartView fourPictures() {
         shown.compared = lessons::BufferShown::Compared{.with = "scene " + part.scene, .mode = "b"};
         views.push_back(shown);
     }
-    return {"four-pictures", startText("Lecture 1's four pictures"),
-            startText("One view of four aligned pictures of the ring."), besideEachOther("z_buffer_phong", views),
-            parts};
+    return {"four-pictures", startText("Lecture 1's four pictures"), besideEachOther("z_buffer_phong", views), parts};
 }
 
 StartView threeTerms() {
@@ -51,46 +50,53 @@ StartView threeTerms() {
         if (part.buffer.id != B::Color) shown.range = {{0, 255}};
         views.push_back(shown);
     }
-    return {"three-terms", startText("Lecture 2's three terms and their sum"),
-            startText("One view of four aligned pictures of the ring."), besideEachOther("z_buffer_phong", views),
+    return {"three-terms", startText("Lecture 2's three terms and sum"), besideEachOther("z_buffer_phong", views),
             parts};
 }
 
 }  // namespace
 
 std::vector<StartLecture> startOrder() {
+    const auto talk = [](const char* file) {
+        return toQString((pipeline::resourceFolder() / "manual" / file).string());
+    };
     std::vector<StartLecture> lectures{
         {startText("Lecture 1"),
-         startText("Illumination, reflection, shading, in the order of the slides"),
-         {fourPictures()},
+         startText("Illumination, reflection, shading"),
+         fourPictures(),
          {{startText("Light, reflection, scene files"), {"ambient", "lambert", "highlight_exponents", "pyramid"}},
-          {startText("Hidden surfaces"),
-           {"no_hidden_surface_removal", "back_face_culling", "z_buffer_flat", "z_buffer_phong"}},
           {startText("Interpolated shading"),
            {"vertex_normals", "interpolation", "flat_gouraud_phong", "z_buffer_gouraud", "gl_cube"}},
           {startText("Shadows"),
-           {"two_pyramids", "box_over_plane", "point_light_shadow", "soft_shadow", "shadow_bias"}}}},
+           {"two_pyramids", "box_over_plane", "point_light_shadow", "soft_shadow", "shadow_bias"}}},
+         talk("lecture1.cues")},
         {startText("Lecture 2"),
-         startText("Visibility, local illumination, in the order of the slides"),
-         {threeTerms()},
+         startText("Visibility, local illumination"),
+         threeTerms(),
          {{startText("Visibility"),
            {"cyclic_overlap", "intersecting_polygons", "concave_polygon", "near_plane", "z_fighting", "translucent",
             "translucent_cycle"}},
-          {startText("Local illumination"), {"reflection_law", "phong_blinn", "coloured_lights", "teapot"}}}},
-        {startText("More"), startText("beyond the two lectures"), {}, {{startText("Scenes"), {}}}}};
-    for (const pipeline::BuiltInScene& scene : pipeline::builtInScenes()) {
-        const auto isIn = [&](const StartGroup& group) {
-            return std::ranges::find(group.scenes, scene.name) != group.scenes.end();
-        };
-        const bool isPlaced = std::ranges::any_of(
-            lectures, [&](const StartLecture& lecture) { return std::ranges::any_of(lecture.groups, isIn); });
-        if (!isPlaced) lectures.back().groups.back().scenes.push_back(scene.name);
-    }
+          {startText("Local illumination"), {"reflection_law", "phong_blinn", "coloured_lights", "teapot"}}},
+         talk("lecture2.cues")}};
+    const auto isPlaced = [&](const std::string& scene) {
+        return std::ranges::any_of(lectures, [&](const StartLecture& lecture) {
+            return std::ranges::find(lecture.first.parts, scene, &StartView::Part::scene) !=
+                       lecture.first.parts.end() ||
+                   std::ranges::any_of(lecture.groups, [&](const StartGroup& group) {
+                       return std::ranges::find(group.scenes, scene) != group.scenes.end();
+                   });
+        });
+    };
+    // What the lectures do not name comes last.
+    for (const pipeline::BuiltInScene& scene : pipeline::builtInScenes())
+        if (!isPlaced(scene.name)) lectures.back().groups.back().scenes.push_back(scene.name);
     return lectures;
 }
 
-std::size_t lectureOf(const std::string& header) {
-    return header.starts_with("Lecture 1") ? 0 : header.starts_with("Lecture 2") ? 1 : 2;
+std::optional<std::size_t> lectureOf(const std::string& header) {
+    if (header.starts_with("Lecture 1")) return 0;
+    if (header.starts_with("Lecture 2")) return 1;
+    return std::nullopt;
 }
 
 }  // namespace app

@@ -1,5 +1,6 @@
 #pragma once
 #include <QString>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,9 +9,9 @@
 
 namespace app {
 
-// Several pictures that open as one view of as many aligned buffer views.
+// The first pictures of a lecture. Together they open as one view of as many aligned buffer views, each alone as its scene.
 struct StartView {
-    QString name, title, text;
+    QString name, title;
     lessons::WindowState state;
     struct Part {
         QString label;
@@ -28,14 +29,14 @@ struct StartGroup {
 
 struct StartLecture {
     QString title, about;
-    std::vector<StartView> views;
+    StartView first;
     std::vector<StartGroup> groups;
+    QString talk;  // its list of cues, a file
 };
 
-// The lectures, and then what belongs to none: every built-in scene is in one group.
+// Every built-in scene is one of the first pictures, or in one group.
 std::vector<StartLecture> startOrder();
-// The index of the lecture that a lesson belongs to, by its header ("Lecture 2, Visibility"); the last one where no lecture
-// is named.
-std::size_t lectureOf(const std::string& header);
+// The index of the lecture that a lesson belongs to, by its header ("Lecture 2, Visibility"); nothing where it names none.
+std::optional<std::size_t> lectureOf(const std::string& header);
 
 }  // namespace app

@@ -57,7 +57,7 @@ QToolButton[kind="segment"]:checked, QPushButton[kind="segment"]:checked { backg
   border-color: @fill; }
 QPushButton[kind="segment"]:checked:disabled { background: @hover; color: @text3; border-color: @outline; }
 
-QLineEdit, QComboBox, QAbstractSpinBox, QPlainTextEdit, QTextEdit, QTextBrowser { background: @raised; color: @text;
+QLineEdit, QComboBox, QAbstractSpinBox, QPlainTextEdit, QTextEdit, QTextBrowser { background: @raised;
   border: 1px solid @outline; border-radius: 4u; padding: 0 6u;
   selection-background-color: @fill; selection-color: @onFill; }
 QLineEdit, QComboBox, QAbstractSpinBox { min-height: 22u; }

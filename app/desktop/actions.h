@@ -101,6 +101,7 @@ enum class ActionId : unsigned char {
     BlueChannel,
     Study,
     Check,
+    Drill,
     WrongPicture,
     RunCommand,
     Keys,

@@ -3,10 +3,11 @@
 #include <QApplication>
 #include <QDropEvent>
 #include <QFileDialog>
-#include <QMenu>
 #include <QMimeData>
+#include <algorithm>
 
 #include "app/core/document.h"
+#include "app/core/recent_files.h"
 #include "app/core/text.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/scene_files.h"
@@ -17,7 +18,6 @@
 #include "app/panels/start_page.h"
 #include "lessons/library.h"
 #include "lessons/state/cue_list.h"
-#include "pipeline/formats/built_in_scenes.h"
 #include "pipeline/formats/format_table.h"
 
 namespace app {
@@ -46,7 +46,8 @@ FileOpening::FileOpening(QWidget& window, Actions& actions, Document& document, 
     qApp->installEventFilter(this);
     connect(&start, &StartPage::openRequested, this, [this] { choose(); });
     connect(&start, &StartPage::fileChosen, this, [this](const QString& file) { open(file); });
-    connect(&start, &StartPage::recentChosen, &files, &SceneFiles::openRecent);
+    connect(&start, &StartPage::recentChosen, this, &FileOpening::openRecent);
+    connect(&start, &StartPage::talkChosen, this, &FileOpening::giveTalk);
     connect(&start, &StartPage::lessonChosen, &lessons, &WindowLessons::open);
     connect(&cuePanel, &CuePanel::openAsked, this, [this] { choose(tr("Open a cue list"), WindowCues::fileFilter()); });
     actions.add({.id = ActionId::Open,
@@ -56,15 +57,6 @@ FileOpening::FileOpening(QWidget& window, Actions& actions, Document& document, 
                  .tip = "Open a scene file.",
                  .run = [this] { choose(); },
                  .needsScene = false});
-    connect(&actions, &Actions::menusFilled, this, [this, &actions] { addScenesMenu(actions); });
-}
-
-void FileOpening::addScenesMenu(const Actions& actions) {
-    QMenu* const file = actions.menu("File");
-    auto* builtIn = new QMenu(tr("Scenes"), file);
-    file->insertMenu(actions[ActionId::Save], builtIn);
-    for (const pipeline::BuiltInScene& scene : pipeline::builtInScenes())
-        builtIn->addAction(toQString(scene.title), this, [this, path = toQString(scene.file.string())] { open(path); });
 }
 
 bool FileOpening::open(const QString& file, const std::function<void()>& then) {
@@ -77,6 +69,35 @@ bool FileOpening::open(const QString& file, const std::function<void()>& then) {
     if (!m_renderer.accepts({file})) return m_files.open(file, then);
     m_renderer.check({file});
     return false;
+}
+
+bool FileOpening::openRecent(const QString& file) {
+    if (file.endsWith(lessons::kCueEnding, Qt::CaseInsensitive)) return openCues(file, {});
+    if (m_renderer.accepts({file})) {
+        m_renderer.check({file});
+        return true;
+    }
+    return lessons::lessonAt(file.toStdString()).empty() ? m_files.openRecent(file) : open(file);
+}
+
+// At the cue that was shown last, if the list still has it.
+bool FileOpening::openCues(const QString& file, const std::function<void()>& then) {
+    const auto recent = recentFiles();
+    const auto left = std::ranges::find(recent, file, &RecentFile::file);
+    const auto list = lessons::readCueFile(file.toStdString());
+    const QString cue =
+        list && left != recent.end() && lessons::findCue(*list, left->state.toStdString()) ? left->state : QString();
+    return m_cues.open(file, cue, then);
+}
+
+void FileOpening::giveTalk(const QString& file) {
+    openCues(file, [this] { m_cues.present(); });
+}
+
+void FileOpening::chooseTalk() {
+    const QString file =
+        QFileDialog::getOpenFileName(&m_window, tr("Open a cue list"), QString(), WindowCues::fileFilter());
+    if (!file.isEmpty()) giveTalk(file);
 }
 
 void FileOpening::choose() { choose(tr("Open a file"), fileFilters()); }

@@ -26,12 +26,17 @@ public:
     // `then` runs once its scene is on show. False if the scene on show stays.
     bool open(const QString& file, const std::function<void()>& then = {});
     void choose();
+    // With the place in it where it was left.
+    bool openRecent(const QString& file);
+    // Opens a list of cues where it was left, and presents it.
+    void giveTalk(const QString& file);
+    void chooseTalk();
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    void addScenesMenu(const Actions& actions);
+    bool openCues(const QString& file, const std::function<void()>& then);
     void choose(const QString& title, const QString& filters);
     bool takesDrop(QObject* watched, const QDropEvent& drop) const;
     void takeDrop(const QDropEvent& drop);

@@ -17,6 +17,7 @@
 #include "app/desktop/layouts.h"
 #include "app/desktop/look_actions.h"
 #include "app/desktop/look_keeper.h"
+#include "app/desktop/opening_menus.h"
 #include "app/desktop/palette_commands.h"
 #include "app/desktop/panel_docks.h"
 #include "app/desktop/popover.h"
@@ -42,6 +43,7 @@
 #include "app/panels/cue_panel.h"
 #include "app/panels/error_list.h"
 #include "app/panels/follow_theme.h"
+#include "app/panels/lesson_panel.h"
 #include "app/panels/start_page.h"
 #include "app/panels/tab_order.h"
 #include "app/panels/timeline.h"
@@ -121,7 +123,9 @@ void MainWindow::makeFeatures() {
                                 *panels.cues);
     new PaletteCommands(*this, m_document, actions, *m_docks, views, *m_layout, *layouts, *m_shown, *m_lessons,
                         *m_opening);
-    new ToolWindows(*this, actions, m_document, *m_layout, *m_files, *m_lessons, m_centre->start());
+    new OpeningMenus(*this, actions, m_document, m_centre->start(), *m_opening, *m_files, *m_lessons,
+                     panels.lesson->shelf());
+    new ToolWindows(*this, actions, m_document, *m_layout, *m_files, *m_lessons);
     new StageActions(*this, actions, m_document, views, top->strip());
     new LookActions(*this, actions);
     addViewActions(actions, views);

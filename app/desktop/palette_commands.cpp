@@ -4,6 +4,7 @@
 #include <QPointer>
 
 #include "app/core/equation_symbols.h"
+#include "app/core/start_order.h"
 #include "app/core/text.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/command_palette.h"
@@ -46,6 +47,8 @@ constexpr FieldWords kFieldWords[]{
     {"Compare", "side by side"},
     {"Clean view", "present talk lecture full screen"},
     {"Error against run time…", "study benchmark accuracy"},
+    {"Find the error…", "wrong picture game bug quiz"},
+    {"Pictures to name, on paper…", "drill spot the technique"},
     {"Stiff and extreme cases…", "check numerical stability"},
     {"Film…", "animation gif"},
     {"normal", "RGB normals"},
@@ -270,12 +273,20 @@ std::vector<PaletteEntry> PaletteCommands::all() {
     const LessonShelf& shelf = m_docks.panels().lesson->shelf();
     for (int i = 0; i < shelf.rowCount(); ++i) {
         const QString name = shelf.index(i).data(LessonShelf::NameRole).toString();
-        all.push_back({shelf.index(i).data(LessonShelf::TitleRole).toString(), tr("Lesson"), QString(), QString(),
-                       [this, name] { m_lessons.open(name); }});
+        const lessons::Lesson& lesson = *shelf.find(name);
+        // By its lecture and its notions too: "lesson shadows".
+        all.push_back({toQString(lesson.title), tr("Lesson"), QString(), QString(),
+                       [this, name] { m_lessons.open(name); },
+                       tr("lesson %1 %2 %3").arg(name, toQString(lesson.lecture), toQString(lesson.summary))});
     }
     for (const pipeline::BuiltInScene& scene : pipeline::builtInScenes())
         all.push_back({toQString(scene.title), tr("Scene"), QString(), QString(),
                        [this, path = toQString(scene.file.string())] { m_opening.open(path); }, toQString(scene.look)});
+    for (const StartLecture& lecture : startOrder())
+        all.push_back({tr("%1 as a talk").arg(lecture.title), tr("Talk"), QString(), QString(),
+                       [this, file = lecture.talk] { m_opening.giveTalk(file); }, lecture.about});
+    all.push_back({tr("Talk of your own…"), tr("Talk"), QString(), QString(), [this] { m_opening.chooseTalk(); },
+                   tr("cue list present")});
     for (PaletteEntry& entry : all)
         if (entry.words.isEmpty()) entry.words = fieldWords(entry.name);
     return all;

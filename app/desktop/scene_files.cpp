@@ -2,7 +2,6 @@
 
 #include <QDir>
 #include <QFileInfo>
-#include <QMenu>
 
 #include "app/core/file_watch.h"
 #include "app/core/own_file.h"
@@ -40,7 +39,6 @@ SceneFiles::SceneFiles(QWidget& window, Actions& actions, Document& document, Sc
     connect(m_watch, &FileWatch::changed, this, &SceneFiles::takeFileChange);
     connect(&presentation, &Presentation::cancelAsked, this, &SceneFiles::cancel);
     addActions(actions);
-    connect(&actions, &Actions::menusFilled, this, [this, &actions] { addRecentMenu(actions); });
 }
 
 void SceneFiles::addActions(Actions& actions) {
@@ -75,13 +73,6 @@ void SceneFiles::addActions(Actions& actions) {
                  .tip = "Close the scene and show the start page.",
                  .run = [this] { close(); },
                  .startsGroup = true});
-}
-
-void SceneFiles::addRecentMenu(const Actions& actions) {
-    QMenu* const file = actions.menu("File");
-    auto* recent = new QMenu(tr("Open recent"), file);
-    file->insertMenu(actions[ActionId::Save], recent);
-    connect(file, &QMenu::aboutToShow, this, [this, recent] { fillRecent(*recent); });
 }
 
 QString SceneFiles::whyNotSave() const {
@@ -236,16 +227,6 @@ void SceneFiles::close() {
     m_document.history().stack()->setClean();  // the question has been answered
     m_layout.showStart();
     emit closed();
-}
-
-void SceneFiles::fillRecent(QMenu& menu) {
-    menu.clear();
-    const std::vector<RecentFile> files = recentFiles();
-    QStringList names = recentNames(files);
-    names.replaceInStrings("&", "&&");  // else the letter after it would be a key
-    for (std::size_t i = 0; i < files.size(); ++i)
-        menu.addAction(names[qsizetype(i)], this, [this, path = files[i].file] { openRecent(path); });
-    menu.setEnabled(!menu.isEmpty());
 }
 
 bool SceneFiles::openRecent(const QString& file) {

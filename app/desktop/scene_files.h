@@ -7,8 +7,6 @@
 #include "app/core/document_state.h"
 #include "app/core/scene_opener.h"
 
-class QMenu;
-
 namespace app {
 
 class Actions;
@@ -53,9 +51,7 @@ signals:
 
 private:
     void addActions(Actions& actions);
-    void addRecentMenu(const Actions& actions);
     QString whyNotSave() const;
-    void fillRecent(QMenu& menu);
     void read(const QString& name, SceneOpener::Read read, std::function<void(const OpenedScene&)> take);
     void showPoint();
     void showCarriedState(const OpenedScene& picture);

@@ -13,13 +13,12 @@
 #include "app/desktop/window_lessons.h"
 #include "app/panels/bug_panel.h"
 #include "app/panels/check_panel.h"
-#include "app/panels/start_page.h"
 #include "app/panels/study_panel.h"
 
 namespace app {
 
 ToolWindows::ToolWindows(QWidget& window, Actions& actions, Document& document, const WindowLayout& layout,
-                         SceneFiles& files, WindowLessons& lessons, StartPage& start)
+                         SceneFiles& files, WindowLessons& lessons)
     : QObject(&window),
       m_window(window),
       m_actions(actions),
@@ -28,7 +27,6 @@ ToolWindows::ToolWindows(QWidget& window, Actions& actions, Document& document, 
       m_files(files),
       m_lessons(lessons) {
     addActions(actions);
-    connect(&start, &StartPage::keysRequested, this, &ToolWindows::showKeys);
 }
 
 void ToolWindows::addActions(Actions& actions) {
@@ -56,11 +54,10 @@ void ToolWindows::addActions(Actions& actions) {
                  .needsScene = false});
     actions.add({.id = A::WrongPicture,
                  .menu = "Learn",
-                 .text = "The wrong picture…",
+                 .text = "Find the error…",
                  .keys = "Ctrl+Alt+G",
-                 .tip =
-                     "Find the error in a wrong picture: look at buffers and pixels, mark the first wrong stage, name "
-                     "the cause.",
+                 .tip = "A game with a wrong picture: look at buffers and pixels, mark the first wrong stage, name "
+                        "the cause.",
                  .run = [this] { showWrongPicture(); },
                  .needsScene = false});
     actions.add({.id = A::Keys,

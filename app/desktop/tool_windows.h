@@ -10,7 +10,6 @@ class Document;
 class KeySheet;
 class ManualWindow;
 class SceneFiles;
-class StartPage;
 class StudyPanel;
 class WindowLayout;
 class WindowLessons;
@@ -20,7 +19,7 @@ class ToolWindows : public QObject {
     Q_OBJECT
 public:
     ToolWindows(QWidget& window, Actions& actions, Document& document, const WindowLayout& layout, SceneFiles& files,
-                WindowLessons& lessons, StartPage& start);
+                WindowLessons& lessons);
 
 private:
     void addActions(Actions& actions);

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "app/core/document.h"
+#include "app/core/recent_files.h"
 #include "app/core/shown_name.h"
 #include "app/core/text.h"
 #include "app/desktop/actions.h"
@@ -183,6 +184,8 @@ void WindowCues::goTo(int cue, const Then& then) {
         m_asked.reset();
         m_presentation.lookAt(state);
         model().setCurrent(cue);
+        rememberPlace(model().file(), tr("talk, cue %1 of %2").arg(cue + 1).arg(model().size()),
+                      toQString(model().cue(cue).name));
         if (then) then();
     });
     if (m_files.isReading()) m_asked = cue;
@@ -214,6 +217,7 @@ bool WindowCues::turnsLesson() const { return m_lessons.lesson() && !m_presentat
 
 bool WindowCues::open(const QString& file, const QString& name, const Then& then) {
     if (!model().open(file)) return false;
+    addRecentFile(file, onOneLine(model().list().title));
     int first = 0;
     if (!name.isEmpty()) {
         const auto found = findCue(model().list(), name.toStdString());

@@ -6,7 +6,10 @@
 #include <QToolBar>
 #include <algorithm>
 
+#include "app/core/recent_files.h"
 #include "app/core/scene_opener.h"
+#include "app/core/shown_name.h"
+#include "app/core/start_order.h"
 #include "app/core/text.h"
 #include "app/core/theme.h"
 #include "app/desktop/actions.h"
@@ -53,6 +56,7 @@ WindowLessons::WindowLessons(QMainWindow& window, Actions& actions, Document& do
     connect(&m_lessons, &LessonPanel::showViews, &shown, &ShownState::lookAt);
     for (const auto signal : {&LessonPanel::pageChanged, &LessonPanel::onlyThisChanged})
         connect(&m_lessons, signal, this, &WindowLessons::showParts);
+    connect(&m_lessons, &LessonPanel::pageChanged, this, &WindowLessons::remember);
     connect(&document, &Document::hiddenChanged, this, &WindowLessons::showParts);
     connect(&layout, &WindowLayout::fitted, this, &WindowLessons::showParts);
     connect(&layout, &WindowLayout::startShows, this, &WindowLessons::listOnStartPage);
@@ -100,14 +104,14 @@ void WindowLessons::makeEdge() {
 
 // The lessons on the start page, with how far the reader has come.
 void WindowLessons::listOnStartPage() {
-    std::vector<StartPage::LessonEntry> entries;
+    std::vector<StartLesson> entries;
     const LessonShelf& shelf = m_lessons.shelf();
     for (int i = 0; i < shelf.rowCount(); ++i) {
         const auto text = [&](int role) { return shelf.data(shelf.index(i), role); };
+        const lessons::Lesson& lesson = *shelf.find(text(LessonShelf::NameRole).toString());
         entries.push_back({text(LessonShelf::NameRole).toString(), text(LessonShelf::TitleRole).toString(),
-                           text(LessonShelf::SummaryRole).toString(), text(LessonShelf::ProgressRole).toString(),
-                           text(LessonShelf::PageRole).toInt(), text(LessonShelf::PagesRole).toInt(),
-                           shelf.find(text(LessonShelf::NameRole).toString())->lecture});
+                           text(LessonShelf::SummaryRole).toString(), text(LessonShelf::PageRole).toInt(),
+                           text(LessonShelf::PagesRole).toInt(), lesson.minutes, lectureOf(lesson.lecture)});
     }
     m_centre.start().setLessons(entries);
 }
@@ -117,6 +121,14 @@ void WindowLessons::open(const QString& name) {
 }
 
 bool WindowLessons::openAt(const std::filesystem::path& folder) {
+    // One of the program's keeps its progress.
+    std::error_code ignored;
+    if (const QString name = toQString(folder.filename().string());
+        m_lessons.shelf().find(name) &&
+        std::filesystem::equivalent(folder, lessons::lessonFolder() / folder.filename(), ignored)) {
+        open(name);
+        return true;
+    }
     auto lesson = lessons::readLesson(folder);
     if (!lesson) {
         m_centre.errors().report(tr("This lesson could not be read."), lesson.errors());
@@ -135,6 +147,18 @@ void WindowLessons::openPage(const QString& lesson, const QString& heading) {
     if (!opened) return;
     for (std::size_t i = 0; i < opened->pages.size(); ++i)
         if (toQString(opened->pages[i].heading) == heading) m_lessons.goTo(int(i));
+}
+
+// Among the recent files, with the page.
+void WindowLessons::remember() const {
+    const lessons::Lesson* const lesson = m_lessons.lesson();
+    if (!lesson || lesson->folder.empty()) return;
+    const QString file = QFileInfo(toQString((lesson->folder / "lesson.md").string())).absoluteFilePath();
+    const int again = int(returningPages(*lesson)), page = m_lessons.page() + 1 - again;
+    if (recentFiles().empty() || recentFiles().front().file != file) addRecentFile(file, onOneLine(lesson->title));
+    rememberPlace(
+        file, page > 0 ? tr("lesson, page %1 of %2").arg(page).arg(int(lesson->pages.size()) - again) : tr("lesson"),
+        {});
 }
 
 void WindowLessons::show() {

@@ -49,6 +49,7 @@ private:
     void begin();
     void end();
     void showParts();
+    void remember() const;
     void sizePanels();
 
     QMainWindow& m_window;

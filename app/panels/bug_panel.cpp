@@ -29,7 +29,7 @@ std::uint64_t seedOfNow() {
 
 BugPanel::BugPanel(QWidget* parent) : QWidget(parent) {
     setObjectName("bugPanel");
-    setWindowTitle(tr("The wrong picture"));
+    setWindowTitle(tr("Find the error"));
     setAttribute(Qt::WA_StyledBackground);
     auto* middle = new QSplitter(Qt::Horizontal, this);
     QWidget* boxes = makeBoxes();

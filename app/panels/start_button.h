@@ -1,23 +1,32 @@
 #pragma once
 #include <QAbstractButton>
 
+#include "app/core/scene_gallery.h"
+
 class QPainterPath;
 
 namespace app {
 
-// A card of the start page: its frame with hover and focus, and its words for a screen reader. As high as its width asks.
+// A card, picture or row of the start page: its frame with hover and focus, and its words for a screen reader. Enter
+// presses it.
 class StartButton : public QAbstractButton {
     Q_OBJECT
 public:
-    StartButton(const QString& title, const QString& description, QSizePolicy::Policy across, QSizePolicy::Policy down,
-                QWidget* parent);
-
-    bool hasHeightForWidth() const override { return true; }
+    enum class Frame : unsigned char { Card, Flat };  // round with a line, or neither
+    StartButton(const QString& title, const QString& description, Frame frame, QWidget* parent);
 
 protected:
     void paintEvent(QPaintEvent* event) final;
-    // Paints what stands in the frame. box: the frame, in pixels of the widget; shape: the same with round corners.
-    virtual void paintInside(QPainter& painter, const QRectF& box, const QPainterPath& shape) const = 0;
+    void keyPressEvent(QKeyEvent* event) override;
+    // Paints what stands in the frame. box: the frame, in pixels of the widget.
+    virtual void paintInside(QPainter& painter, const QRectF& box) const = 0;
+
+private:
+    Frame m_frame;
 };
+
+// Fills the place with the picture, without cutting off what is drawn in it; black where the picture ends. kept: the
+// drawn part, or that of several pictures which are to be aligned.
+void paintScenePicture(QPainter& painter, const QRectF& place, const QImage& picture, const QRectF& kept);
 
 }  // namespace app

@@ -1,169 +1,166 @@
 #include "app/panels/start_card.h"
 
-#include <algorithm>
-
 #include <QKeyEvent>
+#include <QLabel>
 #include <QPainter>
-#include <QPainterPath>
+#include <algorithm>
+#include <cmath>
 
 #include "app/panels/follow_theme.h"
 
 namespace app {
+namespace {
 
-StartCard::StartCard(Kind kind, const QString& title, const QString& text, QWidget* parent)
-    : StartButton(title, text, QSizePolicy::Preferred, QSizePolicy::Fixed, parent), m_kind(kind), m_text(text) {}
+QFont nameFont() { return Theme::current().text(12, 500); }
+int namePadding() { return Theme::current().px(6); }
 
-void StartCard::setPicture(const QImage& picture) {
+}  // namespace
+
+StartCard::StartCard(const QString& title, const QString& text, QWidget* parent)
+    : StartButton(title, text, Frame::Card, parent) {}
+
+void StartCard::setPicture(const ScenePicture& picture) {
     m_picture = picture;
     update();
 }
 
-void StartCard::setFoot(const QString& state, const QString& action, double progress) {
-    m_state = state;
-    m_action = action;
-    m_progress = progress;
-    update();
+int StartCard::nameLines(int width) const {
+    return QFontMetrics(nameFont()).horizontalAdvance(text()) > width - 2 * namePadding() ? 2 : 1;
 }
 
-int StartCard::titleHeight(int width) const {
-    const Theme& theme = Theme::current();
-    const QRect room(0, 0, width, 1000);
-    return std::max(theme.px(20),
-                    QFontMetrics(theme.text(14, 600)).boundingRect(room, Qt::TextWordWrap, text()).height());
+void StartCard::paintInside(QPainter& painter, const QRectF& box) const {
+    const QRectF picture = box.adjusted(0, 0, 0, -m_nameHeight);
+    paintScenePicture(painter, picture, m_picture.image, m_picture.drawn);
+    painter.setFont(nameFont());
+    painter.setPen(Theme::current().colors().text);
+    painter.drawText(QRectF(box.left(), picture.bottom(), box.width(), m_nameHeight)
+                         .adjusted(namePadding(), 0, -namePadding() / 2.0, 0),
+                     Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap, text());
 }
 
-int StartCard::heightForWidth(int width) const {
-    const Theme& theme = Theme::current();
-    const QRect room(0, 0, width - theme.px(24) - 8, 1000);
-    const int words = QFontMetrics(theme.text(12)).boundingRect(room, Qt::TextWordWrap, m_text).height();
-    const int padding = theme.px(28);
-    return words + titleHeight(room.width()) + padding + (m_kind == Kind::Scene ? width * 3 / 4 : theme.px(34));
+void SceneGrid::beginGroup(const QString& title) {
+    auto* heading = new QLabel(title, this);
+    heading->setProperty("tone", 2);
+    followTheme(heading, [heading] { heading->setFont(Theme::current().text(12)); });
+    m_groups.push_back({heading, {}, {}});
 }
 
-QSize StartCard::sizeHint() const { return {Theme::current().px(240), heightForWidth(Theme::current().px(240))}; }
-
-void StartCard::paintInside(QPainter& painter, const QRectF& box, const QPainterPath& shape) const {
-    const Theme& theme = Theme::current();
-    const ThemeColors& c = theme.colors();
-
-    QRectF words = box.adjusted(theme.px(12), theme.px(10), -theme.px(12), -theme.px(8));
-    if (m_kind == Kind::Scene) {
-        const QRectF picture(box.left(), box.top(), box.width(), box.width() * 3 / 4);
-        painter.setClipPath(shape);
-        if (m_picture.isNull()) {
-            painter.fillRect(picture, c.view);
-        } else {
-            painter.drawImage(picture, m_picture);
-        }
-        painter.setClipping(false);
-        words.setTop(picture.bottom() + theme.px(8));
-    }
-    painter.setFont(theme.text(14, 600));
-    painter.setPen(c.text);
-    const double title = titleHeight(int(words.width()));
-    painter.drawText(QRectF(words.left(), words.top(), words.width(), title), Qt::AlignVCenter | Qt::TextWordWrap,
-                     text());
-    words.setTop(words.top() + title);
-    painter.setFont(theme.text(12));
-    painter.setPen(c.text2);
-    painter.drawText(words, Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, m_text);
-
-    if (!m_action.isEmpty()) {
-        const QRectF foot(words.left(), words.bottom() - theme.px(18), words.width(), theme.px(18));
-        painter.drawText(foot, Qt::AlignLeft | Qt::AlignVCenter, m_state);
-        painter.setPen(c.accent);
-        painter.drawText(foot, Qt::AlignRight | Qt::AlignVCenter, m_action);
-        QRectF bar(foot.left(), foot.top() - theme.px(8), foot.width(), theme.px(4));
-        painter.setPen(Qt::NoPen);
-        painter.setBrush(c.hover);
-        painter.drawRoundedRect(bar, theme.px(2), theme.px(2));
-        bar.setWidth(bar.width() * m_progress);
-        painter.setBrush(c.accent);
-        painter.drawRoundedRect(bar, theme.px(2), theme.px(2));
-    }
-}
-
-void CardGrid::add(StartCard* card) {
-    card->setParent(this);
+void SceneGrid::add(StartCard* card) {
     card->installEventFilter(this);
-    m_cards += card, m_shown += card;
-    QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    policy.setHeightForWidth(true);
-    setSizePolicy(policy);
-    updateGeometry();
+    card->setFocusPolicy(m_shown.isEmpty() ? Qt::StrongFocus : Qt::ClickFocus);
+    m_groups.back().cards += card, m_groups.back().shown += card, m_shown += card;
 }
 
-void CardGrid::clear() {
-    qDeleteAll(m_cards);
-    m_cards.clear(), m_shown.clear();
-}
-
-bool CardGrid::choose(const std::function<bool(const StartCard& card)>& isWanted) {
+void SceneGrid::choose(const std::function<bool(const StartCard& card, const QString& heading)>& isWanted) {
     m_shown.clear();
-    for (StartCard* card : m_cards) {
-        const bool wanted = isWanted(*card);
-        card->setVisible(wanted);
-        if (wanted) m_shown += card;
+    for (Group& group : m_groups) {
+        group.shown.clear();
+        for (StartCard* card : group.cards) {
+            const bool wanted = isWanted(*card, group.heading->text());
+            card->setVisible(wanted);
+            if (wanted) group.shown += card;
+        }
+        group.heading->setVisible(!group.shown.isEmpty());
+        m_shown += group.shown;
     }
+    for (StartCard* card : m_shown) card->setFocusPolicy(card == m_shown.front() ? Qt::StrongFocus : Qt::ClickFocus);
     place();
-    updateGeometry();
-    return !m_shown.isEmpty();
 }
 
-int CardGrid::columns(int width) const {
+// Of the whole grid at one width, in pixels.
+struct SceneGrid::Sizes {
+    int columns, width, name, heading, across, down, rows, headings;
+    int withoutPictures() const { return rows * name + headings * heading + (rows + headings - 1) * down; }
+};
+
+SceneGrid::Sizes SceneGrid::sizesAt(int width) const {
     const Theme& theme = Theme::current();
-    return std::clamp(width / theme.px(210), width < theme.px(280) ? 1 : 2, m_most);
+    Sizes sizes{};
+    sizes.across = theme.px(8), sizes.down = theme.px(width < theme.px(600) ? 3 : 6);
+    sizes.columns = std::clamp((width + sizes.across) / theme.px(104), 2, 5);
+    sizes.width = (width - (sizes.columns - 1) * sizes.across) / sizes.columns;
+    sizes.heading = QFontMetrics(theme.text(12)).height() + theme.px(1);
+    int lines = 1;
+    for (const Group& group : m_groups) {
+        if (group.shown.isEmpty()) continue;
+        ++sizes.headings;
+        sizes.rows += (int(group.shown.size()) + sizes.columns - 1) / sizes.columns;
+        for (const StartCard* card : group.shown) lines = std::max(lines, card->nameLines(sizes.width));
+    }
+    sizes.name = lines * QFontMetrics(nameFont()).lineSpacing() + theme.px(5);
+    return sizes;
 }
 
-void CardGrid::setMostColumns(int most) {
-    m_most = most;
-    updateGeometry();
+int SceneGrid::leastHeight(int width) const {
+    const Sizes sizes = sizesAt(width);
+    return sizes.rows == 0 ? 0 : sizes.withoutPictures() + sizes.rows * sizes.width * 11 / 20;
 }
 
-int CardGrid::cardWidth(int width) const {
-    const int n = columns(width);
-    return (width - (n - 1) * Theme::current().px(10)) / n;
+void SceneGrid::resizeEvent(QResizeEvent*) { place(); }
+
+void SceneGrid::place() {
+    if (m_shown.isEmpty()) return setMinimumHeight(0);
+    const Sizes sizes = sizesAt(width());
+    setMinimumHeight(leastHeight(width()));
+    const int room = (height() - sizes.withoutPictures()) / sizes.rows;
+    const int picture = std::clamp(room, sizes.width * 11 / 20, int(std::lround(sizes.width * m_mostPicture)));
+    int y = 0;
+    for (const Group& group : m_groups) {
+        if (group.shown.isEmpty()) continue;
+        group.heading->setGeometry(0, y, std::min(width(), group.heading->sizeHint().width()), sizes.heading);
+        y += sizes.heading + sizes.down;
+        const int high = picture + sizes.name;
+        for (qsizetype i = 0; i < group.shown.size(); ++i) {
+            if (i > 0 && i % sizes.columns == 0) y += high + sizes.down;
+            group.shown[i]->setNameHeight(sizes.name);
+            group.shown[i]->setGeometry(int(i % sizes.columns) * (sizes.width + sizes.across), y, sizes.width, high);
+        }
+        y += high + sizes.down;
+    }
 }
 
-// The card with the most to say decides for all.
-int CardGrid::cardHeight(int width) const {
-    int height = 0;
-    for (const StartCard* card : m_shown) height = std::max(height, card->heightForWidth(cardWidth(width)));
-    return height;
+void SceneGrid::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    painter.setPen(Theme::current().colors().line);
+    for (const Group& group : m_groups) {
+        if (group.heading->isHidden()) continue;
+        const QRect words = group.heading->geometry();
+        painter.drawLine(words.right() + Theme::current().px(10), words.center().y(), width(), words.center().y());
+    }
 }
 
-int CardGrid::heightForWidth(int width) const {
-    if (m_shown.isEmpty()) return 0;
-    const int n = columns(width), rows = (int(m_shown.size()) + n - 1) / n, gap = Theme::current().px(10);
-    return rows * cardHeight(width) + (rows - 1) * gap;
+void SceneGrid::focus(StartCard* card) {
+    if (!card) return;
+    for (StartCard* other : m_shown) other->setFocusPolicy(other == card ? Qt::StrongFocus : Qt::ClickFocus);
+    card->setFocus(Qt::TabFocusReason);
 }
 
-QSize CardGrid::sizeHint() const { return {Theme::current().px(600), heightForWidth(std::max(width(), 600))}; }
-
-void CardGrid::resizeEvent(QResizeEvent*) { place(); }
-
-void CardGrid::place() {
-    if (m_shown.isEmpty()) return;
-    const int n = columns(width()), w = cardWidth(width()), h = cardHeight(width());
-    const int gap = Theme::current().px(10);
-    for (int i = 0; i < m_shown.size(); ++i) m_shown[i]->setGeometry((i % n) * (w + gap), (i / n) * (h + gap), w, h);
-    setMinimumHeight(heightForWidth(width()));
-}
-
-bool CardGrid::eventFilter(QObject* watched, QEvent* event) {
-    if (event->type() != QEvent::KeyPress) return QWidget::eventFilter(watched, event);
-    const qsizetype at = m_shown.indexOf(static_cast<StartCard*>(watched));
-    const auto focus = [this](qsizetype i) {
-        if (i >= 0 && i < m_shown.size()) m_shown[i]->setFocus(Qt::TabFocusReason);
-        return true;
+// The nearest card of the next row; null beyond the last.
+StartCard* SceneGrid::inRow(const StartCard& from, int by) const {
+    StartCard* nearest = nullptr;
+    const auto away = [&](const StartCard* card) {
+        return std::pair(by * (card->y() - from.y()), std::abs(card->x() - from.x()));
     };
+    for (StartCard* card : m_shown)
+        if (by * (card->y() - from.y()) > 0 && (!nearest || away(card) < away(nearest))) nearest = card;
+    return nearest;
+}
+
+bool SceneGrid::eventFilter(QObject* watched, QEvent* event) {
+    auto* card = static_cast<StartCard*>(watched);
+    if (event->type() == QEvent::FocusIn) focus(card);
+    if (event->type() != QEvent::KeyPress) return QWidget::eventFilter(watched, event);
+    const qsizetype at = m_shown.indexOf(card);
     switch (static_cast<QKeyEvent*>(event)->key()) {
-        case Qt::Key_Left: return focus(at - 1);
-        case Qt::Key_Right: return focus(at + 1);
-        case Qt::Key_Up: return focus(at - columns(width()));
-        case Qt::Key_Down: return focus(at + columns(width()));
-        case Qt::Key_Return:
-        case Qt::Key_Enter: m_shown[at]->click(); return true;
+        case Qt::Key_Left: focus(m_shown.value(at - 1)); return true;
+        case Qt::Key_Right: focus(m_shown.value(at + 1)); return true;
+        case Qt::Key_Down: focus(inRow(*card, 1)); return true;
+        case Qt::Key_Up:
+            if (StartCard* above = inRow(*card, -1))
+                focus(above);
+            else
+                emit leftUp();
+            return true;
         default: return QWidget::eventFilter(watched, event);
     }
 }

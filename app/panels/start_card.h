@@ -1,65 +1,68 @@
 #pragma once
-#include <QImage>
 #include <functional>
+#include <vector>
 
 #include "app/panels/start_button.h"
 
+class QLabel;
+
 namespace app {
 
-// A scene or a lesson on the start page: a picture where it has one, a title, a sentence or two.
+// A scene on the start page: its picture above its name.
 class StartCard : public StartButton {
     Q_OBJECT
 public:
-    enum class Kind { Scene, Lesson };
-    StartCard(Kind kind, const QString& title, const QString& text, QWidget* parent = nullptr);
+    StartCard(const QString& title, const QString& text, QWidget* parent);
 
-    void setPicture(const QImage& picture);
-    // The line at the foot of a lesson: where the reader is, and what a click does.
-    void setFoot(const QString& state, const QString& action, double progress);
-
-    int heightForWidth(int width) const override;
-    QSize sizeHint() const override;
+    void setPicture(const ScenePicture& picture);
+    // In pixels, of that width: 1 or 2 lines.
+    int nameLines(int width) const;
+    void setNameHeight(int height) { m_nameHeight = height, update(); }
 
 protected:
-    void paintInside(QPainter& painter, const QRectF& box, const QPainterPath& shape) const override;
+    void paintInside(QPainter& painter, const QRectF& box) const override;
 
 private:
-    int titleHeight(int width) const;
-
-    Kind m_kind;
-    QString m_text, m_state, m_action;
-    double m_progress = 0;  // 0 to 1
-    QImage m_picture;
+    ScenePicture m_picture;
+    int m_nameHeight = 0;
 };
 
-// Cards in rows of equal width, up to four in a row where there is room, else two. Arrows move, Enter opens.
-class CardGrid : public QWidget {
+// Scenes in rows under headings; the rows share the height. The arrows move, and Tab leaves.
+class SceneGrid : public QWidget {
     Q_OBJECT
 public:
     using QWidget::QWidget;
 
-    void add(StartCard* card);
-    void clear();
-    void setMostColumns(int most);
-    const QList<StartCard*>& cards() const { return m_cards; }
-    // Shows those that are wanted, the others give them their places. Whether there is any.
-    bool choose(const std::function<bool(const StartCard& card)>& isWanted);
+    void beginGroup(const QString& title);
+    void add(StartCard* card);  // to the last group
+    const QList<StartCard*>& shown() const { return m_shown; }
+    // Shows those that are wanted under their heading.
+    void choose(const std::function<bool(const StartCard& card, const QString& heading)>& isWanted);
+    void setMostPicture(double share) { m_mostPicture = share; }  // of a picture's width, its height
+    int leastHeight(int width) const;                             // with pictures that can still be recognised
 
-    bool hasHeightForWidth() const override { return true; }
-    int heightForWidth(int width) const override;
-    QSize sizeHint() const override;
+signals:
+    void leftUp();  // from the first row
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;  // the line beside each heading
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    int columns(int width) const;
-    int cardWidth(int width) const;
-    int cardHeight(int width) const;
+    struct Group {
+        QLabel* heading;
+        QList<StartCard*> cards, shown;
+    };
+    struct Sizes;
+    Sizes sizesAt(int width) const;
     void place();
-    QList<StartCard*> m_cards, m_shown;
-    int m_most = 4;
+    void focus(StartCard* card);
+    StartCard* inRow(const StartCard& from, int by) const;
+
+    std::vector<Group> m_groups;
+    QList<StartCard*> m_shown;
+    double m_mostPicture = 0.9;
 };
 
 }  // namespace app

@@ -1,21 +1,23 @@
 #include "app/panels/start_page.h"
 
-#include <QCoreApplication>
+#include <QComboBox>
+#include <QFrame>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <QScrollArea>
 #include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <utility>
 
 #include "app/core/recent_files.h"
 #include "app/core/shown_name.h"
-#include "app/core/text.h"
 #include "app/panels/drop_field.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/segmented.h"
+#include "app/panels/start_line.h"
 #include "app/panels/surface.h"
+#include "lessons/state/cue_list.h"
 
 namespace app {
 
@@ -29,24 +31,12 @@ QLabel* makeLabel(const QString& text, double size, int weight, int tone, QWidge
     return label;
 }
 
-QWidget* makeHeading(const QString& title, const QString& hint, QWidget* parent) {
-    auto* heading = new QWidget(parent);
-    auto* row = new QHBoxLayout(heading);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(Theme::current().px(12));
-    auto* name = makeLabel(title, 16, 600, 1, heading);
-    name->setWordWrap(false);
-    row->addWidget(name, 0, Qt::AlignBaseline);
-    row->addWidget(makeLabel(hint, 12, 400, 2, heading), 1, Qt::AlignBaseline);
-    return heading;
-}
-
 QString whenText(const QDateTime& when) {
     const qint64 days = when.date().daysTo(QDate::currentDate());
-    if (days == 0) return QStringLiteral("today ") + when.toString("HH:mm");
-    if (days == 1) return QStringLiteral("yesterday");
-    return when.date().toString(days < 7 ? "dddd" : "d MMM");
+    return days == 0 ? StartPage::tr("today") : when.date().toString(days < 7 ? "ddd" : "d MMM");
 }
+
+QStringList themeNames() { return {StartPage::tr("Dark"), StartPage::tr("Light"), StartPage::tr("Projector")}; }
 
 }  // namespace
 
@@ -56,7 +46,21 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(0);
     row->addWidget(makeLeft());
-    row->addWidget(makeRight(), 1);
+    m_right = new QVBoxLayout;
+    row->addLayout(m_right, 1);
+    m_shelf = new StartShelf(this);
+    m_right->addWidget(m_shelf);
+    connect(m_shelf, &StartShelf::fileChosen, this, &StartPage::fileChosen);
+    connect(m_shelf, &StartShelf::viewChosen, this, &StartPage::viewChosen);
+    connect(m_shelf, &StartShelf::lessonChosen, this, &StartPage::lessonChosen);
+    connect(m_shelf, &StartShelf::talkChosen, this, &StartPage::talkChosen);
+    followTheme(this, [this] {
+        const Theme& t = Theme::current();
+        m_left->setStyleSheet(
+            QStringLiteral("QFrame#startLeft { background: %1; border: 0; border-right: 1px solid %2; }")
+                .arg(t.colors().surface.name(), t.colors().line.name()));
+        fit();
+    });
 }
 
 QWidget* StartPage::makeLeft() {
@@ -69,92 +73,78 @@ QWidget* StartPage::makeLeft() {
     auto* around = new QVBoxLayout(frame);
     around->setContentsMargins(0, 0, 1, 0);  // the line at its right
     around->addWidget(scrolling(left, frame));
-    column->addWidget(makeLabel(QStringLiteral("Shadescope"), 34, 600, 1, left));
-    column->addWidget(makeLabel(tr("See how polygons become a picture, one step at a time."), 16, 400, 2, left));
-    auto* open = new QPushButton(tr("Open a file"), left);
-    open->setProperty("kind", "primary");
-    open->setDefault(true);
-    connect(open, &QPushButton::clicked, this, &StartPage::openRequested);
-    auto* buttons = new QHBoxLayout;
-    buttons->addWidget(open);
-    buttons->addStretch(1);
-    column->addSpacing(16);
-    column->addLayout(buttons);
-    column->addSpacing(8);
-    column->addWidget(
-        makeLabel(tr("New here? Open the pyramid, press Ctrl+→ and Ctrl+← to walk through the stages, click any "
-                     "pixel to see why it has its colour. F1 opens the manual."),
-                  13, 400, 2, left));
-    column->addSpacing(16);
-    column->addWidget(makeHeading(tr("Recent"), QString(), left));
-    m_recent = new QVBoxLayout;
-    m_recent->setSpacing(2);
-    column->addLayout(m_recent);
+    column->addWidget(makeLabel(QStringLiteral("Shadescope"), 24, 600, 1, left));
+    m_slogan = makeLabel(tr("See how polygons become a picture, one step at a time."), 13, 400, 2, left);
+    column->addWidget(m_slogan);
+    column->addWidget(makeButtons(left));
+    column->addWidget(makeLabel(tr("Recent"), 13, 600, 1, left));
+    column->addLayout(m_recent = new QVBoxLayout);
+    column->addWidget(makeLabel(tr("Tools"), 13, 600, 1, left));
+    column->addLayout(m_tools = new QVBoxLayout);
+    for (QVBoxLayout* lines : {m_recent, m_tools}) lines->setSpacing(0);
     column->addStretch(1);
-    m_drop = new DropField(tr("Drop a scene or a model here."), left);
+    m_drop = new DropField(tr("Drop a scene, a model or your renderer's folder here."), left);
+    m_drop->setWordWrap(true);
     column->addWidget(m_drop);
-    column->addSpacing(8);
-    auto* theme = new Segmented({tr("Dark"), tr("Light"), tr("Projector")}, left);
-    theme->setAccessibleName(tr("Theme"));
-    connect(theme, &Segmented::chosen, this, [](int id) { Theme::current().set(ThemeId(id)); });
-    auto* themeRow = new QHBoxLayout;
-    auto* themeLabel = m_themeLabel = makeLabel(tr("Theme"), 13, 400, 2, left);
-    themeLabel->setWordWrap(false);
-    themeRow->addWidget(themeLabel);
-    themeRow->addWidget(theme, 1);
-    column->addLayout(themeRow);
-    auto* keys = new QPushButton(tr("Keys, H"), left);
-    keys->setProperty("kind", "link");
-    connect(keys, &QPushButton::clicked, this, &StartPage::keysRequested);
-    auto* foot = new QHBoxLayout;
-    foot->addWidget(keys);
-    foot->addStretch(1);
-    auto* version = makeLabel(tr("Version %1").arg(QCoreApplication::applicationVersion()), 12, 400, 3, left);
-    version->setWordWrap(false);
-    foot->addWidget(version);
-    column->addLayout(foot);
-    followTheme(frame, [this, frame, column, theme, open] {
-        const Theme& t = Theme::current();
-        fitLeft();
-        column->setSpacing(t.px(8));
-        open->setFont(t.text(13, 500));
-        open->setMinimumHeight(t.px(32));
-        m_drop->setFont(t.text());
-        m_drop->setMargin(t.px(16));
-        m_drop->setMinimumHeight(t.px(48));
-        theme->setCurrent(int(t.id()));
-        frame->setStyleSheet(
-            QStringLiteral("QFrame#startLeft { background: %1; border: 0; border-right: 1px solid %2; }")
-                .arg(t.colors().surface.name(), t.colors().line.name()));
+    makeThemes(left);
+    followTheme(m_drop, [this] {
+        m_drop->setFont(Theme::current().text());
+        m_drop->setMargin(Theme::current().px(12));
     });
     return frame;
 }
 
-QWidget* StartPage::makeRight() {
-    auto* scroll = new QScrollArea(this);
-    scroll->setObjectName("startRight");
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setFocusPolicy(Qt::NoFocus);
-    scroll->setWidgetResizable(true);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    auto* page = new QWidget;
-    page->setObjectName("startPageRight");
-    auto* column = new QVBoxLayout(page);
-    m_shelf = new StartShelf(page);
-    column->addWidget(m_shelf);
-    connect(m_shelf, &StartShelf::fileChosen, this, &StartPage::fileChosen);
-    connect(m_shelf, &StartShelf::viewChosen, this, &StartPage::viewChosen);
-    connect(m_shelf, &StartShelf::lessonChosen, this, &StartPage::lessonChosen);
-    scroll->setWidget(page);
-    followTheme(scroll, [scroll, column] {
-        const Theme& t = Theme::current();
-        column->setContentsMargins(t.px(24), t.px(20), t.px(24), t.px(24));
-        column->setSpacing(t.px(12));
-        scroll->setStyleSheet(
-            QStringLiteral("QScrollArea#startRight, QWidget#startPageRight { background: %1; border: 0; }")
-                .arg(t.colors().bg.name()));
+QWidget* StartPage::makeButtons(QWidget* left) {
+    auto* buttons = new QWidget(left);
+    auto* row = new QHBoxLayout(buttons);
+    row->setContentsMargins(0, 0, 0, 0);
+    auto* open = new QPushButton(tr("Open a file"), buttons);
+    open->setProperty("kind", "primary");
+    m_new = new QPushButton(tr("New…"), buttons);
+    m_new->setObjectName("startNew");
+    m_new->setToolTip(tr("A new scene with one shape."));
+    connect(open, &QPushButton::clicked, this, &StartPage::openRequested);
+    for (QPushButton* button : {open, m_new}) {
+        button->setAutoDefault(true);  // Enter presses it
+        row->addWidget(button);
+        followTheme(button, [button] {
+            button->setFont(Theme::current().text(13, 500));
+            button->setMinimumHeight(Theme::current().px(28));
+        });
+    }
+    row->addStretch(1);
+    return buttons;
+}
+
+// Side by side, or as a list where there is no room.
+void StartPage::makeThemes(QWidget* left) {
+    auto* themes = new Segmented(themeNames(), left);
+    m_themes = themes;
+    m_themeList = new QComboBox(left);
+    for (const QString& name : themeNames()) m_themeList->addItem(tr("Theme: %1").arg(name));
+    for (QWidget* part : {m_themes, static_cast<QWidget*>(m_themeList)}) {
+        part->setAccessibleName(tr("Theme"));
+        m_column->addWidget(part);
+    }
+    const auto choose = [](int id) { Theme::current().set(ThemeId(id)); };
+    connect(themes, &Segmented::chosen, this, choose);
+    connect(m_themeList, &QComboBox::activated, this, choose);
+    followTheme(themes, [this, themes] {
+        const int id = int(Theme::current().id());
+        themes->setCurrent(id);
+        themes->setMinimumHeight(Theme::current().px(24));
+        m_themeList->setCurrentIndex(id);
+        m_themeList->setFont(Theme::current().text());
     });
-    return scroll;
+}
+
+void StartPage::addTool(const QString& icon, const QString& text, const QString& tip,
+                        const std::function<void(QWidget& line)>& run) {
+    auto* line = new StartLine(text, tip, m_left);
+    line->setIcon(icon);
+    line->setObjectName(QStringLiteral("tool:") + text);
+    connect(line, &StartLine::clicked, this, [line, run] { run(*line); });
+    m_tools->addWidget(line);
 }
 
 void StartPage::refreshRecent() {
@@ -162,42 +152,69 @@ void StartPage::refreshRecent() {
         delete item->widget();
         delete item;
     }
+    m_lines.clear();
     const auto files = recentFiles();
-    if (files.empty()) m_recent->addWidget(makeLabel(tr("Files that you open will be listed here."), 13, 400, 3, this));
+    if (files.empty()) m_recent->addWidget(makeLabel(tr("Files that you open will be listed here."), 13, 400, 2, this));
     for (const RecentFile& entry : files) {
-        auto* line = new QPushButton(shownName(entry.file), this);
-        line->setProperty("kind", "link");
-        line->setToolTip(entry.file);
-        followTheme(line, [line] { line->setFont(Theme::current().text(13, 500)); });
-        auto* row = new QWidget(this);
-        auto* columns = new QHBoxLayout(row);
-        columns->setContentsMargins(0, 0, 0, 0);
-        columns->addWidget(line);
-        auto* when = makeLabel(whenText(entry.when), 12, 400, 3, row);
-        when->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-        columns->addWidget(when, 1);
-        m_recent->addWidget(row);
-        if (!entry.where.isEmpty()) m_recent->addWidget(makeLabel(entry.where, 12, 400, 3, this));
-        connect(line, &QPushButton::clicked, this, [this, file = entry.file] { emit recentChosen(file); });
+        if (m_lines.size() == 4) break;  // File, Open recent has all of them
+        auto* line = new StartLine(nameOf(entry), entry.file, this);
+        line->setPlace(whenText(entry.when), entry.where);
+        line->setAccessibleDescription(entry.where);
+        connect(line, &StartLine::clicked, this, [this, file = entry.file] { emit recentChosen(file); });
+        m_recent->addWidget(line);
+        m_lines += line;
+    }
+}
+
+// What each lecture's list of cues has, and where its talk was left.
+void StartPage::refreshTalks() {
+    const auto files = recentFiles();
+    for (std::size_t i = 0; i < m_shelf->lectures().size(); ++i) {
+        const QString& file = m_shelf->lectures()[i].talk;
+        const auto list = lessons::readCueFile(file.toStdString());
+        if (!list) continue;
+        StartTalk talk{.cues = int(list->cues.size()), .minutes = list->minutes};
+        const auto left = std::ranges::find(files, file, &RecentFile::file);
+        if (left != files.end() && !left->state.isEmpty())
+            if (const auto cue = findCue(*list, left->state.toStdString())) talk.cue = int(*cue) + 1;
+        m_shelf->setTalk(i, talk);
     }
 }
 
 void StartPage::setDropHint(bool over) { m_drop->setOver(over); }
 
-// Narrow windows leave the room to the pictures.
-void StartPage::fitLeft() {
+void StartPage::fit() {
+    const StartFit fit = fitStart(size());
+    m_right->setContentsMargins(fit.side, Theme::current().px(10), fit.side, Theme::current().px(10));
+    m_shelf->fit(fit);
+    fitLeft(fit);
+}
+
+// What goes first where there is no height for all comes first.
+void StartPage::fitLeft(const StartFit& fit) {
     const Theme& theme = Theme::current();
-    const int wish = theme.px(width() < theme.px(1560) ? 352 : 440);
-    m_left->setFixedWidth(std::min(wish, width() * 2 / 5));
-    const int side = std::min(theme.px(40), m_left->width() / 12);
-    m_column->setContentsMargins(side, theme.px(48), side, theme.px(24));
-    const int themes = Segmented::widthFor({tr("Dark"), tr("Light"), tr("Projector")});
-    m_themeLabel->setVisible(themes + theme.px(70) <= m_left->width() - 2 * side);
+    m_left->setFixedWidth(fit.left);
+    const int side = fit.isWide ? theme.px(28) : theme.px(fit.left >= theme.px(230) ? 18 : 13);
+    m_column->setContentsMargins(side, theme.px(fit.isWide ? 28 : 12), side, theme.px(10));
+    m_column->setSpacing(theme.px(8));
+    const auto setShown = [this](int recent, bool isTimed) {
+        for (qsizetype i = 0; i < m_lines.size(); ++i)
+            m_lines[i]->setVisible(i < recent), m_lines[i]->setTimed(isTimed);
+    };
+    const bool isNarrow = Segmented::widthFor(themeNames()) > fit.left - 2 * side;
+    for (int gone = 0; gone <= 5; ++gone) {
+        m_drop->setVisible(gone < 1);
+        setShown(gone >= 2 ? 2 : fit.isWide ? 4 : 3, gone < 4);
+        m_slogan->setVisible(gone < 3);
+        m_themes->setVisible(gone < 5 && !isNarrow);
+        m_themeList->setVisible(gone >= 5 || isNarrow);
+        m_column->invalidate();
+        if (m_column->totalHeightForWidth(fit.left - 1) <= height()) break;
+    }
 }
 
 void StartPage::resizeEvent(QResizeEvent* event) {
-    fitLeft();
-    m_drop->setVisible(height() >= Theme::current().px(520));
+    fit();
     QWidget::resizeEvent(event);
 }
 
@@ -208,7 +225,9 @@ void StartPage::hideEvent(QHideEvent* event) {
 
 void StartPage::showEvent(QShowEvent* event) {
     refreshRecent();
+    refreshTalks();
     QWidget::showEvent(event);
+    fit();
     // Once the page itself is on the screen, and not when a scene is opened right away.
     QTimer::singleShot(200, this, [this] {
         if (isVisible()) m_shelf->setWatched(true);

@@ -1,103 +1,194 @@
 #include "app/panels/start_view_card.h"
 
+#include <QFocusEvent>
 #include <QKeyEvent>
+#include <QLabel>
 #include <QPainter>
-#include <QPainterPath>
+#include <QPushButton>
 #include <algorithm>
 
 #include "app/panels/follow_theme.h"
 
 namespace app {
 
-static QString describe(const StartView& view) {
-    QStringList labels;
-    for (const StartView::Part& part : view.parts) labels += part.label;
-    return view.text + ' ' + labels.join(QStringLiteral(", "));
-}
+// One of the pictures, its name on it.
+class StartViewCard::Picture : public StartButton {
+public:
+    Picture(const StartView::Part& part, QWidget* parent) : StartButton(part.label, {}, Frame::Flat, parent) {}
 
-// Fixed would be the height of the hint.
-StartViewCard::StartViewCard(const StartView& view, QWidget* parent)
-    : StartButton(view.title, describe(view), QSizePolicy::Expanding, QSizePolicy::Preferred, parent),
-      m_view(view),
-      m_pictures(view.parts.size()) {
-    setObjectName(QStringLiteral("view:") + view.name);
-}
+    ScenePicture shown;
+    QRectF kept;
 
-void StartViewCard::setPicture(std::size_t part, const QImage& picture) {
-    m_pictures[part] = picture;
-    update();
-}
-
-// Pictures are twice as wide as high at most, so that what follows stays in sight.
-int StartViewCard::heightForWidth(int width) const {
-    const Theme& theme = Theme::current();
-    return width / (2 * std::max(1, int(m_pictures.size()))) + int(labelHeight(width)) + theme.px(60);
-}
-
-// Of the labels below the pictures: two lines where one of them is too long for its picture.
-double StartViewCard::labelHeight(double width) const {
-    const Theme& theme = Theme::current();
-    const QFontMetrics metrics(theme.text(12, 600));
-    const double room = width / double(m_pictures.size()) - theme.px(8);
-    const bool wraps = std::ranges::any_of(
-        m_view.parts, [&](const StartView::Part& part) { return metrics.horizontalAdvance(part.label) > room; });
-    return (wraps ? 2 : 1) * metrics.height() + theme.px(8);
-}
-
-QSize StartViewCard::sizeHint() const { return {Theme::current().px(480), heightForWidth(Theme::current().px(480))}; }
-
-// The middle of a picture, cut to the place's shape.
-void StartViewCard::paintPicture(QPainter& painter, const QRectF& place, std::size_t part) const {
-    const Theme& theme = Theme::current();
-    const QImage& picture = m_pictures[part];
-    if (picture.isNull()) {
-        painter.fillRect(place, theme.colors().view);
-    } else {
-        const double scale = std::max(place.width() / picture.width(), place.height() / picture.height());
-        QRectF source(0, 0, place.width() / scale, place.height() / scale);
-        source.moveCenter(QRectF(picture.rect()).center());
-        painter.drawImage(place, picture, source);
+protected:
+    void paintInside(QPainter& painter, const QRectF& box) const override {
+        const Theme& theme = Theme::current();
+        paintScenePicture(painter, box, shown.image, kept);
+        painter.setFont(theme.text(12, 500));
+        const QFontMetrics metrics = painter.fontMetrics();
+        const double side = theme.px(4), pad = theme.px(5);
+        const QRectF chip(box.left() + side, box.bottom() - side - metrics.height() - 1,
+                          std::min(box.width() - 2 * side, metrics.horizontalAdvance(text()) + 2 * pad),
+                          metrics.height() + 1);
+        QColor plate = theme.colors().surface;
+        plate.setAlphaF(0.94F);
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(plate);
+        painter.drawRoundedRect(chip, theme.px(4), theme.px(4));
+        painter.setPen(theme.colors().text);
+        painter.drawText(chip.adjusted(pad, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter,
+                         metrics.elidedText(text(), Qt::ElideRight, int(chip.width() - pad)));
     }
+};
+
+StartViewCard::StartViewCard(const StartLecture& lecture, QWidget* parent)
+    : QFrame(parent),
+      m_view(lecture.first),
+      m_title(new QLabel(m_view.title, this)),
+      m_talkTitle(new QLabel(tr("%1 as a talk").arg(lecture.title), this)),
+      m_talkPlace(new QLabel(this)),
+      m_open(new QPushButton(this)),
+      m_talk(new QPushButton(this)) {
+    setObjectName(QStringLiteral("view:") + m_view.name);
+    for (const StartView::Part& part : m_view.parts) {
+        auto* picture = new Picture(part, this);
+        picture->setObjectName(QStringLiteral("part:") + QString::fromStdString(part.scene) + ':' + part.label);
+        connect(picture, &Picture::clicked, this, [this, scene = part.scene] { emit sceneChosen(scene); });
+        m_pictures.push_back(picture);
+    }
+    m_title->setWordWrap(true);
+    m_talkTitle->setWordWrap(true);
+    m_talkPlace->setProperty("tone", 2);
+    m_open->setObjectName(QStringLiteral("open:") + m_view.name);
+    m_open->setAccessibleName(tr("Open %1").arg(m_view.title));
+    m_open->setProperty("kind", "primary");
+    m_talk->setObjectName(QStringLiteral("talk:") + m_view.name);
+    for (QPushButton* button : {m_open, m_talk}) button->setAutoDefault(true);  // Enter presses it
+    for (QWidget* part : findChildren<QWidget*>())
+        if (part->focusPolicy() != Qt::NoFocus) part->installEventFilter(this);
+    connect(m_open, &QPushButton::clicked, this, &StartViewCard::opened);
+    connect(m_talk, &QPushButton::clicked, this, &StartViewCard::talkAsked);
+    setFocusProxy(m_open);
+    followTheme(this, [this] {
+        const Theme& theme = Theme::current();
+        m_title->setFont(theme.text(13, 600));
+        m_talkTitle->setFont(theme.text(13, 600));
+        m_talkPlace->setFont(theme.text(12));
+        for (QPushButton* button : {m_open, m_talk}) button->setFont(theme.text(13, 500));
+        place();
+    });
 }
 
-void StartViewCard::paintInside(QPainter& painter, const QRectF& box, const QPainterPath& shape) const {
+QString StartViewCard::words() const {
+    QStringList words{m_title->text(), m_talkTitle->text()};
+    for (const StartView::Part& part : m_view.parts) words << part.label << QString::fromStdString(part.scene);
+    return words.join(' ');
+}
+
+void StartViewCard::setPicture(std::size_t part, const ScenePicture& picture) {
+    m_pictures[part]->shown = picture;
+    QRectF kept;
+    for (const Picture* one : m_pictures) kept |= one->shown.drawn;
+    for (Picture* one : m_pictures) one->kept = kept, one->update();
+}
+
+void StartViewCard::setTalk(const StartTalk& talk) {
+    const bool isBegun = talk.cue > 0 && talk.cue < talk.cues;
+    m_talkPlace->setText(isBegun ? tr("cue %1 of %2").arg(talk.cue).arg(talk.cues)
+                                 : tr("%1 cues, %2 min").arg(talk.cues).arg(talk.minutes));
+    m_talk->setText(isBegun ? tr("Go on") : tr("Begin"));
+    m_talk->setAccessibleName(m_talkTitle->text() + QStringLiteral(": ") + m_talk->text());
+    m_talk->setEnabled(talk.cues > 0);
+    place();
+}
+
+void StartViewCard::setPictureHeight(int height) {
+    m_pictureHeight = height;
+    place();
+}
+
+int StartViewCard::wantedHeight() const {
+    return m_pictureHeight > 0 ? m_pictureHeight + 2 : m_open->sizeHint().height() + Theme::current().px(12);
+}
+
+void StartViewCard::press() const { m_open->click(); }
+
+void StartViewCard::resizeEvent(QResizeEvent*) { place(); }
+
+void StartViewCard::place() {
+    const Theme& theme = Theme::current();
+    const bool isLow = m_pictureHeight == 0;
+    m_open->setText(isLow ? tr("Open") : tr("Open  Enter"));
+    for (Picture* picture : m_pictures) picture->setVisible(!isLow);
+    m_talkPlace->setVisible(!isLow);
+    m_title->setWordWrap(!isLow), m_talkTitle->setWordWrap(!isLow);
+    const int pad = theme.px(width() < theme.px(850) ? 10 : 14);
+    if (isLow) {
+        const auto centred = [&](QWidget& part, int x, int wide) {
+            const int high = part.sizeHint().height();
+            part.setGeometry(x, (height() - high) / 2, wide, high);
+        };
+        const int open = m_open->sizeHint().width(), talk = m_talk->sizeHint().width();
+        const int words = QFontMetrics(m_talkTitle->font()).horizontalAdvance(m_talkTitle->text()) + 2;
+        const int left = QFontMetrics(m_title->font()).horizontalAdvance(m_title->text()) + 2;
+        const int titleWide = std::min(left, width() - open - talk - 5 * pad);
+        centred(*m_title, pad, titleWide);
+        centred(*m_open, 2 * pad + titleWide, open);
+        centred(*m_talk, width() - pad - talk, talk);
+        const int free = width() - 5 * pad - titleWide - open - talk;
+        m_talkTitle->setVisible(words <= free);
+        centred(*m_talkTitle, width() - 2 * pad - talk - words, words);
+        return;
+    }
+    m_talkTitle->show();
+    const int text = std::max({int(width() * 0.157), theme.px(132), m_open->sizeHint().width() + 2 * pad});
+    const int pictures = width() - 2 * text, count = int(m_pictures.size());
+    for (int i = 0; i < count; ++i) {
+        const int from = 1 + i * pictures / count, to = (i + 1) * pictures / count - 1;
+        m_pictures[std::size_t(i)]->setGeometry(from, 1, to - from, height() - 2);
+    }
+    const auto stack = [&](int left, std::initializer_list<QWidget*> parts) {
+        const int gap = theme.px(4), wide = text - 2 * pad;
+        const auto heightOf = [&](const QWidget* part) {
+            return part->hasHeightForWidth() ? part->heightForWidth(wide) : part->sizeHint().height();
+        };
+        int high = -gap;
+        for (const QWidget* part : parts) high += heightOf(part) + gap;
+        int y = std::max(1, (height() - high) / 2);
+        for (QWidget* part : parts) {
+            const bool isButton = qobject_cast<QPushButton*>(part);
+            part->setGeometry(left + pad, y, isButton ? std::min(wide, part->sizeHint().width()) : wide,
+                              heightOf(part));
+            y += heightOf(part) + gap;
+        }
+    };
+    stack(pictures, {m_title, m_open});
+    stack(pictures + text, {m_talkTitle, m_talkPlace, m_talk});
+}
+
+void StartViewCard::paintEvent(QPaintEvent*) {
     const Theme& theme = Theme::current();
     const ThemeColors& c = theme.colors();
-    const double foot = theme.px(50), labels = labelHeight(box.width());
-    const auto count = double(m_pictures.size());
-    painter.setClipPath(shape);
-    for (std::size_t i = 0; i < m_pictures.size(); ++i) {
-        const double left = box.left() + double(i) * box.width() / count;
-        const QRectF place(left, box.top(), box.width() / count - 1, box.height() - foot - labels);
-        paintPicture(painter, place, i);
-        painter.setFont(theme.text(12, 600));
-        painter.setPen(c.text);
-        painter.drawText(QRectF(place.left(), place.bottom(), place.width(), labels).adjusted(2, 0, -2, 0),
-                         Qt::AlignCenter | Qt::TextWordWrap, m_view.parts[i].label);
-    }
-    painter.setClipping(false);
-    QRectF words(box.left() + theme.px(12), box.bottom() - foot, box.width() - theme.px(24), foot);
-    painter.setFont(theme.text(13, 600));
-    painter.setPen(c.accent);
-    const QString open = tr("Open");
-    painter.drawText(words, Qt::AlignRight | Qt::AlignVCenter, open);
-    words.setRight(words.right() - painter.fontMetrics().horizontalAdvance(open) - theme.px(12));
-    painter.setFont(theme.text(14, 600));
-    painter.setPen(c.text);
-    painter.drawText(words, Qt::AlignLeft | Qt::AlignVCenter,
-                     painter.fontMetrics().elidedText(text(), Qt::ElideRight, int(words.width())));
-    words.setLeft(words.left() + painter.fontMetrics().horizontalAdvance(text()) + theme.px(12));
-    painter.setFont(theme.text(12));
-    painter.setPen(c.text2);
-    if (words.width() >= painter.fontMetrics().horizontalAdvance(m_view.text))
-        painter.drawText(words, Qt::AlignLeft | Qt::AlignVCenter, m_view.text);
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const QRectF box = QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5);
+    painter.setBrush(c.surface);
+    painter.setPen(hasFocus() ? QPen(c.focus, 2) : QPen(c.line, 1));
+    painter.drawRoundedRect(hasFocus() ? box.adjusted(0.5, 0.5, -0.5, -0.5) : box, theme.px(6), theme.px(6));
+    if (m_pictureHeight == 0) return;
+    painter.setPen(c.line);
+    const int between = m_talkTitle->x() - (m_title->x() - m_pictures.back()->geometry().right());
+    painter.drawLine(between, 2, between, height() - 2);
 }
 
-void StartViewCard::keyPressEvent(QKeyEvent* event) {
-    if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) return click();
-    if (event->key() == Qt::Key_Down) return void(focusNextChild());
-    if (event->key() == Qt::Key_Up) return void(focusPreviousChild());
-    StartButton::keyPressEvent(event);
+bool StartViewCard::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::FocusIn || event->type() == QEvent::FocusOut) update();
+    if (event->type() != QEvent::KeyPress) return QFrame::eventFilter(watched, event);
+    switch (static_cast<QKeyEvent*>(event)->key()) {
+        case Qt::Key_Left: focusPreviousChild(); return true;
+        case Qt::Key_Right: focusNextChild(); return true;
+        case Qt::Key_Down: emit leftDown(); return true;
+        default: return QFrame::eventFilter(watched, event);
+    }
 }
 
 }  // namespace app

@@ -1,34 +1,56 @@
 #pragma once
-#include <QImage>
+#include <QFrame>
 #include <vector>
 
 #include "app/core/start_order.h"
 #include "app/panels/start_button.h"
 
+class QLabel;
+class QPushButton;
+
 namespace app {
 
-// The first card of a lecture: its pictures in a row, each with its label, and below them what they open as.
-class StartViewCard : public StartButton {
+// Where somebody stands in a lecture's talk.
+struct StartTalk {
+    int cues = 0, minutes = 0;
+    int cue = 0;  // shown last, from 1; 0: not begun
+};
+
+// The first card of a lecture: its pictures, each of which opens its scene, what opens all of them, and the lecture as a
+// talk. Without height for pictures, one line.
+class StartViewCard : public QFrame {
     Q_OBJECT
 public:
-    explicit StartViewCard(const StartView& view, QWidget* parent = nullptr);
+    StartViewCard(const StartLecture& lecture, QWidget* parent);
 
     const StartView& view() const { return m_view; }
-    void setPicture(std::size_t part, const QImage& picture);
+    QString words() const;  // that a filter finds it by
+    void setPicture(std::size_t part, const ScenePicture& picture);
+    void setTalk(const StartTalk& talk);
+    void setPictureHeight(int height);  // 0: none
+    int wantedHeight() const;
+    void press() const;  // opens the pictures
 
-    int heightForWidth(int width) const override;
-    QSize sizeHint() const override;
+signals:
+    void opened();
+    void sceneChosen(const std::string& name);
+    void talkAsked();
+    void leftDown();
 
 protected:
-    void paintInside(QPainter& painter, const QRectF& box, const QPainterPath& shape) const override;
-    void keyPressEvent(QKeyEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    double labelHeight(double width) const;
-    void paintPicture(class QPainter& painter, const QRectF& place, std::size_t part) const;
+    class Picture;
+    void place();
 
     StartView m_view;
-    std::vector<QImage> m_pictures;
+    std::vector<Picture*> m_pictures;
+    QLabel *m_title, *m_talkTitle, *m_talkPlace;
+    QPushButton *m_open, *m_talk;
+    int m_pictureHeight = 1;
 };
 
 }  // namespace app
