@@ -16,6 +16,7 @@
 #include "app/desktop/status_line.h"
 #include "app/desktop/view_area.h"
 #include "app/desktop/window_centre.h"
+#include "app/panels/buffer_view.h"
 #include "app/panels/scene_tree.h"
 #include "app/panels/stage_strip.h"
 #include "app/panels/start_page.h"
