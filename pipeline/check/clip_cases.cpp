@@ -92,10 +92,10 @@ Finding runSharedEdge(Trial&) {
     Random random(55);
     double naive = 0, ours = 0;
     for (int i = 0; i < 1000; ++i) {
-        const Vec3d a(random.between(-2, 2), random.between(-2, 2), random.between(1.1, 9));
-        const Vec3d b(random.between(-2, 2), random.between(-2, 2), random.between(-9, 0.9));
-        const Vec3d c(random.between(-2, 2), random.between(-2, 2), random.between(1.1, 9));
-        const Vec3d d(random.between(-2, 2), random.between(-2, 2), random.between(1.1, 9));
+        const Vec3d a{random.between(-2, 2), random.between(-2, 2), random.between(1.1, 9)};
+        const Vec3d b{random.between(-2, 2), random.between(-2, 2), random.between(-9, 0.9)};
+        const Vec3d c{random.between(-2, 2), random.between(-2, 2), random.between(1.1, 9)};
+        const Vec3d d{random.between(-2, 2), random.between(-2, 2), random.between(1.1, 9)};
         const glm::vec3 p(a), q(b);
         const float forth = (1 - p.z) / (q.z - p.z), back = (1 - q.z) / (p.z - q.z);
         naive += p + forth * (q - p) != q + back * (p - q);

@@ -32,7 +32,7 @@ std::shared_ptr<const Mesh> thinMesh() {
     Random random(4);
     std::vector<Corners> triangles;
     for (int i = 0; i < 400; ++i) {
-        const Vec3d p(random.between(0, 64), random.between(0, 64), 0);
+        const Vec3d p{random.between(0, 64), random.between(0, 64), 0};
         const double angle = random.between(0, 6.2), length = random.between(5, 40), height = random.between(0.01, 0.5);
         const Vec3d along(std::cos(angle), std::sin(angle), 0), across(-along.y, along.x, 0);
         triangles.push_back(
@@ -54,7 +54,7 @@ std::shared_ptr<const Mesh> farMesh() {
     std::vector<Corners> triangles;
     for (int i = 0; i < 50; ++i) {
         Corners t;
-        for (Vec3d& corner : t) corner = onGrid(Vec3d(random.between(-1e6, 1e6), random.between(-1e6, 1e6), 0));
+        for (Vec3d& corner : t) corner = onGrid(Vec3d{random.between(-1e6, 1e6), random.between(-1e6, 1e6), 0});
         triangles.push_back(t);
     }
     return trianglesOf(triangles);
@@ -93,9 +93,9 @@ Finding runBits(Trial&) {
     const auto anywhere = [&] { return std::int64_t(random.between(-1, 1) * double(edge)); };
     for (int i = 0; i < 4000; ++i) {
         const bool extreme = i < 64;
-        const glm::i64vec2 a(extreme ? corner() : anywhere(), extreme ? corner() : anywhere());
-        const glm::i64vec2 b(extreme ? corner() : anywhere(), extreme ? corner() : anywhere());
-        const glm::i64vec2 c(extreme ? corner() : anywhere(), extreme ? corner() : anywhere());
+        const glm::i64vec2 a{extreme ? corner() : anywhere(), extreme ? corner() : anywhere()};
+        const glm::i64vec2 b{extreme ? corner() : anywhere(), extreme ? corner() : anywhere()};
+        const glm::i64vec2 c{extreme ? corner() : anywhere(), extreme ? corner() : anywhere()};
         const Int128 exact = Int128(b.x - a.x) * (c.y - a.y) - Int128(b.y - a.y) * (c.x - a.x);
         ours += Int128(EdgeFunction(a, b).at(c)) != exact;
         naive += std::int32_t(std::uint64_t(exact)) != exact;
@@ -122,11 +122,13 @@ std::shared_ptr<const Mesh> jitteredMesh(int cells, Vec3d offset) {
     Random random(12);
     const auto grid = gridMesh(cells, {-4, -4, 0}, {68, 68, 0});
     std::vector<Vec3d> positions = grid->positions.copy();
-    const double cell = 72.0 / cells;
+    // A right triangle with legs of length 1 whose corners move by up to j along each axis has twice an area of at least
+    // (1 - 2 j)² - (2 j)² = 1 - 4 j: below a quarter of a cell none is turned over.
+    const double most = 0.24 * 72.0 / cells;
     for (int y = 1; y < cells; ++y)
         for (int x = 1; x < cells; ++x)
             positions[std::size_t(y * (cells + 1) + x)] +=
-                Vec3d(random.between(-0.3, 0.3) * cell, random.between(-0.3, 0.3) * cell, 0);
+                Vec3d{random.between(-most, most), random.between(-most, most), 0};
     for (Vec3d& p : positions) p += offset;
     Polygons triangles;
     for (const Triangle& t : grid->triangles) triangles.push_back({t.vertices[0], t.vertices[1], t.vertices[2]});

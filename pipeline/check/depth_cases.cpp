@@ -121,7 +121,7 @@ Scene pairs() {
     std::vector<Corners> triangles;
     for (int i = 0; i < 2000; ++i) {
         const double z = 2 * std::pow(500.0, random.between(0, 1));
-        const Vec3d ray(random.between(-0.3, 0.3), random.between(-0.3, 0.3), -1);
+        const Vec3d ray{random.between(-0.3, 0.3), random.between(-0.3, 0.3), -1};
         triangles.push_back({eye + z * ray, eye + z * (1 + 1e-5) * ray, eye + z * ray + Vec3d(1, 0, 0)});
     }
     Scene scene = litScene({trianglesOf(triangles)});

@@ -55,8 +55,8 @@ std::vector<Corners> collinearTriangles() {
     Random random(2);
     std::vector<Corners> triangles;
     for (int i = 0; i < 1000; ++i) {
-        const Vec3d p(random.below(64 * 32) / 32.0, random.below(64 * 32) / 32.0, random.below(256) / 32.0);
-        const Vec3d d(random.below(512) / 32.0 - 8, random.below(512) / 32.0 - 8, random.below(512) / 32.0 - 8);
+        const Vec3d p{random.below(64 * 32) / 32.0, random.below(64 * 32) / 32.0, random.below(256) / 32.0};
+        const Vec3d d{random.below(512) / 32.0 - 8, random.below(512) / 32.0 - 8, random.below(512) / 32.0 - 8};
         triangles.push_back({p, p + d, p + 2.0 * d});
     }
     return triangles;

@@ -15,7 +15,7 @@ using app::ViewSpace;
 // Triangles up to 0.2 wide in a cube of 2, every tenth the same as the one before it, and one without a place.
 ViewContent soup(std::mt19937& random) {
     std::uniform_real_distribution<double> place(-1, 1), edge(-0.1, 0.1);
-    const auto vector = [&](auto& along) { return Vec3d(along(random), along(random), along(random)); };
+    const auto vector = [&](auto& along) { return Vec3d{along(random), along(random), along(random)}; };
     auto mesh = std::make_shared<app::ViewMesh>();
     for (std::uint32_t i = 0; i < 3000; ++i) {
         const Vec3d middle = vector(place);
@@ -69,7 +69,7 @@ TEST(View3dFaceTree, FindsTheFirstFaceThatLookingAtAllFinds) {
     std::uniform_real_distribution<double> place(-2, 2);
     int hits = 0;
     for (int i = 0; i < 2000; ++i) {
-        Vec3d origin(place(random), place(random), place(random)), direction(place(random), place(random), 1);
+        Vec3d origin{place(random), place(random), place(random)}, direction{place(random), place(random), 1};
         if (i % 4 == 0) direction = Vec3d(0, 0, i % 8 == 0 ? 1 : -1);  // along an axis
         const app::Ray ray{origin, glm::normalize(direction)};
         const auto expected = firstHit(all, ray), found = firstHit(few, ray);
@@ -96,7 +96,7 @@ TEST(View3dFaceTree, FindsInEverySpaceWhatLookingAtAllFinds) {
             const Vec3d low = space == ViewSpace::Screen ? Vec3d(0.0) : Vec3d(-1.0);
             const Vec3d high = space == ViewSpace::Screen ? Vec3d(200, 200, 200) : Vec3d(1.0);
             const auto somewhere = [&] {
-                return (low + high) / 2.0 + (high - low) * Vec3d(place(random), place(random), place(random));
+                return (low + high) / 2.0 + (high - low) * Vec3d{place(random), place(random), place(random)};
             };
             int hits = 0;
             for (int i = 0; i < 600; ++i) {

@@ -230,6 +230,32 @@ Breaches numbersOfALocale(const SourceTree& tree) {
     return breaches;
 }
 
+Breaches unorderedDraws(const SourceTree& tree) {
+    static const std::regex draw(R"(\b(random\s*[.(]|\w+\(random\b|(uniform|between|below|within)\s*\())");
+    Breaches breaches;
+    for (const SourceFile& file : tree) {
+        if (!isSource(file) || file.path.starts_with("tests/architecture/")) continue;
+        for (std::size_t i = 0; i < file.lines.size(); ++i) {
+            const std::string& line = file.lines[i];
+            for (std::size_t open = line.find('('); open != line.npos; open = line.find('(', open + 1)) {
+                int draws = 0, depth = 0;
+                std::size_t begin = open + 1;
+                for (std::size_t at = open; at < line.size(); ++at) {
+                    const char c = line[at];
+                    depth += c == '(' || c == '{' || c == '[';
+                    depth -= c == ')' || c == '}' || c == ']';
+                    if (depth > 1 || (depth == 1 && c != ',')) continue;
+                    draws += std::regex_search(line.substr(begin, at - begin), draw);
+                    begin = at + 1;
+                    if (depth == 0) break;
+                }
+                if (draws > 1) breaches.push_back(breach(file, i + 1, "draws twice for one call", "draw x, then y"));
+            }
+        }
+    }
+    return breaches;
+}
+
 Breaches functionsOfALibrary(const SourceTree& tree) {
     Breaches breaches;
     static const std::regex ofLibrary(

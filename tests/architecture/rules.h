@@ -29,6 +29,9 @@ Breaches numbersOfALocale(const SourceTree& tree);
 // What frames are made of calls no elementary function of a library, whose last bits differ from machine to machine, but
 // those of pipeline/core/elementary.h. Extended and quad precision keep the library's.
 Breaches functionsOfALibrary(const SourceTree& tree);
+// No two random numbers among the arguments of one call: C++ leaves their order open, so that every compiler would draw
+// another scene. In braces they are drawn from left to right.
+Breaches unorderedDraws(const SourceTree& tree);
 // At most 400 lines a file, 200 a stage's .cpp.
 Breaches longFiles(const SourceTree& tree);
 // Every .cpp is named in the CMakeLists.txt of its folder or of one above.

@@ -136,6 +136,18 @@ TEST(Architecture, NumbersAreTheSameInEveryLocale) {
     expectKept(numbersOfALocale(project()));
 }
 
+TEST(Architecture, RandomNumbersAreDrawnInAnOrder) {
+    for (const char* line :
+         {"const Vec3d p(random.between(0, 1), random.between(0, 1), 0);",
+          "sphere(1, 3 + int(random() % 5), 3 + int(random() % 8));", "Vec3d(side(random), side(random), 0)"})
+        expectOne(unorderedDraws({{"tests/unit/x_test.cpp", {line}}}), "tests/unit/x_test.cpp:1:");
+    for (const char* line :
+         {"const Vec3d p{random.between(0, 1), random.between(0, 1), 0};", "f(random.between(0, 1), 2);",
+          "positions.push_back({inBox(random, 2), inBox(random, 2)});"})
+        EXPECT_TRUE(unorderedDraws({{"tests/unit/x_test.cpp", {line}}}).empty()) << line;
+    expectKept(unorderedDraws(project()));
+}
+
 TEST(Architecture, FramesCallNoElementaryFunctionOfALibrary) {
     const auto stage = [](std::string line) { return SourceTree{{"pipeline/stages/cull.cpp", {std::move(line)}}}; };
     for (const char* call : {"std::sin(x)", "::pow(x, y)", "std::atan2(y, x)", "glm::acos(x)", "std::expf(x)",

@@ -103,7 +103,9 @@ TEST_P(ClosedMesh, FromOutsideHasAsManyFrontsAsBacks) {
     for (unsigned seed = GetParam(); seed < kMeshes; seed += kShards) {
         std::mt19937 random(seed);
         const bool fine = seed % 6 == 1, huge = seed % 6 == 2;
-        Scene scene = sceneOf(closedMesh(random, between(random, 0, 0.4), fine), seed, random);
+        const double bend = between(random, 0, 0.4);
+        const auto mesh = closedMesh(random, bend, fine);
+        Scene scene = sceneOf(mesh, seed, random);
         ObjectTransform& t = scene.objects[0].transform;
         t.translation = {between(random, -0.5, 0.5), between(random, 4, 7), between(random, -0.5, 0.5)};
         if (fine) t.scale *= 0.3;
@@ -125,7 +127,8 @@ TEST_P(ClosedMesh, FromOutsideHasAsManyFrontsAsBacks) {
 TEST_P(ClosedMesh, FromInsideCoversThePicture) {
     for (unsigned seed = GetParam(); seed < kMeshes; seed += kShards) {
         std::mt19937 random(seed);
-        const auto ball = test::sphere(1, 3 + int(random() % 9), 4 + int(random() % 20));
+        const int rings = 3 + int(random() % 9), segments = 4 + int(random() % 20);
+        const auto ball = test::sphere(1, rings, segments);
         std::vector<Vec3d> positions = ball->positions.copy();
         const bool spiky = seed % 3 == 0;
         for (Vec3d& p : positions) p *= spiky ? std::exp2(between(random, 0, 30)) : between(random, 1, 1.6);
@@ -145,7 +148,9 @@ TEST_P(ClosedMesh, CutInTwoClosesAgain) {
     std::size_t open = 0;
     for (unsigned seed = GetParam(); seed < kMeshes; seed += kShards) {
         std::mt19937 random(seed);
-        Scene scene = sceneOf(closedMesh(random, between(random, 0, 0.3), seed % 6 == 1), seed, random);
+        const double bend = between(random, 0, 0.3);
+        const auto mesh = closedMesh(random, bend, seed % 6 == 1);
+        Scene scene = sceneOf(mesh, seed, random);
         scene.objects[0].transform.translation = {0, 4, 0};
         const double cut = between(random, 3.4, 4.6);
         scene.camera.near = 0.5, scene.camera.far = cut;

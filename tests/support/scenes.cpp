@@ -45,7 +45,11 @@ Light randomLight(std::mt19937& random) {
 Object randomObject(std::mt19937& random) {
     Object object;
     switch (random() % 3) {
-        case 0: object.mesh = sphere(1, 3 + int(random() % 5), 3 + int(random() % 8)); break;
+        case 0: {
+            const int rings = 3 + int(random() % 5), segments = 3 + int(random() % 8);
+            object.mesh = sphere(1, rings, segments);
+            break;
+        }
         case 1: object.mesh = box({-1, -1, -1}, {1, 1, 1}); break;
         default:
             object.mesh = mesh({inBox(random, 2), inBox(random, 2), inBox(random, 2), inBox(random, 2)},

@@ -13,8 +13,8 @@ std::vector<ScreenTriangle> randomTriangles(unsigned seed, std::size_t count, in
     const auto between = [&](double low, double high) {
         return low + (high - low) * (double(random()) / double(std::mt19937::max()));
     };
-    const auto place = [&] { return glm::dvec2(between(0, size), between(0, size)); };
-    const auto aside = [&](double by) { return glm::dvec2(between(-by, by), between(-by, by)); };
+    const auto place = [&] { return glm::dvec2{between(0, size), between(0, size)}; };
+    const auto aside = [&](double by) { return glm::dvec2{between(-by, by), between(-by, by)}; };
     std::vector<ScreenTriangle> triangles;
     while (triangles.size() < count) {
         const glm::dvec2 p = place();

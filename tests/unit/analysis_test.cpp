@@ -159,8 +159,10 @@ TEST(Analysis, WhatIsOnNoFrontIsBeatenByAPointThatIs) {
     const auto below = [&](unsigned end) { return double(random() % end); };
     for (int study = 0; study < 200; ++study) {
         std::vector<StudyPoint> points;
-        for (std::size_t i = 0; i < 12; ++i)
-            points.push_back(studyPoint(i, {"v"}, 1 + 0.004 * below(40), 0.1 * (1 + below(6)), 0.001 * below(20)));
+        for (std::size_t i = 0; i < 12; ++i) {
+            const double ms = 1 + 0.004 * below(40), error = 0.1 * (1 + below(6)), spread = 0.001 * below(20);
+            points.push_back(studyPoint(i, {"v"}, ms, error, spread));
+        }
         const StudyAnalysis analysis = analysisOf(points);
         for (const PointAnalysis& point : analysis.points)
             ASSERT_TRUE(!point.dominatedBy || analysis.points[*point.dominatedBy].onFront()) << study;

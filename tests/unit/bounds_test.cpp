@@ -14,7 +14,7 @@ std::vector<Vec3d> cloud(std::mt19937& random, std::size_t count, Vec3d centre, 
     std::uniform_real_distribution<double> side(-1, 1);
     std::vector<Vec3d> points;
     for (std::size_t i = 0; i < count; ++i)
-        points.push_back(centre + size * Vec3d(side(random), side(random), side(random)));
+        points.push_back(centre + size * Vec3d{side(random), side(random), side(random)});
     return points;
 }
 

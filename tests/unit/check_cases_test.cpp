@@ -28,6 +28,22 @@ TEST_P(CheckCase, Holds) {
     EXPECT_FALSE(result.finding.naive <= result.what->bound) << "naive: " << result.naiveText();
 }
 
+// Else their reference, that a planar surface covers each pixel once, would not hold.
+TEST(CheckCases, RandomTriangulationsHaveNoTriangleTurnedOver) {
+    for (const std::string_view id : {"C12", "C13"}) {
+        const Case* const which = findCase(id);
+        ASSERT_TRUE(which) << id;
+        const Scene scene = which->scene();
+        const Mesh& mesh = *scene.objects[0].mesh;
+        ASSERT_GT(mesh.triangles.size(), 1000u);
+        for (const Triangle& t : mesh.triangles) {
+            const Vec3d a = mesh.positions[t.vertices[0]], ab = mesh.positions[t.vertices[1]] - a,
+                        ac = mesh.positions[t.vertices[2]] - a;
+            ASSERT_GT(ab.x * ac.y - ab.y * ac.x, 0) << id;
+        }
+    }
+}
+
 TEST_P(CheckCase, OpensAsASceneThatIsAccepted) {
     if (!GetParam()->scene) return;
     const Scene scene = GetParam()->scene();

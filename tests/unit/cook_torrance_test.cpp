@@ -47,9 +47,13 @@ double furnace(const Material& material, double cosine, int steps = 400) {
 TEST(CookTorrance, LightAndEyeMayChangePlaces) {
     check::Random random(3);
     for (int i = 0; i < 2000; ++i) {
-        const Material material = surface(random.between(0, 1), random.between(0, 1), random.between(0, 300));
-        const Vec3d L = direction(random.between(0.01, 1), random.between(0, 6.28));
-        const Vec3d V = direction(random.between(0.01, 1), random.between(0, 6.28));
+        const double diffuse = random.between(0, 1), specular = random.between(0, 1), n = random.between(0, 300);
+        const Material material = surface(diffuse, specular, n);
+        const auto anyDirection = [&] {
+            const double cosine = random.between(0.01, 1), phi = random.between(0, 6.28);
+            return direction(cosine, phi);
+        };
+        const Vec3d L = anyDirection(), V = anyDirection();
         const double there = reflected(material, L, V) / L.z, back = reflected(material, V, L) / V.z;
         ASSERT_NEAR(there, back, 1e-9 * std::max(1.0, there)) << i;
     }

@@ -131,7 +131,7 @@ TEST(HiddenElements, WhatOneSampleOfAPixelShowsIsEvaluated) {
     std::vector<Vec3d> corners;
     std::vector<std::vector<std::uint32_t>> polygons;
     for (int i = 0; i < 4000; ++i) {
-        const Vec3d a(within(40), within(30), within(5)), along(within(30), within(30), 0);
+        const Vec3d a{within(40), within(30), within(5)}, along{within(30), within(30), 0};
         const Vec3d across = Vec3d(-along.y, along.x, 0) * (within(2e-4));
         polygons.push_back({});
         for (const Vec3d& corner : {a, a + along, a + 0.5 * along + across}) {

@@ -67,7 +67,7 @@ TEST(Outlines, AreWhiteOnBlackWhateverShines) {
 TEST(Outlines, OfNeighboursShareTheirLine) {
     std::mt19937 random(3);
     for (int i = 0; i < 200; ++i) {
-        const auto at = [&] { return Vec3d(int(random() % 4000) / 200.0 - 10, int(random() % 4000) / 200.0 - 10, 0); };
+        const auto at = [&] { return Vec3d{int(random() % 4000) / 200.0 - 10, int(random() % 4000) / 200.0 - 10, 0}; };
         const Vec3d a = at(), b = at(), c = at();
         Scene scene = fromAbove({a, b, c}), turned = fromAbove({c, b, a});
         scene.settings.cull = turned.settings.cull = CullMode::None;

@@ -45,12 +45,13 @@ TEST(PlaneEquation, IsAsAccurateAsWeightsOfAnyTriangle) {
         // Moderate ones; splinters; and those whose corners are up to 2^20 times as far away as each other.
         const int kind = n % 3;
         const double size = std::exp2(uniform(2, 8)), thin = kind == 1 ? std::exp2(uniform(-9, 0)) : 1;
-        const glm::dvec2 at(uniform(-50, 400), uniform(-50, 400)), along(uniform(-1, 1), uniform(-1, 1));
+        const glm::dvec2 at{uniform(-50, 400), uniform(-50, 400)}, along{uniform(-1, 1), uniform(-1, 1)};
         const glm::dvec2 across(-along.y, along.x);
         const auto corner = [&](double x, double y) { return at + size * (x * along + thin * y * across); };
         const auto inverse = [&] { return float(std::exp2(uniform(0, kind == 2 ? 20 : 0.3))); };
-        const RasterTriangle<float> t = triangleOf({corner(0, 0), corner(1, uniform(0, 0.3)), corner(uniform(0, 1), 1)},
-                                                   {inverse(), inverse(), inverse()});
+        const double y1 = uniform(0, 0.3), x2 = uniform(0, 1);
+        const std::array<float, 3> w{inverse(), inverse(), inverse()};
+        const RasterTriangle<float> t = triangleOf({corner(0, 0), corner(1, y1), corner(x2, 1)}, w);
         ++(t.plane.holds ? planes : others);
         forEachInverseZ(t, [&](glm::ivec2 pixel, float w, const std::array<std::int64_t, 3>& e) {
             long double sum = 0, area = 0;

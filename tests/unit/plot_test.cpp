@@ -207,10 +207,12 @@ TEST(Plot, CrowdedStudiesLayOutTidily) {
         report.axes[0].values.clear();
         for (int m = 0; m < methods; ++m) {
             report.axes[0].values.push_back("method " + std::to_string(m));
-            for (std::size_t level = 0; level < 4; ++level)
+            for (std::size_t level = 0; level < 4; ++level) {
+                const double ms = 1 + unit(random), error = std::pow(10, -4 * unit(random)), spread = unit(random);
                 report.points.push_back(studyPoint(report.points.size(),
-                                                   {report.axes[0].values.back(), report.axes[1].values[level]},
-                                                   1 + unit(random), std::pow(10, -4 * unit(random)), unit(random)));
+                                                   {report.axes[0].values.back(), report.axes[1].values[level]}, ms,
+                                                   error, spread));
+            }
         }
         expectTidy(drawingOf(report));
         expectTidy(drawingOf(report, {1200, 700, 20}));

@@ -28,8 +28,8 @@ TEST(Rounding, AQuotientFromAnInverseHasTheBitsOfADivision) {
         return std::fma(std::fma(-guess, z, v), inverse, guess);
     };
     for (int i = 0; i < 1'000'000; ++i) {
-        const double v = std::ldexp(mantissa(random), exponent(random));
-        const double z = std::ldexp(double(float(mantissa(random))), exponent(random) / 2);
+        double v = mantissa(random), z = double(float(mantissa(random)));
+        v = std::ldexp(v, exponent(random)), z = std::ldexp(z, exponent(random) / 2);
         ASSERT_EQ(fromInverse(v, z), v / z) << v << " / " << z;
         ASSERT_EQ(fromInverse(-v, z), -v / z) << -v << " / " << z;
     }

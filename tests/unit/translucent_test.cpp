@@ -150,7 +150,7 @@ TEST(Translucent, ExactOrderDoesNotDependOnTheOrderOfObjects) {
     Scene scene = seenAlongY();
     for (int i = 0; i < 12; ++i) {
         const auto coordinate = [&] { return double(random() % 1000) / 500 - 1; };
-        const auto corner = [&] { return Vec3d(2 * coordinate(), 8 + 3 * coordinate(), 2 * coordinate()); };
+        const auto corner = [&] { return Vec3d{2 * coordinate(), 8 + 3 * coordinate(), 2 * coordinate()}; };
         add(scene, test::mesh({corner(), corner(), corner()}, {{0, 1, 2}}), 0.05 * (i + 1), 0.1 + 0.07 * i);
     }
     const FramePtr first = test::frameOf(scene);

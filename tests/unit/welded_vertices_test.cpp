@@ -21,7 +21,8 @@ TEST(WeldedVertices, AreThoseOfAMapByValue) {
         WeldedVertices vertices(mesh, byNormal);
         std::map<std::array<double, 6>, std::uint32_t> expected;
         for (int i = 0; i < 100'000; ++i) {
-            const Vec3d position = Vec3d(small(random), small(random), small(random)) / 3.0;
+            const int x = small(random), y = small(random), z = small(random);
+            const Vec3d position = Vec3d(x, y, z) / 3.0;
             const Vec3d normal = byNormal ? Vec3d(0, 0, small(random) % 2) : Vec3d(0.0);
             const auto next = static_cast<std::uint32_t>(expected.size());
             const auto [place, isNew] =
