@@ -38,20 +38,27 @@ pipeline::Result<Prose> parseProse(std::span<const Line> lines, const Scope& sco
     pipeline::Errors errors;
     for (const Line& line : lines) {
         const std::string_view text = line.text;
+        pipeline::SourceLocation here =
+            line.where;  // of text[counted]: from the line's beginning it would be quadratic
+        std::size_t counted = 0;
+        const auto placeOf = [&](std::size_t at) {
+            here = advanced(here, text.substr(counted, at - counted));
+            counted = at;
+            return here;
+        };
         for (std::size_t at = 0; at < text.size(); ++at) {
             if (text.substr(at).starts_with("\\{")) {
                 prose.pieces.back() += text[++at];
             } else if (text[at] != '{') {
                 prose.pieces.back() += text[at];
             } else if (const auto end = text.find('}', at); end == text.npos) {
-                errors.push_back({advanced(line.where, text.substr(0, at)), "found \"{\" without its end",
-                                  "\"}\" in the same line"});
+                errors.push_back({placeOf(at), "found \"{\" without its end", "\"}\" in the same line"});
                 break;
             } else {
-                auto hole =
-                    parseHole(text.substr(at + 1, end - at - 1), advanced(line.where, text.substr(0, at + 1)), scope);
+                auto hole = parseHole(text.substr(at + 1, end - at - 1), placeOf(at + 1), scope);
                 if (!hole) {
                     errors.insert(errors.end(), hole.errors().begin(), hole.errors().end());
+                    if (errors.size() >= pipeline::kMaxErrors) break;
                 } else {
                     prose.holes.push_back(std::move(hole).value());
                     prose.pieces.emplace_back();
@@ -72,7 +79,7 @@ pipeline::Result<std::string> filled(const Prose& prose, const Context& context)
     ChangedFrames changed;
     Context own = context;
     if (!own.changed) own.changed = &changed;
-    for (std::size_t i = 0; i < prose.holes.size(); ++i) {
+    for (std::size_t i = 0; i < prose.holes.size() && !(i > 0 && context.stop.stop_requested()); ++i) {
         const auto value = evaluate(prose.holes[i].expression, own);
         if (value)
             text += toText(*value, prose.holes[i].digits) + prose.pieces[i + 1];

@@ -11,6 +11,7 @@
 #include "lessons/expression/changed_frames.h"
 #include "lessons/expression/condition.h"
 #include "lessons/expression/elements.h"
+#include "lessons/expression/held_frame.h"
 #include "pipeline/core/angles.h"
 #include "pipeline/core/elementary.h"
 #include "pipeline/core/text.h"
@@ -193,6 +194,7 @@ Result<Value> with(const Node& call, Operands, const Context& context) {
     const auto frame = changedFrame(call, context);
     if (!frame) return frame.errors();
     // What is changed within is changed from this frame on: it has frames of its own.
+    const HeldFrame held(**frame);
     return evaluate(Expression{{}, call.operands[0], {}, 0},
                     Context{.frame = **frame, .pick = context.pick, .stop = context.stop});
 }

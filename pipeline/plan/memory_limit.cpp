@@ -1,4 +1,4 @@
-#include "pipeline/plan/memory_limit.h"
+#include "pipeline/plan/frame_bytes.h"
 
 #include <fmt/format.h>
 
@@ -6,11 +6,12 @@
 #include "pipeline/plan/needs.h"
 #include "pipeline/scene/area_light.h"
 #include "pipeline/scene/settings_table.h"
+#include "pipeline/stages/snapped_vertices.h"
 
 namespace pipeline {
 namespace {
 
-constexpr double kGiB = 1024.0 * 1024 * 1024, kMemoryLimit = 4 * kGiB;  // bytes
+constexpr double kGiB = 1024.0 * 1024 * 1024;
 
 // What a run holds beside the buffers asked for is as large as a buffer that is made of it.
 BufferSet heldBy(const Scene& scene, const Needs& needs, StageId until) {
@@ -56,9 +57,40 @@ Shadows shadowsOf(const Scene& scene, const Needs& needs, StageId until) {
     return all;
 }
 
+// What stages hand on of vertices, polygons and triangles; the meshes themselves are there already.
+struct Elements {
+    double vertices = 0, polygons = 0, triangles = 0, bytes = 0;
+};
+Elements elementsOf(const Scene& scene, const Needs& needs, StageId until) {
+    Elements all;
+    for (const Object& object : scene.objects) {
+        all.vertices += double(object.mesh->positions.size());
+        all.polygons += double(object.mesh->polygonCount());
+        all.triangles += double(object.mesh->triangles.size());
+    }
+    const bool isFloat = scene.settings.precision == Precision::Float;
+    const double vector = 3.0 * bytesOf(scene.settings.precision), lights = double(scene.lights.size());
+    double ofVertex = vector, ofPolygon = 0, ofTriangle = 0;
+    if (scene.objects.size() > 1) {  // Topology counts over all objects
+        ofPolygon += sizeof(std::uint32_t), ofTriangle += sizeof(Triangle);
+        if (all.triangles > all.polygons) ofTriangle += sizeof(std::uint32_t);
+    }
+    if (isFloat) ofVertex += sizeof(SnappedVertex);
+    if (until >= StageId::Cull) ofPolygon += 2;
+    if (until >= StageId::Normals && needs[Part::PolygonNormals]) ofPolygon += vector;
+    if (until >= StageId::Normals && needs[Part::VertexNormals]) ofVertex += vector;
+    if (until >= StageId::Normals && needs[Part::NormalSums]) ofPolygon += vector;  // Room for work
+    const double terms = vector * (3 + 2 * lights);
+    if (until == StageId::Shading && needs[Part::PolygonTerms]) ofPolygon += terms;
+    if (until == StageId::Shading && needs[Part::VertexTerms]) ofVertex += terms;
+    all.bytes = all.vertices * ofVertex + all.polygons * ofPolygon + all.triangles * ofTriangle;
+    return all;
+}
+
 double bytesOfFrame(const Scene& scene, const Needs& needs, StageId until) {
     const double pixels = double(scene.settings.width) * double(scene.settings.height);
-    return pixels * bytesOfPixel(scene, needs, until) + shadowsOf(scene, needs, until).bytes;
+    return pixels * bytesOfPixel(scene, needs, until) + shadowsOf(scene, needs, until).bytes +
+           elementsOf(scene, needs, until).bytes;
 }
 
 // What makes it large, the most telling first.
@@ -73,10 +105,26 @@ std::vector<std::string> keysOf(const Scene& scene, bool samples) {
 
 }  // namespace
 
+double frameBytes(const Scene& scene, BufferSet wanted, StageId until) {
+    return bytesOfFrame(scene, needsOf(scene, wanted, until), until);
+}
+
 Errors checkMemory(const Scene& scene, BufferSet wanted, StageId until) {
     const Needs needs = needsOf(scene, wanted, until);
     const double bytes = bytesOfFrame(scene, needs, until);
     if (bytes <= kMemoryLimit) return {};
+    if (const Elements elements = elementsOf(scene, needs, until); elements.bytes > bytes / 2) {
+        Error error{
+            {},
+            fmt::format("the stages' output for {} with {} vertices, {} polygons and {} triangles takes {:.1f} GiB",
+                        plural(std::int64_t(scene.objects.size()), "object"), std::size_t(elements.vertices),
+                        std::size_t(elements.polygons), std::size_t(elements.triangles), bytes / kGiB),
+            "at most 4 GiB; fewer objects, or a smaller tessellation"};
+        for (std::size_t i = scene.objects.size(); i-- > 0;)
+            if (scene.objects[i].shape) error.keys.push_back(fmt::format("object.{}.tessellation", i));
+        error.keys.emplace_back("precision");
+        return {std::move(error)};
+    }
     Scene hard = scene;
     for (Light& light : hard.lights) light.area.samples = 1;
     const bool samples = bytesOfFrame(hard, needs, until) <= kMemoryLimit;

@@ -1,6 +1,8 @@
 #include "lessons/expression/expression.h"
 
 #include "lessons/expression/changed_frames.h"
+#include "lessons/expression/held_frame.h"
+#include "pipeline/plan/frame_bytes.h"
 
 #include "tests/lessons/pyramid_scene.h"
 
@@ -193,6 +195,51 @@ TEST_F(Expressions, RememberTheFramesOfChangedSettings) {
                second = frames.frame(*s_frame, changes, wanted, {});
     ASSERT_TRUE(first && second);
     EXPECT_EQ(*first, *second);
+}
+
+// A page may ask for any number of frames of any size: what is kept goes before a new one would make it too much.
+TEST_F(Expressions, FramesOfChangedSettingsHaveABudgetOfBytes) {
+    ChangedFrames frames;
+    const auto wanted = pipeline::setOf({pipeline::BufferId::Normal, pipeline::BufferId::Position});
+    std::vector<std::weak_ptr<const pipeline::Frame>> made;
+    double all = 0;
+    for (int theta = 0; theta < 12; ++theta) {
+        const std::vector<std::string> changes{"width=2000", "height=1500", "camera.theta=" + std::to_string(theta)};
+        auto frame = frames.frame(*s_frame, changes, wanted, {});
+        ASSERT_TRUE(frame) << format(frame.errors());
+        EXPECT_EQ(*frames.frame(*s_frame, changes, wanted, {}), *frame) << "the last one is kept";
+        made.push_back(*frame);
+        double kept = 0;
+        for (const auto& one : made)
+            if (const auto there = one.lock()) kept += frameBytes(there->scene(), there->wanted());
+        EXPECT_LE(kept, kMostKeptBytes);
+        all += frameBytes((*frame)->scene(), (*frame)->wanted());
+    }
+    EXPECT_GT(all, kMostKeptBytes) << "too few frames to tell";
+}
+
+// Those that are looked at through one another are there at once. Of 9000 × 9000 pixels with normal and position, at
+// least 4 + 4 + 3 + 12 + 12 bytes each, one frame takes 2.6 GiB and two more than 4.
+TEST_F(Expressions, FramesWithinOneAnotherAreRefusedWhereTheyTakeTooMuch) {
+    ChangedFrames frames;
+    pipeline::Scene large = s_scene;
+    large.settings.width = large.settings.height = 9000;
+    const std::vector<std::string> changes{"width=9000", "height=9000"};
+    const auto wanted = pipeline::setOf({pipeline::BufferId::Normal, pipeline::BufferId::Position});
+    const double bytes = frameBytes(large, wanted);
+    ASSERT_TRUE(bytes < pipeline::kMemoryLimit && 2 * bytes > pipeline::kMemoryLimit);
+    {
+        const auto outer = frameOf(s_scene, {});
+        std::vector<std::unique_ptr<HeldFrame>> held;
+        while (double(held.size()) * frameBytes(s_scene, {}) < pipeline::kMemoryLimit - bytes)
+            held.push_back(std::make_unique<HeldFrame>(*outer));
+        const auto refused = frames.frame(*s_frame, changes, wanted, {});
+        ASSERT_FALSE(refused);
+        EXPECT_EQ(refused.errors()[0].expected, "at most 4 GiB");
+        EXPECT_TRUE(refused.errors()[0].found.starts_with("frames of with() within one another take"));
+        while (!held.empty()) held.pop_back();
+    }
+    EXPECT_EQ(valueOf("with(width=300; with(height=200; setting(width) + setting(height)))"), "500");
 }
 
 TEST_F(Expressions, FindWhereAnExtremeIs) {

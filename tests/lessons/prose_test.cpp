@@ -49,6 +49,19 @@ TEST(ProseText, AHoleThatTheFrameCannotFillIsNamed) {
     EXPECT_EQ(format(text.errors()), "f:3:8: buffer(z_view, 0, 0) is +∞, expected a finite number\n");
 }
 
+// 120 kB of holes in one line: each is told its place from the one before it.
+TEST(ProseText, TheLastOfManyHolesKnowsItsColumn) {
+    const pipeline::Scene scene = pyramidScene();
+    std::string text;
+    for (int i = 0; i < 40'000; ++i) text += "{1}";
+    const Prose prose = proseFrom(text + "\u00e4{2}", scene);
+    ASSERT_EQ(prose.holes.size(), 40'001u);
+    EXPECT_EQ(prose.holes.back().expression.root.where.column, 120'003);
+    const auto whole = filled(prose, *frameOf(scene, {}));
+    ASSERT_TRUE(whole);
+    EXPECT_EQ(whole->size(), 40'000u + 2 + 1);
+}
+
 // A lesson may come from anywhere; its handout runs nothing and asks no network.
 TEST(ProseHtml, LeadsNowhereButAtAClick) {
     EXPECT_EQ(htmlOf("[a](javascript:alert(1)) ![of b](http://example.org/b.png)"), "<p><a>a</a> of b</p>\n");

@@ -49,6 +49,25 @@ TEST(MemoryLimit, CountsWhatIsAskedFor) {
     EXPECT_TRUE(has(found(forced, {}), "at most 4 GiB; make the picture smaller"));
 }
 
+// A plane of 256 × 256 squares has 257² = 66 049 vertices, 65 536 polygons and twice as many triangles. Up to stage 2, in
+// float, a vertex takes 12 bytes in the world and 16 snapped, a polygon its object's number and 2, a triangle 12 and its
+// polygon's number: 28 · 66 049 + 6 · 65 536 + 16 · 131 072 = 4 339 740 bytes an object, 4 GiB after 989 of them.
+TEST(MemoryLimit, CountsVerticesPolygonsAndTriangles) {
+    Scene scene;
+    scene.settings.width = scene.settings.height = 16;
+    Object plane;
+    plane.shape = Shape{ShapeKind::Plane, 256};
+    plane.mesh = makeShape(*plane.shape);
+    scene.objects.assign(980, plane);
+    EXPECT_EQ(found(scene, {}, StageId::Cull), "fits");
+    scene.objects.assign(1000, plane);
+    const std::string refused = found(scene, {}, StageId::Cull);
+    EXPECT_TRUE(has(refused, "1000 objects with 66049000 vertices, 65536000 polygons and 131072000 triangles"))
+        << refused;
+    EXPECT_TRUE(has(refused, "takes 4.0 GiB, expected at most 4 GiB; fewer objects, or a smaller tessellation"));
+    EXPECT_EQ(checkMemory(scene, {}, StageId::Cull)[0].keys[0], "object.999.tessellation");
+}
+
 // 16² samples of an area light, 6 faces, 1024² floats are 6 GiB, and once more where they are asked for.
 TEST(MemoryLimit, OfAreaLightsIsTheirSamples) {
     Scene scene = test::boxOverGround();
