@@ -92,17 +92,7 @@ int rank(const HandedFile& file) {
 
 class Gathering {
 public:
-    Gathering(const Frame& reference, HandedIn& in) : m_reference(reference), m_in(in) {
-        // What the largest buffer of the scene holds, with room for a fourth channel.
-        const auto& settings = reference.scene().settings;
-        const std::size_t pixels = std::size_t(settings.width) * std::size_t(settings.height);
-        const std::size_t texels = std::size_t(settings.shadowSize) * std::size_t(settings.shadowSize);
-        std::size_t vertices = 0;
-        for (const Object& object : reference.scene().objects)
-            vertices += object.mesh->positions.size() + object.mesh->polygons.size();
-        // A picture of twice the size is still read, to say so.
-        m_most = 16 * std::max({pixels, texels * 6, vertices, std::size_t{1024}});
-    }
+    Gathering(const Frame& reference, HandedIn& in) : m_reference(reference), m_in(in) {}
 
     void add(const std::filesystem::path& path, bool asked) {
         const std::string file = path.filename().string();
@@ -129,7 +119,7 @@ public:
         }
         auto bytes = readFile(path);
         if (!bytes) return report(bytes.errors());
-        auto numbers = readNumbers(*bytes, path.string(), m_most);
+        auto numbers = readNumbers(*bytes, path.string(), mostNumbersOf(*name));
         if (!numbers) return report(numbers.errors());
         HandedFile handed{*name, path, std::move(numbers).value()};
         if (const auto wrong = wrongSize(handed, m_reference)) return report({*wrong});
@@ -146,9 +136,20 @@ public:
 
 private:
     void report(const Errors& errors) { m_in.errors.insert(m_in.errors.end(), errors.begin(), errors.end()); }
+    // What such a buffer of the scene holds, with room for a fourth channel; one of twice the size is still read, to say so.
+    std::size_t mostNumbersOf(const HandedName& name) const {
+        const auto& settings = m_reference.scene().settings;
+        std::size_t places = 1024;
+        for (const Object& object : m_reference.scene().objects)
+            places += object.mesh->positions.size() + object.mesh->polygonCount() + object.mesh->triangles.size();
+        const Domain domain = bufferInfo(name.buffer.id).domain;
+        if (domain == Domain::Texel)
+            places = std::max(places, std::size_t(settings.shadowSize) * std::size_t(settings.shadowSize) * 6);
+        return 16 * std::max(places, std::size_t(settings.width) * std::size_t(settings.height));
+    }
+
     const Frame& m_reference;
     HandedIn& m_in;
-    std::size_t m_most = 0;
 };
 
 }  // namespace

@@ -19,16 +19,27 @@ std::string_view trimmed(std::string_view word) {
     return word.substr(first, word.find_last_not_of(kSpace) - first + 1);
 }
 
-std::vector<std::string_view> fieldsOf(std::string_view line) {
-    const char separator = line.find(',') != line.npos ? ',' : line.find(';') != line.npos ? ';' : '\t';
-    std::vector<std::string_view> fields;
-    while (true) {
-        const auto end = line.find(separator);
-        fields.push_back(trimmed(line.substr(0, end)));
-        if (end == line.npos) return fields;
-        line.remove_prefix(end + 1);
+// The fields of a line one by one: a line of separators alone takes no memory.
+class Fields {
+public:
+    explicit Fields(std::string_view line)
+        : m_left(line),
+          m_separator(line.find(',') != line.npos   ? ','
+                      : line.find(';') != line.npos ? ';'
+                                                    : '\t') {}
+    std::size_t count() const { return std::size_t(std::ranges::count(m_left, m_separator)) + 1; }
+    const char* place() const { return m_left.data(); }  // of the next one
+    std::string_view next() {
+        const auto end = std::min(m_left.find(m_separator), m_left.size());
+        const std::string_view field = trimmed(m_left.substr(0, end));
+        m_left.remove_prefix(std::min(end + 1, m_left.size()));
+        return field;
     }
-}
+
+private:
+    std::string_view m_left;
+    char m_separator;
+};
 
 // "-0.5", "+2", "nan", "inf", "True".
 std::optional<double> csvNumber(std::string_view word) {
@@ -39,13 +50,13 @@ std::optional<double> csvNumber(std::string_view word) {
 }
 
 // How many of the first columns give the place of a row's numbers.
-std::size_t placeColumns(const std::vector<std::string_view>& heading) {
+std::size_t placeColumns(Fields heading, std::size_t columns) {
     constexpr std::array<std::string_view, 6> kPlaces{"row", "column", "vertex", "polygon", "index", "id"};
     std::size_t places = 0;
-    while (places < heading.size() && places < 2 &&
-           std::ranges::any_of(kPlaces, [&](std::string_view name) { return sameLetters(name, heading[places]); }))
+    while (places < columns && places < 2 &&
+           std::ranges::any_of(kPlaces, [field = heading.next()](auto name) { return sameLetters(name, field); }))
         ++places;
-    return places < heading.size() ? places : 0;
+    return places < columns ? places : 0;
 }
 
 }  // namespace
@@ -62,25 +73,28 @@ Result<NumberFile> readCsvNumbers(std::string_view bytes, const std::string& nam
         const std::string_view line = trimmed(bytes.substr(0, end));
         bytes.remove_prefix(std::min(end + 1, bytes.size()));
         if (line.empty() || line[0] == '#') continue;
-        const std::vector<std::string_view> fields = fieldsOf(line);
+        Fields fields(line);
+        const std::size_t count = fields.count();
         if (columns == 0) {
-            columns = fields.size();
-            if (!csvNumber(fields[0])) {
-                places = placeColumns(fields);
+            columns = count;
+            if (!csvNumber(Fields(line).next())) {
+                places = placeColumns(fields, columns);
                 continue;
             }
         }
-        if (fields.size() != columns)
+        if (count != columns)
             return Error{{name, number, 1},
-                         fmt::format("{} numbers in a line", fields.size()),
+                         fmt::format("{} numbers in a line", count),
                          fmt::format("{}, as in the lines before", columns)};
         if (file.values.size() + columns > most)
             return Error{{name, number, 1}, "more numbers", fmt::format("at most {}", most)};
         for (std::size_t i = 0; i < columns; ++i) {
-            const auto value = csvNumber(fields[i]);
+            const char* const place = fields.place();
+            const std::string_view field = fields.next();
+            const auto value = csvNumber(field);
             if (!value)
-                return Error{{name, number, int(fields[i].data() - line.data()) + 1},
-                             "found " + inQuotes(fields[i]),
+                return Error{{name, number, int((field.empty() ? place : field.data()) - line.data()) + 1},
+                             "found " + inQuotes(field),
                              "a number"};
             if (i < places && places == 2) {
                 std::size_t& side = i == 0 ? width : height;

@@ -3,6 +3,7 @@
 #include <ImfHeader.h>
 #include <ImfIO.h>
 #include <ImfInputFile.h>
+#include <ImfTileDescription.h>
 
 #include <fmt/format.h>
 
@@ -67,12 +68,38 @@ std::vector<std::string> channelsOf(const Imf::ChannelList& list, const std::str
     return list.begin() == list.end() ? std::vector<std::string>() : std::vector<std::string>{list.begin().name()};
 }
 
+constexpr int kMostSide = 1 << 16;                         // of a picture or a tile
+constexpr std::size_t kMostBlock = std::size_t{64} << 20;  // bytes of the lines that are stored together
+
+// How many lines are stored together: of a header's size alone OpenEXR allocates them.
+std::size_t linesTogether(const Imf::Header& header) {
+    if (header.hasTileDescription()) return header.tileDescription().ySize;
+    switch (header.compression()) {
+        case Imf::NO_COMPRESSION:
+        case Imf::RLE_COMPRESSION:
+        case Imf::ZIPS_COMPRESSION: return 1;
+        case Imf::ZIP_COMPRESSION:
+        case Imf::PXR24_COMPRESSION: return 16;
+        case Imf::DWAB_COMPRESSION: return 256;
+        default: return 32;
+    }
+}
+
+std::size_t bytesOfPixel(const Imf::ChannelList& list) {
+    std::size_t bytes = 0;
+    for (auto channel = list.begin(); channel != list.end(); ++channel)
+        bytes += channel.channel().type == Imf::HALF ? 2 : 4;
+    return bytes;
+}
+
 }  // namespace
 
 Result<NumberFile> readExrNumbers(std::string_view bytes, const std::string& name, std::size_t most) {
     constexpr std::string_view kMagic("\x76\x2f\x31\x01", 4);
     if (!bytes.starts_with(kMagic)) return wrongAt(name, 0, "no OpenEXR file", "its magic number");
     try {
+        Imf::Header::setMaxImageSize(kMostSide, kMostSide);  // of the table of lines, before it is made
+        Imf::Header::setMaxTileSize(kMostSide, kMostSide);
         BytesStream stream(bytes, name);
         Imf::InputFile in(stream);
         const Imath::Box2i window = in.header().dataWindow();
@@ -84,17 +111,27 @@ Result<NumberFile> readExrNumbers(std::string_view bytes, const std::string& nam
         const std::vector<std::string> names = channelsOf(in.header().channels(), name);
         if (names.empty()) return wrongAt(name, 0, "a picture without channels", "R G B, X Y Z, or one");
         const std::size_t channels = names.size(), columns = std::size_t(width), rows = std::size_t(height);
-        std::vector<float> numbers(columns * rows * channels);
+        const std::size_t together = std::min(linesTogether(in.header()), rows);
+        if (columns * together * bytesOfPixel(in.header().channels()) > kMostBlock)
+            return wrongAt(name, 0, fmt::format("{} lines of {} pixels stored together", together, columns),
+                           fmt::format("at most {} bytes of them", kMostBlock));
+        // Block by block: a file that ends early has taken no memory for what it announces.
+        NumberFile file{name, {rows, columns}, {}};
+        std::vector<float> numbers(columns * together * channels);
         const std::size_t step = sizeof(float) * channels, line = step * columns;
-        Imf::FrameBuffer pixels;
-        for (std::size_t c = 0; c < channels; ++c) {
-            char* first = reinterpret_cast<char*>(numbers.data() + c);
-            first -= std::ptrdiff_t(step) * window.min.x + std::ptrdiff_t(line) * window.min.y;
-            pixels.insert(names[c], Imf::Slice(Imf::FLOAT, first, step, line));
+        for (std::size_t done = 0; done < rows; done += together) {
+            const int y = window.min.y + int(done), last = window.min.y + int(std::min(rows, done + together)) - 1;
+            Imf::FrameBuffer pixels;
+            for (std::size_t c = 0; c < channels; ++c) {
+                char* first = reinterpret_cast<char*>(numbers.data() + c);
+                first -= std::ptrdiff_t(step) * window.min.x + std::ptrdiff_t(line) * y;
+                pixels.insert(names[c], Imf::Slice(Imf::FLOAT, first, step, line));
+            }
+            in.setFrameBuffer(pixels);
+            in.readPixels(y, last);
+            file.values.insert(file.values.end(), numbers.begin(),
+                               numbers.begin() + std::ptrdiff_t(std::size_t(last - y + 1) * columns * channels));
         }
-        in.setFrameBuffer(pixels);
-        in.readPixels(window.min.y, window.max.y);
-        NumberFile file{name, {rows, columns}, std::vector<double>(numbers.begin(), numbers.end())};
         if (channels > 1) file.shape.push_back(channels);
         const Imf::Channel* const first = in.header().channels().findChannel(names[0]);
         file.digits = first && first->type == Imf::HALF ? 11 : 24;
