@@ -275,8 +275,9 @@ QVariant CueModel::data(const QModelIndex& index, int role) const {
     switch (role) {
         case Qt::DisplayRole: return QStringLiteral("%1  %2").arg(index.row() + 1).arg(onOneLine(one.name));
         case CaptionRole:
-            return QStringLiteral("%1  %2").arg(index.row() + 1).arg(
-                onOneLine(one.caption.empty() ? one.name : one.caption));
+            return QStringLiteral("%1  %2")
+                .arg(index.row() + 1)
+                .arg(onOneLine(one.caption.empty() ? one.name : one.caption));
         case Qt::EditRole: return toQString(one.name);
         case Qt::ToolTipRole:
         case PlaceRole: return placeText(one.state);

@@ -4,8 +4,8 @@
 #include <QDateTime>
 #include <QLabel>
 #include <QListView>
-#include <QStyledItemDelegate>
 #include <QScrollArea>
+#include <QStyledItemDelegate>
 #include <QVBoxLayout>
 
 #include "app/core/shown_name.h"

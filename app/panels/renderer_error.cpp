@@ -124,7 +124,8 @@ void RendererError::addExperiment(const foreign::Suspects& suspects) {
         m_column->addWidget(line);
     }
     if (!suspects.experiment) {
-        if (others == 0 && suspects.kind.empty()) add(tr("They leave the same numbers in every buffer of this scene."), 12, 400);
+        if (others == 0 && suspects.kind.empty())
+            add(tr("They leave the same numbers in every buffer of this scene."), 12, 400);
         return;
     }
     const foreign::Experiment& experiment = *suspects.experiment;

@@ -50,10 +50,6 @@ QString numbersOf(const foreign::Values& values, std::size_t element) {
     return numbers.join(' ');
 }
 
-bool isBad(foreign::Class of) {
-    return of == foreign::Class::Wrong || of == foreign::Class::Missing || of == foreign::Class::Extra;
-}
-
 }  // namespace
 
 RendererValues::RendererValues(Document& document, QWidget* parent)

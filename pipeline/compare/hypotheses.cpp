@@ -9,284 +9,226 @@ namespace pipeline::foreign {
 
 namespace {
 
-constexpr double kPixels =
-    320 * 240; // of the picture that hypotheses are ranked in
-constexpr std::size_t kConfirmed = 8; // in the picture's own size
-constexpr double kExplains =
-    0.9; // of what is wrong with the right frame, at least
-constexpr double kLeftOfDrawn =
-    0.15; // of the pixels drawn, at most: who draws nothing explains little
-constexpr double
-    kTwin = 10,
-    kTwinShare =
-        0.05; // as good: so many elements more, or such a share of those wrong
+constexpr double kPixels = 320 * 240;  // of the picture that hypotheses are ranked in
+constexpr std::size_t kConfirmed = 8;  // in the picture's own size
+constexpr double kExplains = 0.9;      // of what is wrong with the right frame, at least
+constexpr double kLeftOfDrawn = 0.15;  // of the pixels drawn, at most: who draws nothing explains little
+constexpr double kTwin = 10,
+                 kTwinShare = 0.05;  // as good: so many elements more, or such a share of those wrong
 
 Scene smaller(Scene scene, std::size_t factor) {
-  scene.settings.width = std::max(1, scene.settings.width / int(factor));
-  scene.settings.height = std::max(1, scene.settings.height / int(factor));
-  scene.camera.pixelsPerUnit /= double(factor);
-  scene.settings.shadowSize = std::min(scene.settings.shadowSize, 512);
-  return scene;
+    scene.settings.width = std::max(1, scene.settings.width / int(factor));
+    scene.settings.height = std::max(1, scene.settings.height / int(factor));
+    scene.camera.pixelsPerUnit /= double(factor);
+    scene.settings.shadowSize = std::min(scene.settings.shadowSize, 512);
+    return scene;
 }
 
 // The frames of a scene with errors beside the files, in one size.
 class Court {
 public:
-  Court(const Reference &right, const Conventions &conventions,
-        const StatedConventions &stated, std::size_t factor)
-      : m_right(right), m_evidence(conventions, stated, right, factor),
-        m_factor(factor),
-        m_corner(factor == 1 ? right.corner
-                             : PixelCorner::None), // in a smaller picture that
-                                                   // is a part of a pixel
-        m_first(factor == 1 ? right.frame : nullptr) {}
+    Court(const Reference& right, const Conventions& conventions, const StatedConventions& stated, std::size_t factor)
+        : m_right(right),
+          m_evidence(conventions, stated, right, factor),
+          m_factor(factor),
+          m_corner(factor == 1 ? right.corner : PixelCorner::None),  // in a smaller picture that
+                                                                     // is a part of a pixel
+          m_first(factor == 1 ? right.frame : nullptr) {}
 
-  // Nothing where it was stopped. The first scene is the right one: what its
-  // frame has in common with others serves.
-  std::optional<Misfit> of(const Scene &scene, const Stop &stop) {
-    const Scene sized = m_factor == 1 ? scene : smaller(scene, m_factor);
-    auto made = makeHypothesis(sized, m_right, m_evidence.compared(), m_corner,
-                               m_first, stop);
-    if (!made)
-      return {};
-    if (!m_first)
-      m_first = made->frame;
-    made->isSmaller = m_factor > 1;
-    return m_evidence.misfit(*made);
-  }
+    // Nothing where it was stopped. The first scene is the right one: what its
+    // frame has in common with others serves.
+    std::optional<Misfit> of(const Scene& scene, const Stop& stop) {
+        const Scene sized = m_factor == 1 ? scene : smaller(scene, m_factor);
+        auto made = makeHypothesis(sized, m_right, m_evidence.compared(), m_corner, m_first, stop);
+        if (!made) return {};
+        if (!m_first) m_first = made->frame;
+        made->isSmaller = m_factor > 1;
+        return m_evidence.misfit(*made);
+    }
 
 private:
-  const Reference &m_right;
-  FolderEvidence m_evidence;
-  std::size_t m_factor;
-  PixelCorner m_corner;
-  FramePtr m_first;
+    const Reference& m_right;
+    FolderEvidence m_evidence;
+    std::size_t m_factor;
+    PixelCorner m_corner;
+    FramePtr m_first;
 };
 
 // All known errors of a scene and what each leaves of each file, measured once.
 class Trial {
 public:
-  Trial(const Scene &scene, const Reference &reference,
-        const Conventions &conventions, const StatedConventions &stated)
-      : m_scene(scene), m_reference(reference), m_conventions(conventions),
-        m_errors(knownErrors(scene)), m_factor(factorOf(scene)),
-        m_full(reference, conventions, stated, 1) {
-    if (m_factor > 1)
-      m_small.emplace(reference, conventions, stated, m_factor);
-  }
+    Trial(const Scene& scene, const Reference& reference, const Conventions& conventions,
+          const StatedConventions& stated)
+        : m_scene(scene),
+          m_reference(reference),
+          m_conventions(conventions),
+          m_errors(knownErrors(scene)),
+          m_factor(factorOf(scene)),
+          m_full(reference, conventions, stated, 1) {
+        if (m_factor > 1) m_small.emplace(reference, conventions, stated, m_factor);
+    }
 
-  // False where it was stopped.
-  bool measure(const Stop &stop, const HypothesisProgress &progress) {
-    auto right = m_full.of(m_scene, stop);
-    if (!right || (m_small && !m_small->of(m_scene, stop)))
-      return false;
-    m_right = std::move(*right);
-    for (const KnownError &error : m_errors) {
-      if (progress)
-        progress(m_misfits.size(), m_errors.size());
-      auto misfit =
-          (m_small ? *m_small : m_full).of(error.plant(m_scene), stop);
-      if (!misfit)
-        return false;
-      m_misfits.push_back(left(error, std::move(*misfit)));
-      if (m_factor > 1)
-        for (double &wrong : m_misfits.back().wrong)
-          wrong *= double(m_factor * m_factor);
+    // False where it was stopped.
+    bool measure(const Stop& stop, const HypothesisProgress& progress) {
+        auto right = m_full.of(m_scene, stop);
+        if (!right || (m_small && !m_small->of(m_scene, stop))) return false;
+        m_right = std::move(*right);
+        for (const KnownError& error : m_errors) {
+            if (progress) progress(m_misfits.size(), m_errors.size());
+            auto misfit = (m_small ? *m_small : m_full).of(error.plant(m_scene), stop);
+            if (!misfit) return false;
+            m_misfits.push_back(left(error, std::move(*misfit)));
+            if (m_factor > 1)
+                for (double& wrong : m_misfits.back().wrong) wrong *= double(m_factor * m_factor);
+        }
+        return true;
     }
-    return true;
-  }
-  std::size_t tried() const { return m_errors.size(); }
-  const KnownError *find(const std::string &id) const {
-    const auto found = std::ranges::find(m_errors, id, &KnownError::id);
-    return found == m_errors.end() ? nullptr : &*found;
-  }
-  const Misfit &right() const { return m_right; }
+    std::size_t tried() const { return m_errors.size(); }
+    const KnownError* find(const std::string& id) const {
+        const auto found = std::ranges::find(m_errors, id, &KnownError::id);
+        return found == m_errors.end() ? nullptr : &*found;
+    }
+    const Misfit& right() const { return m_right; }
 
-  // What explains these files.
-  Suspects judge(const std::vector<std::size_t> &files, const Stop &stop) {
-    Suspects out;
-    out.tried = m_errors.size(), out.right = m_right.sum(files);
-    std::vector<std::size_t> ranked(m_errors.size());
-    for (std::size_t i = 0; i < ranked.size(); ++i)
-      ranked[i] = i;
-    std::ranges::stable_sort(
-        ranked, {}, [&](std::size_t i) { return m_misfits[i].sum(files); });
-    if (m_factor > 1) {
-      ranked.resize(std::min(ranked.size(), kConfirmed));
-      for (const std::size_t i : ranked)
-        if (!confirm(i, stop))
-          return out.stopped = true, out;
+    // What explains these files.
+    Suspects judge(const std::vector<std::size_t>& files, const Stop& stop) {
+        Suspects out;
+        out.tried = m_errors.size(), out.right = m_right.sum(files);
+        std::vector<std::size_t> ranked(m_errors.size());
+        for (std::size_t i = 0; i < ranked.size(); ++i) ranked[i] = i;
+        std::ranges::stable_sort(ranked, {}, [&](std::size_t i) { return m_misfits[i].sum(files); });
+        if (m_factor > 1) {
+            ranked.resize(std::min(ranked.size(), kConfirmed));
+            for (const std::size_t i : ranked)
+                if (!confirm(i, stop)) return out.stopped = true, out;
+        }
+        std::vector<Candidate> best;
+        for (const std::size_t i : ranked) best.push_back(candidate(i, files, out.right));
+        // Of those that are as good the rows of the right frame are the likelier.
+        std::ranges::stable_sort(best, {}, [](const Candidate& one) { return std::tuple(one.left, one.otherRows); });
+        std::vector<Candidate> ofEach;  // the best way of each error stands for it
+        for (Candidate& one : best)
+            if (std::ranges::none_of(ofEach, [&](const Candidate& other) { return other.error.id == one.error.id; }))
+                ofEach.push_back(std::move(one));
+        if (ofEach.empty()) return out;
+        const double least = ofEach[0].left, drawn = double(std::max<std::size_t>(1, ofEach[0].misfit.drawn));
+        const bool explains = ofEach[0].explained >= kExplains && least <= kLeftOfDrawn * drawn;
+        const double asGood = least + std::max(kTwin, kTwinShare * std::min(out.right, drawn));
+        for (Candidate& one : ofEach) {
+            if (explains && one.left <= asGood && one.explained > 0.5)
+                out.candidates.push_back(std::move(one));
+            else if (!out.next)
+                out.next = std::move(one);
+        }
+        if (out.candidates.size() > 1) out.experiment = experimentBetween(out.candidates, m_scene, m_reference, stop);
+        return out;
     }
-    std::vector<Candidate> best;
-    for (const std::size_t i : ranked)
-      best.push_back(candidate(i, files, out.right));
-    // Of those that are as good the rows of the right frame are the likelier.
-    std::ranges::stable_sort(best, {}, [](const Candidate &one) {
-      return std::tuple(one.left, one.otherRows);
-    });
-    std::vector<Candidate> ofEach; // the best way of each error stands for it
-    for (Candidate &one : best)
-      if (std::ranges::none_of(ofEach, [&](const Candidate &other) {
-            return other.error.id == one.error.id;
-          }))
-        ofEach.push_back(std::move(one));
-    if (ofEach.empty())
-      return out;
-    const double least = ofEach[0].left,
-                 drawn =
-                     double(std::max<std::size_t>(1, ofEach[0].misfit.drawn));
-    const bool explains =
-        ofEach[0].explained >= kExplains && least <= kLeftOfDrawn * drawn;
-    const double asGood =
-        least + std::max(kTwin, kTwinShare * std::min(out.right, drawn));
-    for (Candidate &one : ofEach) {
-      if (explains && one.left <= asGood && one.explained > 0.5)
-        out.candidates.push_back(std::move(one));
-      else if (!out.next)
-        out.next = std::move(one);
-    }
-    if (out.candidates.size() > 1)
-      out.experiment =
-          experimentBetween(out.candidates, m_scene, m_reference, stop);
-    return out;
-  }
 
 private:
-  static std::size_t factorOf(const Scene &scene) {
-    const double pixels = double(scene.settings.width) * scene.settings.height;
-    return std::max<std::size_t>(
-        1, std::size_t(std::sqrt(pixels / kPixels) + 0.01));
-  }
-  bool confirm(std::size_t i, const Stop &stop) {
-    if (m_isConfirmed[i])
-      return true;
-    auto misfit = m_full.of(m_errors[i].plant(m_scene), stop);
-    if (!misfit)
-      return false;
-    m_misfits[i] = left(m_errors[i], std::move(*misfit));
-    return m_isConfirmed[i] = true;
-  }
-  // With what the right frame leaves where the error leaves a buffer right.
-  Misfit left(const KnownError &error, Misfit misfit) const {
-    for (std::size_t i = 0; i < misfit.wrong.size(); ++i)
-      if (std::ranges::find(error.leaves,
-                            m_conventions.files[i].file->name.buffer.id) !=
-          error.leaves.end())
-        misfit.wrong[i] = m_right.wrong[i],
-        misfit.readings[i] = m_right.readings[i];
-    return misfit;
-  }
-  Candidate candidate(std::size_t i, const std::vector<std::size_t> &files,
-                      double right) const {
-    Candidate one{m_errors[i], m_misfits[i]};
-    one.left = one.misfit.sum(files);
-    one.explained = right > 0 ? 1 - one.left / right : 0;
-    one.otherRows = one.misfit.geometry.bottomUp != m_right.geometry.bottomUp;
-    return one;
-  }
+    static std::size_t factorOf(const Scene& scene) {
+        const double pixels = double(scene.settings.width) * scene.settings.height;
+        return std::max<std::size_t>(1, std::size_t(std::sqrt(pixels / kPixels) + 0.01));
+    }
+    bool confirm(std::size_t i, const Stop& stop) {
+        if (m_isConfirmed[i]) return true;
+        auto misfit = m_full.of(m_errors[i].plant(m_scene), stop);
+        if (!misfit) return false;
+        m_misfits[i] = left(m_errors[i], std::move(*misfit));
+        return m_isConfirmed[i] = true;
+    }
+    // With what the right frame leaves where the error leaves a buffer right.
+    Misfit left(const KnownError& error, Misfit misfit) const {
+        for (std::size_t i = 0; i < misfit.wrong.size(); ++i)
+            if (std::ranges::find(error.leaves, m_conventions.files[i].file->name.buffer.id) != error.leaves.end())
+                misfit.wrong[i] = m_right.wrong[i], misfit.readings[i] = m_right.readings[i];
+        return misfit;
+    }
+    Candidate candidate(std::size_t i, const std::vector<std::size_t>& files, double right) const {
+        Candidate one{m_errors[i], m_misfits[i]};
+        one.left = one.misfit.sum(files);
+        one.explained = right > 0 ? 1 - one.left / right : 0;
+        one.otherRows = one.misfit.geometry.bottomUp != m_right.geometry.bottomUp;
+        return one;
+    }
 
-  const Scene &m_scene;
-  const Reference &m_reference;
-  const Conventions &m_conventions;
-  std::vector<KnownError> m_errors;
-  std::size_t m_factor;
-  Court m_full;
-  std::optional<Court> m_small;
-  Misfit m_right;
-  std::vector<Misfit> m_misfits; // of each error
-  std::map<std::size_t, bool> m_isConfirmed;
+    const Scene& m_scene;
+    const Reference& m_reference;
+    const Conventions& m_conventions;
+    std::vector<KnownError> m_errors;
+    std::size_t m_factor;
+    Court m_full;
+    std::optional<Court> m_small;
+    Misfit m_right;
+    std::vector<Misfit> m_misfits;  // of each error
+    std::map<std::size_t, bool> m_isConfirmed;
 };
 
 // Which files have to fit where a stage is known to be wrong first: what comes
 // before, and its own that differs. What follows depends on more of their
 // program.
-std::vector<std::vector<std::size_t>>
-focusOn(const std::vector<Finding> &findings, StageId wrong,
-        const std::vector<std::size_t> &wrongHere) {
-  std::vector<std::vector<std::size_t>> out;
-  for (const std::size_t i : wrongHere) {
-    if (findings[i].stage != wrong)
-      continue;
-    std::vector<std::size_t> files;
-    for (std::size_t before = 0; before < i; ++before)
-      if (findings[before].stage < wrong || findings[before].agrees)
-        files.push_back(before);
-    files.push_back(i);
-    out.push_back(std::move(files));
-    if (wrong == StageId::Shading)
-      break; // its terms follow from each other
-  }
-  return out;
+std::vector<std::vector<std::size_t>> focusOn(const std::vector<Finding>& findings, StageId wrong,
+                                              const std::vector<std::size_t>& wrongHere) {
+    std::vector<std::vector<std::size_t>> out;
+    for (const std::size_t i : wrongHere) {
+        if (findings[i].stage != wrong) continue;
+        std::vector<std::size_t> files;
+        for (std::size_t before = 0; before < i; ++before)
+            if (findings[before].stage < wrong || findings[before].agrees) files.push_back(before);
+        files.push_back(i);
+        out.push_back(std::move(files));
+        if (wrong == StageId::Shading) break;  // its terms follow from each other
+    }
+    return out;
 }
 
 // What the picture tells of S by itself, where no frame explains the files:
 // shadow buffers differ in frame, resolution and bias, so that the pattern of a
 // wrong one is everybody's own.
-void askTheShadow(const Trial &trial, const Reference &reference,
-                  const Conventions &conventions,
-                  const std::vector<Finding> &findings, Suspects &out) {
-  for (std::size_t i = 0; i < findings.size(); ++i)
-    if (findings[i].stage < StageId::Shading && !findings[i].agrees)
-      return;
-  for (std::size_t i = 0; i < findings.size(); ++i) {
-    if (findings[i].name.buffer.id != BufferId::Color || findings[i].agrees)
-      continue;
-    const ShadowAlone found =
-        shadowAlone(findings[i], conventions.files[i].mine, reference);
-    for (const std::string &id : found.ids)
-      if (const KnownError *const error = trial.find(id)) {
-        Candidate one{*error, trial.right()};
-        one.explained = found.explained,
-        one.left = (1 - found.explained) * out.right;
-        out.candidates.push_back(std::move(one));
-      }
-    if (!out.candidates.empty())
-      out.kind = found.kind, out.next.reset();
-  }
+void askTheShadow(const Trial& trial, const Reference& reference, const Conventions& conventions,
+                  const std::vector<Finding>& findings, Suspects& out) {
+    for (std::size_t i = 0; i < findings.size(); ++i)
+        if (findings[i].stage < StageId::Shading && !findings[i].agrees) return;
+    for (std::size_t i = 0; i < findings.size(); ++i) {
+        if (findings[i].name.buffer.id != BufferId::Color || findings[i].agrees) continue;
+        const ShadowAlone found = shadowAlone(findings[i], conventions.files[i].mine, reference);
+        for (const std::string& id : found.ids)
+            if (const KnownError* const error = trial.find(id)) {
+                Candidate one{*error, trial.right()};
+                one.explained = found.explained, one.left = (1 - found.explained) * out.right;
+                out.candidates.push_back(std::move(one));
+            }
+        if (!out.candidates.empty()) out.kind = found.kind, out.next.reset();
+    }
 }
 
-} // namespace
+}  // namespace
 
-Suspects findSuspects(const Scene &scene, const Reference &reference,
-                      const Conventions &conventions,
-                      const StatedConventions &stated,
-                      const std::vector<Finding> &findings,
-                      const FirstWrong &first, const Stop &stop,
-                      const HypothesisProgress &progress) {
-  Trial trial(scene, reference, conventions, stated);
-  Suspects stopped;
-  stopped.stopped = true;
-  if (!trial.measure(stop, progress))
-    return stopped;
-  std::vector<std::size_t> all(findings.size());
-  for (std::size_t i = 0; i < all.size(); ++i)
-    all[i] = i;
-  Suspects out = trial.judge(all, stop);
-  if (!out.candidates.empty() || out.stopped)
+Suspects findSuspects(const Scene& scene, const Reference& reference, const Conventions& conventions,
+                      const StatedConventions& stated, const std::vector<Finding>& findings, const FirstWrong& first,
+                      const Stop& stop, const HypothesisProgress& progress) {
+    Trial trial(scene, reference, conventions, stated);
+    Suspects stopped;
+    stopped.stopped = true;
+    if (!trial.measure(stop, progress)) return stopped;
+    std::vector<std::size_t> all(findings.size());
+    for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
+    Suspects out = trial.judge(all, stop);
+    if (!out.candidates.empty() || out.stopped) return out;
+    askTheShadow(trial, reference, conventions, findings, out);
+    if (!out.candidates.empty() || !first.stage) return out;
+    for (const std::vector<std::size_t>& files : focusOn(findings, *first.stage, first.wrongHere)) {
+        Suspects focused = trial.judge(files, stop);
+        if (!focused.candidates.empty() || focused.stopped) return focused;
+    }
+    // The picture alone: files may be written before the error is made, or after.
+    for (std::size_t i = 0; i < findings.size(); ++i) {
+        if (findings[i].name.buffer.id != BufferId::Color || findings[i].agrees) continue;
+        Suspects focused = trial.judge({i}, stop);
+        if (focused.stopped) return focused;
+        std::erase_if(focused.candidates, [&](const Candidate& c) { return c.error.stage != first.stage; });
+        if (focused.candidates.size() == 1) return focused.experiment.reset(), focused;
+    }
     return out;
-  askTheShadow(trial, reference, conventions, findings, out);
-  if (!out.candidates.empty() || !first.stage)
-    return out;
-  for (const std::vector<std::size_t> &files :
-       focusOn(findings, *first.stage, first.wrongHere)) {
-    Suspects focused = trial.judge(files, stop);
-    if (!focused.candidates.empty() || focused.stopped)
-      return focused;
-  }
-  // The picture alone: files may be written before the error is made, or after.
-  for (std::size_t i = 0; i < findings.size(); ++i) {
-    if (findings[i].name.buffer.id != BufferId::Color || findings[i].agrees)
-      continue;
-    Suspects focused = trial.judge({i}, stop);
-    if (focused.stopped)
-      return focused;
-    std::erase_if(focused.candidates, [&](const Candidate &c) {
-      return c.error.stage != first.stage;
-    });
-    if (focused.candidates.size() == 1)
-      return focused.experiment.reset(), focused;
-  }
-  return out;
 }
 
-} // namespace pipeline::foreign
+}  // namespace pipeline::foreign

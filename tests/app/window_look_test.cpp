@@ -29,7 +29,7 @@
 namespace app {
 namespace {
 
-class WindowLook : public WindowTest {
+class WindowLooks : public WindowTest {
 protected:
     void expectPictureIsFrame() {
         const QImage shown = canvas()->grab().toImage();
@@ -53,7 +53,7 @@ protected:
     }
 };
 
-TEST_F(WindowLook, PictureIsTheFrameInEveryTheme) {
+TEST_F(WindowLooks, PictureIsTheFrameInEveryTheme) {
     openPyramid();
     for (const ThemeId theme : {ThemeId::Light, ThemeId::Dark, ThemeId::Projector}) {
         Theme::current().set(theme);
@@ -62,7 +62,7 @@ TEST_F(WindowLook, PictureIsTheFrameInEveryTheme) {
     }
 }
 
-TEST_F(WindowLook, NothingIsCutInAnySizeAndTheme) {
+TEST_F(WindowLooks, NothingIsCutInAnySizeAndTheme) {
     openPyramid();
     document().pointing().pick(glm::ivec2(268, 281));
     for (const QSize size : {QSize(1024, 640), QSize(1280, 720), QSize(1600, 900)}) {
@@ -79,7 +79,7 @@ TEST_F(WindowLook, NothingIsCutInAnySizeAndTheme) {
 
 // Beside the pixel under the cursor a sentence that the foot has room for stands whole; what stands elsewhere too gives
 // way, and comes back when the next sentence is short.
-TEST_F(WindowLook, TheSentenceAtTheFootHasRoom) {
+TEST_F(WindowLooks, TheSentenceAtTheFootHasRoom) {
     openPyramid();
     window.resize(1280, 720);
     Theme::current().set(ThemeId::Projector);
@@ -99,7 +99,7 @@ TEST_F(WindowLook, TheSentenceAtTheFootHasRoom) {
     EXPECT_TRUE(error->isVisible());
 }
 
-TEST_F(WindowLook, ResetBringsClosedPanelsBack) {
+TEST_F(WindowLooks, ResetBringsClosedPanelsBack) {
     openPyramid();
     for (QDockWidget* dock : window.findChildren<QDockWidget*>()) dock->close();
     auto* inspector = find<QDockWidget>("inspector");
@@ -113,7 +113,7 @@ TEST_F(WindowLook, ResetBringsClosedPanelsBack) {
     EXPECT_GT(inspector->width(), 300);
 }
 
-TEST_F(WindowLook, TheNextStartHasTheWindowWhereItWasLeft) {
+TEST_F(WindowLooks, TheNextStartHasTheWindowWhereItWasLeft) {
     window.setGeometry(40, 60, 1300, 800);
     window.close();
     MainWindow next;
@@ -126,7 +126,7 @@ TEST_F(WindowLook, TheNextStartHasTheWindowWhereItWasLeft) {
     EXPECT_EQ(last.normalGeometry(), QRect(40, 60, 1300, 800)) << "its size when it is no longer";
 }
 
-TEST_F(WindowLook, AWindowFromAScreenThatIsGoneComesBackOnOneThatIsThere) {
+TEST_F(WindowLooks, AWindowFromAScreenThatIsGoneComesBackOnOneThatIsThere) {
     const QRect screen = window.screen()->availableGeometry();
     window.setGeometry(QRect(screen.bottomRight() + QPoint(900, 700), QSize(1300, 800)));
     window.close();
@@ -135,7 +135,7 @@ TEST_F(WindowLook, AWindowFromAScreenThatIsGoneComesBackOnOneThatIsThere) {
     EXPECT_EQ(next.size(), QSize(1300, 800));
 }
 
-TEST_F(WindowLook, ResetBringsTheWindowsFirstPlaceBackAndNamedLayoutsLeaveIt) {
+TEST_F(WindowLooks, ResetBringsTheWindowsFirstPlaceBackAndNamedLayoutsLeaveIt) {
     openPyramid();
     window.setGeometry(40, 60, 1300, 800);
     press("Ctrl+Shift+3");
@@ -146,7 +146,7 @@ TEST_F(WindowLook, ResetBringsTheWindowsFirstPlaceBackAndNamedLayoutsLeaveIt) {
     EXPECT_TRUE(screen.contains(window.geometry()));
 }
 
-TEST_F(WindowLook, NamedLayoutsPutViewsInTheirPlaces) {
+TEST_F(WindowLooks, NamedLayoutsPutViewsInTheirPlaces) {
     openPyramid();
     struct Case {
         const char *keys, *arrangement;
@@ -182,7 +182,7 @@ TEST(EvenSplitter, ItsHandleStopsAtHalvesAndThirds) {
     EXPECT_EQ(snappedPosition(125, 308, 8, 10), 125) << "none is near";
 }
 
-TEST_F(WindowLook, ADoubleClickEvensTheViews) {
+TEST_F(WindowLooks, ADoubleClickEvensTheViews) {
     openPyramid();
     press("Ctrl+Shift+1");
     auto* columns = window.views().findChild<QSplitter*>();
@@ -191,7 +191,7 @@ TEST_F(WindowLook, ADoubleClickEvensTheViews) {
     EXPECT_NEAR(columns->sizes()[0], columns->sizes()[1], 2);
 }
 
-TEST_F(WindowLook, AKeptLayoutIsThereByItsName) {
+TEST_F(WindowLooks, AKeptLayoutIsThereByItsName) {
     const KeptLayout layout{"panels", "2: buffer | 1: buffer", true};
     keepLayout("Lecture 2/shadows", layout);
     EXPECT_EQ(keptLayouts(), QStringList("Lecture 2/shadows"));
@@ -201,7 +201,7 @@ TEST_F(WindowLook, AKeptLayoutIsThereByItsName) {
     EXPECT_TRUE(keptLayouts().isEmpty());
 }
 
-TEST_F(WindowLook, AKeptLayoutIsFoundAmongTheCommands) {
+TEST_F(WindowLooks, AKeptLayoutIsFoundAmongTheCommands) {
     openPyramid();
     press("Ctrl+Shift+1");
     keepLayout("Seminar", {{}, "four", false});
@@ -213,7 +213,7 @@ TEST_F(WindowLook, AKeptLayoutIsFoundAmongTheCommands) {
     dropLayout("Seminar");
 }
 
-TEST_F(WindowLook, AKeptLayoutIsReplacedOnlyWhenAsked) {
+TEST_F(WindowLooks, AKeptLayoutIsReplacedOnlyWhenAsked) {
     openPyramid();
     const KeptLayout before{{}, "four", false};
     keepLayout("Seminar", before);
@@ -240,7 +240,7 @@ TEST_F(WindowLook, AKeptLayoutIsReplacedOnlyWhenAsked) {
     dropLayout("Seminar");
 }
 
-TEST_F(WindowLook, LargerTextIsLargerAndComesBack) {
+TEST_F(WindowLooks, LargerTextIsLargerAndComesBack) {
     openPyramid();
     const double before = Theme::current().scale();
     press("Ctrl+Shift++");
@@ -250,7 +250,7 @@ TEST_F(WindowLook, LargerTextIsLargerAndComesBack) {
 }
 
 // The scene's name gives way.
-TEST_F(WindowLook, WithLargeTextEveryMenuIsInReachOnASmallScreen) {
+TEST_F(WindowLooks, WithLargeTextEveryMenuIsInReachOnASmallScreen) {
     window.resize(1366, 768);
     openPyramid();
     find<QLabel>("title")->setText(QString(60, 'x'));
@@ -267,7 +267,7 @@ TEST_F(WindowLook, WithLargeTextEveryMenuIsInReachOnASmallScreen) {
 }
 
 // A theme and the letters' size change how panels look, not which are there.
-TEST_F(WindowLook, AThemeAndLargerTextLeaveThePanelsAsChosen) {
+TEST_F(WindowLooks, AThemeAndLargerTextLeaveThePanelsAsChosen) {
     openPyramid();
     auto* inspector = find<QDockWidget>("inspector");
     auto* tree = find<QDockWidget>("scene");
@@ -293,7 +293,7 @@ TEST_F(WindowLook, AThemeAndLargerTextLeaveThePanelsAsChosen) {
 }
 
 // What ends the program must not take back what was chosen: both are kept while the window is open.
-TEST_F(WindowLook, TheThemeAndThePlacesOfPanelsAreKeptAtOnce) {
+TEST_F(WindowLooks, TheThemeAndThePlacesOfPanelsAreKeptAtOnce) {
     openPyramid();
     const auto kept = [] {
         for (const QString& key : QSettings().allKeys())
@@ -308,7 +308,7 @@ TEST_F(WindowLook, TheThemeAndThePlacesOfPanelsAreKeptAtOnce) {
 }
 
 // What gives way in the status line is hidden once, not shown and hidden again without end.
-TEST_F(WindowLook, TheLargestLettersLeaveTheWindowStanding) {
+TEST_F(WindowLooks, TheLargestLettersLeaveTheWindowStanding) {
     window.resize(1280, 720);
     Theme::current().set(ThemeId::Projector);
     Theme::current().setScale(Theme::kMostScale);
@@ -318,7 +318,7 @@ TEST_F(WindowLook, TheLargestLettersLeaveTheWindowStanding) {
     Theme::current().set(ThemeId::Light);
 }
 
-TEST_F(WindowLook, TheNextSceneHasThePanelsOfTheOneThatWasClosed) {
+TEST_F(WindowLooks, TheNextSceneHasThePanelsOfTheOneThatWasClosed) {
     openPyramid();
     press("Ctrl+Alt+4");
     press("Ctrl+W");

@@ -15,14 +15,14 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-const fs::path kCases = SHADESCOPE_CASES;
+const fs::path kHandedIn = SHADESCOPE_CASES;
 
 Json verdictOf(const std::string& folder, std::vector<std::string> more = {}) {
-    std::vector<std::string> arguments{"compare", (kCases / "scene.toml").string(), folder, "--json"};
+    std::vector<std::string> arguments{"compare", (kHandedIn / "scene.toml").string(), folder, "--json"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     return Json::parse(test::run(arguments).out, nullptr, false);
 }
-Json verdictOfCase(const std::string& name) { return verdictOf((kCases / name).string()); }
+Json verdictOfCase(const std::string& name) { return verdictOf((kHandedIn / name).string()); }
 
 std::vector<std::string> named(const Json& report) {
     std::vector<std::string> ids;
@@ -69,7 +69,7 @@ TEST(Verdict, visibilityIsJudgedBeforeShading) {
 class Right {
 public:
     Right() {
-        const auto done = test::run({"export", (kCases / "scene.toml").string(), "--format", "npy", "--buffers",
+        const auto done = test::run({"export", (kHandedIn / "scene.toml").string(), "--format", "npy", "--buffers",
                                      "color,z_view,normal,polygon_id", "-o", (m_folder / "all").string()});
         EXPECT_EQ(done.status, 0) << done.err;
         fs::create_directory(m_folder / "mine");
@@ -88,7 +88,7 @@ public:
     }
     std::string folder() const { return m_folder / "mine"; }
     std::string said() const {
-        return test::run({"compare", (kCases / "scene.toml").string(), folder(), "--no-known"}).out;
+        return test::run({"compare", (kHandedIn / "scene.toml").string(), folder(), "--no-known"}).out;
     }
 
 private:
@@ -181,7 +181,7 @@ TEST(Verdict, namesTakeLessThanOneGB) {
     GTEST_SKIP() << "a sanitizer takes memory of its own";
 #endif
     const test::TemporaryFolder folder;
-    const std::string scene = (kCases / "scene.toml").string();
+    const std::string scene = (kHandedIn / "scene.toml").string();
     const auto done = test::run({"export", scene, "--size", "320x200", "--set", "defect=no-max", "--format", "npy",
                                  "--buffers", "color,z_view,normal", "-o", folder / "mine"});
     ASSERT_EQ(done.status, 0) << done.err;

@@ -229,7 +229,7 @@ TEST_F(Expressions, FramesWithinOneAnotherAreRefusedWhereTheyTakeTooMuch) {
     const double bytes = frameBytes(large, wanted);
     ASSERT_TRUE(bytes < pipeline::kMemoryLimit && 2 * bytes > pipeline::kMemoryLimit);
     {
-        const auto outer = frameOf(s_scene, {});
+        const auto outer = frameOf(s_scene, pipeline::BufferSet());
         std::vector<std::unique_ptr<HeldFrame>> held;
         while (double(held.size()) * frameBytes(s_scene, {}) < pipeline::kMemoryLimit - bytes)
             held.push_back(std::make_unique<HeldFrame>(*outer));

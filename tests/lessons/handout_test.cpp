@@ -65,8 +65,8 @@ TEST_F(HandoutOfThePyramid, HasEveryPageWithItsPicturesAndQuestion) {
         tables += figuresOf(page.first, hiddenOn(page, false)).second;
         afterwards += figuresOf(*page.then, {}).first;
     }
-    EXPECT_EQ(count(m_handout.pages, "<img src=\"data:image/png;base64,"), 5u)
-        << "pages 4 to 8: nothing is drawn yet on the first two, the third has a table";
+    EXPECT_EQ(count(m_handout.pages, "<img src=\"data:image/png;base64,"), 6u)
+        << "pages 1 and 4 to 8: nothing is drawn yet on the second, the third has a table";
     EXPECT_EQ(count(m_handout.pages, "<table"), tables) << "what polygons have is no picture";
     EXPECT_EQ(count(m_handout.pages, "class=question"), m_lesson.pages.size());
     EXPECT_EQ(count(m_handout.answers, "class=answer"), m_lesson.pages.size());

@@ -17,7 +17,7 @@ Held heldOf(const std::string& keys) {
     EXPECT_TRUE(lesson) << format(lesson.errors());
     return lesson ? lesson->pages[0].first.held : Held{};
 }
-std::string errorsOf(const std::string& keys) {
+std::string errorsOfKeys(const std::string& keys) {
     const auto lesson = read(keys);
     return lesson ? "" : format(lesson.errors());
 }
@@ -49,9 +49,9 @@ TEST(Held, APlayHasItsConditionAndItsFindingBelowIt) {
     EXPECT_EQ(held.play->text, "Go up.");
     EXPECT_EQ(held.play->until.text, "setting(camera.phi) < 5");
     EXPECT_EQ(held.play->done, "It is flat from here.");
-    EXPECT_NE(errorsOf("hold: camera | Eye\nplay: Go up.\n").find("lesson.md:8:1: this play has no end"),
+    EXPECT_NE(errorsOfKeys("hold: camera | Eye\nplay: Go up.\n").find("lesson.md:8:1: this play has no end"),
               std::string::npos);
-    EXPECT_NE(errorsOf("hold: camera | Eye\nplay: Go up.\n  until: 5\n  done: Up.\n").find("expected a condition"),
+    EXPECT_NE(errorsOfKeys("hold: camera | Eye\nplay: Go up.\n  until: 5\n  done: Up.\n").find("expected a condition"),
               std::string::npos);
 }
 
@@ -61,11 +61,11 @@ TEST(Held, SaysWhatIsNoHold) {
           "object.3 along x from 0 to 1 | Box", "object.0 along w from 0 to 1 | Box", "object.0.rq on 0, 0, 0 | Box",
           "shading from 0 to 1 | Shading", "material.0.n from 5 to 2 | n", "material.0.n from -5 to 2 | n",
           "material.0.n from 1 to 9", "", "nonsense | X"})
-        EXPECT_EQ(errorsOf("hold: " + std::string(wrong) + '\n').substr(0, 12), "lesson.md:7:") << wrong;
-    EXPECT_NE(errorsOf("figure: pie\n"), "");
-    EXPECT_NE(errorsOf("pixels: soft\n"), "");
-    EXPECT_NE(errorsOf("hold: camera | Eye\nstrip: 1, 2\n"), "");
-    EXPECT_NE(errorsOf("strip: 1, 2, 3\n"), "");
+        EXPECT_EQ(errorsOfKeys("hold: " + std::string(wrong) + '\n').substr(0, 12), "lesson.md:7:") << wrong;
+    EXPECT_NE(errorsOfKeys("figure: pie\n"), "");
+    EXPECT_NE(errorsOfKeys("pixels: soft\n"), "");
+    EXPECT_NE(errorsOfKeys("hold: camera | Eye\nstrip: 1, 2\n"), "");
+    EXPECT_NE(errorsOfKeys("strip: 1, 2, 3\n"), "");
 }
 
 TEST(Held, TheSecondHalfKeepsTheHoldsAndSaysWhatItSets) {

@@ -57,7 +57,7 @@ TEST(ProseText, TheLastOfManyHolesKnowsItsColumn) {
     const Prose prose = proseFrom(text + "\u00e4{2}", scene);
     ASSERT_EQ(prose.holes.size(), 40'001u);
     EXPECT_EQ(prose.holes.back().expression.root.where.column, 120'003);
-    const auto whole = filled(prose, *frameOf(scene, {}));
+    const auto whole = filled(prose, *frameOf(scene, pipeline::BufferSet()));
     ASSERT_TRUE(whole);
     EXPECT_EQ(whole->size(), 40'000u + 2 + 1);
 }

@@ -26,7 +26,9 @@ TEST(Unruly, DISABLED_IsNotRun) { FAIL(); }
 
 // Wrong only once all have passed, as what a sanitizer finds at the end.
 struct WrongAtItsEnd : testing::Test {
-    static void TearDownTestSuite() { std::atexit([] { std::_Exit(3); }); }
+    static void TearDownTestSuite() {
+        std::atexit([] { std::_Exit(3); });
+    }
 };
 TEST_F(WrongAtItsEnd, Passes) {}
 

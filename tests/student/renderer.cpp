@@ -83,11 +83,11 @@ const Mistake kMistakes[] = {
     {"turn-z-first", "rotation-order", "vertices.world"},  // rotations about z, y, x
     {"both-sides", "no-max", "diffuse.0"},                 // |N.L|
     // In no table.
-    {"half-lambert", "half-lambert", "diffuse.0"},            // ((N.L + 1) / 2)^2
-    {"neighbour-normal", "-", "vertices.normal"},  // of the vertex before
-    {"repeated-rows", "-", "color"},               // each eighth row is the one before
-    {"banded", "-", "intensity"},                  // in sixteenths of I_max
-    {"swapped-light", "-", "n_dot_l.0"},           // y and z of the light's direction
+    {"half-lambert", "half-lambert", "diffuse.0"},  // ((N.L + 1) / 2)^2
+    {"neighbour-normal", "-", "vertices.normal"},   // of the vertex before
+    {"repeated-rows", "-", "color"},                // each eighth row is the one before
+    {"banded", "-", "intensity"},                   // in sixteenths of I_max
+    {"swapped-light", "-", "n_dot_l.0"},            // y and z of the light's direction
 };
 
 struct Options {

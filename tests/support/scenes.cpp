@@ -46,7 +46,7 @@ Object randomObject(std::mt19937& random) {
     Object object;
     switch (random() % 3) {
         case 0: {
-            const int rings = 3 + int(random() % 5), segments = 3 + int(random() % 8);
+            const int segments = 3 + int(random() % 8), rings = 3 + int(random() % 5);
             object.mesh = sphere(1, rings, segments);
             break;
         }

@@ -17,7 +17,7 @@
 namespace pipeline {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
 
 std::string violations(const FramePtr& frame) {
     const ContractInput input = contractInput(*frame);
@@ -186,7 +186,7 @@ TEST(Contracts, NoneHoldsForNaN) {
         for (ContractBuffer& buffer : input.buffers)
             if (buffer.numbers.name == BufferName{before.contract->reads.ids[0], buffer.numbers.name.light})
                 buffer = numbersOf(buffer.numbers.name, buffer.numbers.shape,
-                                   std::vector<double>(buffer.numbers.count(), kNaN), buffer.rounding);
+                                   std::vector<double>(buffer.numbers.count(), kNotANumber), buffer.rounding);
         const ContractResult after = checkContract(*before.contract, input, before.light);
         EXPECT_GT(after.checked, 0u) << before.name();
         EXPECT_EQ(after.hold, 0u) << before.name();

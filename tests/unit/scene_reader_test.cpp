@@ -254,12 +254,13 @@ TEST_F(SceneReader, ASceneMayHaveNoObject) {
 }
 
 TEST_F(SceneReader, ModelOpensAsAScene) {
-    // A box of 2, 4 and 4 around (1, 2, 2): half its diagonal is 3, the eye is four times as far.
+    // A box of 2, 4 and 4 around (1, 2, 2): half its diagonal is 3, the eye is four times as far. OBJ is y-up: (x, y, z) of
+    // the file is (x, -z, y) here, and the middle (1, -2, 2).
     const std::string square = "v 0 0 0\nv 2 0 0\nv 2 4 0\nv 0 4 4\n";
     const Result<Scene> scene = readScene(write("m.OBJ", square + "o a\nf 1 2 3\no b\nf 1 3 4\n"));
     ASSERT_TRUE(scene) << format(scene.errors());
     ASSERT_EQ(scene->objects.size(), 2u);
-    for (const Object& object : scene->objects) EXPECT_EQ(object.transform.translation, Vec3d(-1, -2, -2));
+    for (const Object& object : scene->objects) EXPECT_EQ(object.transform.translation, Vec3d(-1, 2, -2));
     EXPECT_DOUBLE_EQ(scene->camera.rho, 12);
     EXPECT_EQ(scene->lights.size(), 1u);
     EXPECT_EQ(scene->settings.shading, Shading::Flat);

@@ -103,7 +103,8 @@ try {
   expect('the equation follows', /48\.0\+0\.0=48\.0/.test((await p.run('document.querySelector(".sum").textContent')).replace(/[^0-9.+=]/g, '').replace(/^[^4]*/, '')) || (await p.run('document.querySelector(".sum").textContent')).includes('48.0'), await p.run('document.querySelector(".sum").textContent'));
   const sums = await p.run('document.querySelector(".sum").textContent');
   await p.run('document.querySelector(".grip.lamp").focus()');
-  for (let i = 0; i < 6; ++i) await p.key('ArrowLeft', 8), await settle(p);
+  // 10 times 15°, from behind the ball at the right to where the ringed point at the left is lit.
+  for (let i = 0; i < 10; ++i) await p.key('ArrowLeft', 8), await settle(p);
   expect('arrow keys move the lamp, and the equation', (await p.run('document.querySelector(".sum").textContent')) !== sums);
   await p.key('Home'), await settle(p);
   expect('Home puts it back', (await p.run('held.holds[0].values')) === (await p.run('held.holds[0].own')));
@@ -143,7 +144,7 @@ try {
   await k.key('Enter'), await settle(k);
   expect('Enter checks', await k.run('page.then'));
   await k.key('Enter'), await settle(k);
-  expect('and goes on', await k.run('!page.then && view.page === data.returning + 1'));
+  expect('and goes on', await k.run('!page.then && view.page === 1'));
   await k.close();
 
   // The near plane: on the axis of the codes.
@@ -152,6 +153,7 @@ try {
   [x, y] = await d.run(middle('.grip.number'));
   await drag(d, [x, y], [x + 420, y]);
   expect('the near plane moves along its axis', Number(await d.run('settingOf("camera.near").text')) > 5, await d.run('settingOf("camera.near").text'));
+  await d.until('document.querySelector("#play").textContent.includes("Half of all codes")').catch(() => {});
   expect('its play ends', (await d.run('document.querySelector("#play").textContent')).includes('Half of all codes'), await d.run('document.querySelector("#play").textContent'));
   if (shots) await d.shot(path.join(shots, '1366-depth-precision-1-moved.png'));
   await d.run('core.ask("show"), readAgain(), showThen()');
@@ -192,7 +194,7 @@ try {
       for (let i = 0; i < data.pages; ++i) {
         guarded(() => openPage(i));
         if (/hidden until/i.test(document.body.innerText)) wrong.push(i + ' says hidden');
-        const hidden = page.hidden.buffers, menus = [...document.querySelectorAll('select, option, title, [title], [aria-label]')].filter(part => part.offsetParent !== null).map(part => part.textContent + part.title + part.ariaLabel).join(' ');
+        const hidden = page.hidden.buffers, menus = [...document.querySelectorAll('select, option, title, [title], [aria-label]')].filter(part => part.offsetParent !== null).map(part => (/^(SELECT|OPTION|title)$/.test(part.tagName) ? part.textContent : '') + part.title + part.ariaLabel).join(' ');
         for (const name of hidden) if (menus.includes(name)) wrong.push(i + ' names ' + name);
         if (page.question && !page.question.settled) guarded(() => { core.ask('show'); readAgain(); });
         if (page.has_then) guarded(() => openPage(i, true));

@@ -32,9 +32,18 @@ function stagePart(shown) {
   return w * h > 0.7 * width * height ? [0, 0, width, height] : [x, y, w, h];
 }
 
+/** The polygon of each pixel, -1 for none; empty before the z-buffer, which a page about transform or cull does not reach. */
+function idsDrawn() {
+  try {
+    return core.numbers(core.ask('buffer', 'polygon_id', 0));
+  } catch {
+    return [];
+  }
+}
+
 /** What is drawn, with the picked pixel and a margin: x, y, width, height. @param {number} margin */
 function boxDrawn(margin) {
-  const [width, height] = pictureSize(), ids = core.numbers(core.ask('buffer', 'polygon_id', 0));
+  const [width, height] = pictureSize(), ids = idsDrawn();
   let left = width, right = -1, top = height, bottom = -1;
   for (let y = 0, i = 0; y < height; ++y)
     for (let x = 0; x < width; ++x, ++i)
