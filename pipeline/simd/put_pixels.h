@@ -68,15 +68,15 @@ public:
         const auto packed = hn::TableLookupBytes(hn::BitCast(bytes, colors), hn::LoadDup128(bytes, kKept));
         constexpr int kPut = kLanes / kBlock;
         if (HWY_LIKELY(column < m_next && m_size.y >= kBlock)) {
-            putRows(packed, place(column, row), [](auto bytes, std::uint8_t* to) HWY_ATTR {
-                hn::StoreU(bytes, hn::DFromV<decltype(bytes)>(), to);
+            putRows(packed, place(column, row), [](auto kept, std::uint8_t* to) HWY_ATTR {
+                hn::StoreU(kept, hn::DFromV<decltype(kept)>(), to);
             });
         } else if (column + kBlock <= m_size.x && m_size.y >= kBlock) {  // other threads write beyond the tile
-            putRows(packed, place(column, row), [](auto bytes, std::uint8_t* to) HWY_ATTR {
-                const hn::Repartition<std::uint64_t, hn::DFromV<decltype(bytes)>> eights;
-                const hn::Repartition<std::uint32_t, hn::DFromV<decltype(bytes)>> fours;
-                const std::uint64_t first = hn::GetLane(hn::BitCast(eights, bytes));
-                const std::uint32_t last = hn::ExtractLane(hn::BitCast(fours, bytes), 2);
+            putRows(packed, place(column, row), [](auto kept, std::uint8_t* to) HWY_ATTR {
+                const hn::Repartition<std::uint64_t, hn::DFromV<decltype(kept)>> eights;
+                const hn::Repartition<std::uint32_t, hn::DFromV<decltype(kept)>> fours;
+                const std::uint64_t first = hn::GetLane(hn::BitCast(eights, kept));
+                const std::uint32_t last = hn::ExtractLane(hn::BitCast(fours, kept), 2);
                 std::memcpy(to, &first, sizeof first), std::memcpy(to + sizeof first, &last, sizeof last);
             });
         } else if (column < m_size.x) {

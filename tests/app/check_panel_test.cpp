@@ -188,7 +188,7 @@ TEST(CheckCasesTest, WhatBreaksComesFirst) {
     EXPECT_EQ(table.item(0, 2)->text(), "NaN");
     EXPECT_EQ(table.item(0, 3)->text(), "3 of 4");
     EXPECT_EQ(table.item(0, 6)->text(), "▲");
-    EXPECT_EQ(table.item(0, 6)->toolTip(), "one is missing");
+    EXPECT_EQ(table.item(0, 6)->toolTip(), "breaks: one is missing");
     EXPECT_EQ(table.item(1, 6)->text(), "●");
     EXPECT_EQ(table.item(2, 6)->text(), "not run");
 }

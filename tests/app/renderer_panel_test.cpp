@@ -171,7 +171,7 @@ TEST_F(RendererPanelTest, SaysWhichFileHasAnotherSize) {
     renderer().open({folder.path()});
     ASSERT_TRUE(waitForReport(renderer()));
     EXPECT_TRUE(part<QLabel>("rendererFiles").text().contains("z_view.npy"));
-    EXPECT_EQ(heading(), "Everything handed in agrees.");
+    EXPECT_TRUE(heading().startsWith("z_view.npy could not")) << heading().toStdString();
 }
 
 TEST_F(RendererPanelTest, AConventionCanBeChangedAndPutBack) {

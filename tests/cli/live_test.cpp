@@ -44,7 +44,7 @@ TEST(Live, WritesOneFileOfAtMostABudget) {
     const fs::path file = fs::temp_directory_path() / ("shadescope-live-" + std::to_string(::getpid()) + ".html");
     const auto result = run({"lesson", "export", "pyramid", "--live", "-o", file.string()});
     EXPECT_EQ(result.status, 0) << result.err;
-    EXPECT_LE(fs::file_size(file), 1'600'000u) << "one lesson";
+    EXPECT_LE(fs::file_size(file), 1'900'000u) << "one lesson";
     std::ifstream in(file);
     const std::string page{std::istreambuf_iterator<char>(in), {}};
     EXPECT_TRUE(has(page, "<title>The pyramid"));

@@ -223,8 +223,8 @@ TEST_F(Expressions, FramesOfChangedSettingsHaveABudgetOfBytes) {
 TEST_F(Expressions, FramesWithinOneAnotherAreRefusedWhereTheyTakeTooMuch) {
     ChangedFrames frames;
     pipeline::Scene large = s_scene;
-    large.settings.width = large.settings.height = 9000;
-    const std::vector<std::string> changes{"width=9000", "height=9000"};
+    large.settings.width = large.settings.height = 12000;
+    const std::vector<std::string> changes{"width=12000", "height=12000"};
     const auto wanted = pipeline::setOf({pipeline::BufferId::Normal, pipeline::BufferId::Position});
     const double bytes = frameBytes(large, wanted);
     ASSERT_TRUE(bytes < pipeline::kMemoryLimit && 2 * bytes > pipeline::kMemoryLimit);

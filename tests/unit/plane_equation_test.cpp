@@ -53,11 +53,11 @@ TEST(PlaneEquation, IsAsAccurateAsWeightsOfAnyTriangle) {
         const std::array<float, 3> w{inverse(), inverse(), inverse()};
         const RasterTriangle<float> t = triangleOf({corner(0, 0), corner(1, y1), corner(x2, 1)}, w);
         ++(t.plane.holds ? planes : others);
-        forEachInverseZ(t, [&](glm::ivec2 pixel, float w, const std::array<std::int64_t, 3>& e) {
+        forEachInverseZ(t, [&](glm::ivec2 pixel, float pixelW, const std::array<std::int64_t, 3>& e) {
             long double sum = 0, area = 0;
             for (std::size_t i = 0; i < 3; ++i) sum += (long double)(e[i]) * t.w[i], area += (long double)(e[i]);
             const double exact = double(sum / area);
-            ASSERT_LE(std::abs(double(w) - exact), 12 * 0x1p-24 * exact) << n << " " << pixel.x << " " << pixel.y;
+            ASSERT_LE(std::abs(double(pixelW) - exact), 12 * 0x1p-24 * exact) << n << " " << pixel.x << " " << pixel.y;
         });
     }
     EXPECT_GT(planes, 500);
