@@ -11,6 +11,17 @@
 
 namespace app {
 
+namespace {
+
+// The room of a number only grows: numbers that change with every value of a drag must not lay the window out anew.
+void keepRoom(QLabel* number) {
+    const QSize needed = number->sizeHint();
+    if (needed.width() > number->minimumWidth() || needed.height() != number->minimumHeight())
+        number->setFixedSize(needed);
+}
+
+}  // namespace
+
 RangeFoot::RangeFoot(QWidget* parent)
     : QStackedWidget(parent),
       m_low(new QLabel(this)),
@@ -62,6 +73,7 @@ void RangeFoot::setFonts() {
     for (QLabel* label : {m_low, m_high}) label->setFont(theme.mono(12));
     m_unit->setFont(theme.text(12));
     for (QPushButton* button : {m_log, m_fit}) button->setFont(theme.text(12, 500));
+    for (QLabel* number : {m_low, m_high}) number->setFixedSize(number->sizeHint());
 }
 
 // Set while they are hidden, fonts do not outlive a view that moves in the window.
@@ -102,6 +114,7 @@ void RangeFoot::show(const ShownBuffer& shown, bool keepsFitting, bool logarithm
     const auto [low, high] = std::minmax(first, last);
     m_low->setText(valueText(shown.buffer, low, 8));
     m_high->setText(valueText(shown.buffer, high, 8));
+    keepRoom(m_low), keepRoom(m_high);
     m_unit->setText(toQString(shown.buffer.info->unit));
     fitWidth();
     PaletteBar::Scale scale = shown.scale;
