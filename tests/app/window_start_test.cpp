@@ -127,11 +127,10 @@ TEST_F(WindowStart, LargeTextGivesUpPicturesBeforeLessonsAndKeepsTheOneToGoOnWit
 }
 
 TEST_F(WindowStart, EnterInTheFilterOpensTheFirstHit) {
-    GTEST_SKIP() << "not right yet";
     type("teapot");
     QTest::keyClick(find<QLineEdit>("startFilter"), Qt::Key_Return);
     ASSERT_TRUE(document().hasScene());
-    EXPECT_EQ(document().scene().name, "teapot.toml");
+    EXPECT_EQ(document().scene().name, "Teapot");
 }
 
 // A lecture's choice does not hide a hit in the other one.
@@ -181,11 +180,10 @@ TEST_F(WindowStart, BeginsWithTheLectureThatWasLastUsed) {
 }
 
 TEST_F(WindowStart, EachOfTheFirstPicturesOpensItsOwnScene) {
-    GTEST_SKIP() << "not right yet";
     for (auto* picture : find<StartViewCard>("view:four-pictures")->findChildren<StartButton*>())
         if (picture->text() == "Back faces culled") QTest::keyClick(picture, Qt::Key_Return);
     ASSERT_TRUE(document().hasScene());
-    EXPECT_EQ(document().scene().name, "back_face_culling.toml");
+    EXPECT_EQ(document().scene().name, "Back-face culling");
 }
 
 TEST_F(WindowStart, ArrowsMoveFromCardToCardAndUpToTheFirstPictures) {
@@ -241,7 +239,6 @@ TEST_F(WindowStart, ATalkGoesOnAtItsLastCue) {
 }
 
 TEST_F(WindowStart, ToolsAndMenusNameTalksLessonsAndScenes) {
-    GTEST_SKIP() << "not right yet";
     for (const char* tool : {"tool:Give a talk…", "tool:Error against run time…", "tool:Stiff and extreme cases…",
                              "tool:Check my renderer…", "tool:Find the error…"})
         EXPECT_TRUE(find<StartLine>(tool)->isVisible()) << tool;
@@ -256,12 +253,12 @@ TEST_F(WindowStart, ToolsAndMenusNameTalksLessonsAndScenes) {
         EXPECT_EQ(action->isChecked(), action->text() == "Flat, Gouraud, Phong") << action->text().toStdString();
     }
     EXPECT_EQ(ticks, 1);
-    EXPECT_EQ(lessons.actions().size(), 12);
-    EXPECT_EQ(menu("Learn", "Lessons of Lecture 2")->actions().size(), 6);
+    EXPECT_EQ(lessons.actions().size(), 13);
+    EXPECT_EQ(menu("Learn", "Lessons of Lecture 2")->actions().size(), 5);
 }
 
 TEST_F(WindowStart, ANewSceneIsOneShape) {
-    GTEST_SKIP() << "not right yet";
+    GTEST_SKIP() << "not right yet: a new plane fills 2 % of the picture";
     for (QAction* shape : menu("File", "New")->actions()) {
         shape->trigger();
         ASSERT_TRUE(QTest::qWaitFor([&] { return document().hasScene(); }, 10000)) << shape->text().toStdString();
