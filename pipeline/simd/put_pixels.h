@@ -68,9 +68,8 @@ public:
         const auto packed = hn::TableLookupBytes(hn::BitCast(bytes, colors), hn::LoadDup128(bytes, kKept));
         constexpr int kPut = kLanes / kBlock;
         if (HWY_LIKELY(column < m_next && m_size.y >= kBlock)) {
-            putRows(packed, place(column, row), [](auto kept, std::uint8_t* to) HWY_ATTR {
-                hn::StoreU(kept, hn::DFromV<decltype(kept)>(), to);
-            });
+            putRows(packed, place(column, row),
+                    [](auto kept, std::uint8_t* to) HWY_ATTR { hn::StoreU(kept, hn::DFromV<decltype(kept)>(), to); });
         } else if (column + kBlock <= m_size.x && m_size.y >= kBlock) {  // other threads write beyond the tile
             putRows(packed, place(column, row), [](auto kept, std::uint8_t* to) HWY_ATTR {
                 const hn::Repartition<std::uint64_t, hn::DFromV<decltype(kept)>> eights;
