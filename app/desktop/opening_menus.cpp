@@ -111,21 +111,31 @@ void OpeningMenus::fillTalks(QMenu& menu) {
     menu.addAction(tr("A list of your own…"), this, [this] { m_opening.chooseTalk(); });
 }
 
-// One object under a lamp and some ambient light, in the middle of the picture.
+// One object under a lamp and some ambient light, in the middle of the picture and as large as fits: the eye is at four
+// times the radius of the shape's box.
 void OpeningMenus::fillShapes(QMenu& menu) {
     for (std::size_t i = 0; i < pipeline::kShapeCount; ++i) {
-        const std::string shape(name(static_cast<pipeline::ShapeKind>(i)));
+        const auto kind = static_cast<pipeline::ShapeKind>(i);
+        const std::string shape(name(kind));
         QString title = toQString(shape);
         title[0] = title[0].toUpper();
-        menu.addAction(title, this, [this, shape, title] {
+        menu.addAction(title, this, [this, kind, shape, title] {
             if (!m_files.mayLeave()) return;
+            const pipeline::MeshFacts facts = pipeline::makeShape({kind})->facts;
+            const pipeline::Vec3d middle = 0.5 * (facts.low + facts.high);
+            const double radius = glm::length(facts.high - middle);
+            const auto at = [&](const pipeline::Vec3d& offset) {
+                const pipeline::Vec3d place = middle + radius * offset;
+                return fmt::format("[{:.3f}, {:.3f}, {:.3f}]", place.x, place.y, place.z);
+            };
             lessons::WindowState state;
             state.sceneText = fmt::format(
                 "title = \"{}\"\nshading = \"phong\"\nnormal_weight = \"given\"\n"
-                "[camera]\nkind = \"look-at\"\neye = [4, -6, 4]\ntarget = [0, 0, 0]\nfov = 30\n"
-                "[ambient]\nintensity = 40\n[[light]]\nposition = [1, -3, 4]\nintensity = 160\n"
+                "[camera]\nkind = \"look-at\"\neye = {}\ntarget = {}\nfov = 30\n"
+                "[ambient]\nintensity = 40\n[[light]]\nposition = {}\nintensity = 160\n"
                 "[[object]]\nshape = \"{}\"\n[object.material]\ndiffuse = [0.2, 0.45, 0.9]\nks = 0.4\nn = 30\n",
-                title.toStdString(), shape);
+                title.toStdString(), at(4.0 * glm::normalize(pipeline::Vec3d(2, -3, 2))), at({}), at({0.6, -1.8, 2.4}),
+                shape);
             m_files.showState(state, {}, SceneChanges::Given);
         });
     }

@@ -45,7 +45,7 @@ int LessonRow::besideName() const {
 int LessonRow::wantedHeight(int width) const {
     const QRect room(0, 0, std::max(1, width - besideName()), 1000);
     const int words = QFontMetrics(rowFont()).boundingRect(room, Qt::TextWordWrap, text()).height();
-    return words + Theme::current().px(m_lesson.isBegun() ? 14 : 10);
+    return words + Theme::current().px(m_lesson.isBegun() ? 12 : 4);
 }
 
 void LessonRow::paintInside(QPainter& painter, const QRectF& box) const {

@@ -128,11 +128,11 @@ TEST_F(WindowOpen, TheFilterLeavesWhatMatchesAndSaysIfNothingDoes) {
 
 // Scenes that are added later come at the end by themselves.
 TEST(StartOrder, EverySceneOfTheProgramIsAFirstPictureOrInOneGroup) {
-    GTEST_SKIP() << "not right yet: two scenes are in no group";
+    const std::vector<StartLecture> lectures = startOrder();
     std::multiset<std::string> placed;
-    for (const StartLecture& lecture : startOrder())
+    for (const StartLecture& lecture : lectures)
         for (const StartGroup& group : lecture.groups) placed.insert(group.scenes.begin(), group.scenes.end());
-    for (const StartView::Part& part : startOrder().front().first.parts) placed.insert(part.scene);
+    for (const StartView::Part& part : lectures.front().first.parts) placed.insert(part.scene);
     for (const pipeline::BuiltInScene& scene : pipeline::builtInScenes())
         EXPECT_EQ(placed.count(scene.name), 1u) << scene.name;
     EXPECT_EQ(placed.size(), pipeline::builtInScenes().size());

@@ -82,7 +82,6 @@ protected:
 
 // What somebody with five minutes sees without scrolling.
 TEST_F(WindowStart, OnASmallScreenPicturesEightScenesAndAllLessonsAreInSight) {
-    GTEST_SKIP() << "not right yet: at some size and theme a lesson is below the edge";
     for (const QSize size : {QSize(1280, 720), QSize(1366, 768), QSize(1440, 900)})
         for (const ThemeId theme : {ThemeId::Light, ThemeId::Dark, ThemeId::Projector})
             for (const int lecture : {0, 1}) {
@@ -258,7 +257,6 @@ TEST_F(WindowStart, ToolsAndMenusNameTalksLessonsAndScenes) {
 }
 
 TEST_F(WindowStart, ANewSceneIsOneShape) {
-    GTEST_SKIP() << "not right yet: a new plane fills 2 % of the picture";
     for (QAction* shape : menu("File", "New")->actions()) {
         shape->trigger();
         ASSERT_TRUE(QTest::qWaitFor([&] { return document().hasScene(); }, 10000)) << shape->text().toStdString();
