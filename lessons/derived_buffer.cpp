@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 
 #include "pipeline/scene/view.h"
@@ -32,7 +33,8 @@ Result<lessons::Expression> conditionOf(const BufferName& name, const DerivedRec
                    : lessons::parseNumbers(recipe.text, kStart, {scene});
 }
 
-Result<DerivedBuffer> makeMix(const DerivedRecipe& recipe, const Frame& frame, const DerivedControl& control) {
+Result<DerivedBuffer> makeMix(const BufferName&, const DerivedRecipe& recipe, const Frame& frame,
+                              const DerivedControl& control) {
     const TermMix mix = mixOf(recipe, frame.scene());
     const auto mixed = mixTerms(frame, mix, control.stop);
     if (!mixed) return mixed.errors();
@@ -41,7 +43,8 @@ Result<DerivedBuffer> makeMix(const DerivedRecipe& recipe, const Frame& frame, c
                          .clamped = mixed->clamped};
 }
 
-Result<DerivedBuffer> makeVerdicts(const BufferName& name, const Frame& frame, const DerivedControl& control) {
+Result<DerivedBuffer> makeVerdicts(const BufferName& name, const DerivedRecipe&, const Frame& frame,
+                                   const DerivedControl& control) {
     const auto light = std::size_t(name.light);
     std::shared_ptr<const KnownRays> rays = control.rays;
     if (!rays || rays->exact.light != light || !haveSameRays(*rays->scene, frame.scene())) {
@@ -86,7 +89,7 @@ double zNdc(const pipeline::View& view, double zView) {
                             : 2 * (zView - view.near) / range - 1;
 }
 
-Result<DerivedBuffer> makeZNdc(const Frame& frame) {
+Result<DerivedBuffer> makeZNdc(const BufferName&, const DerivedRecipe&, const Frame& frame, const DerivedControl&) {
     const BufferName name{BufferId::ZNdc}, from{BufferId::ZView};
     const auto z = frame.buffer(from);
     if (!z) return Error{{}, fmt::format("no {} in this frame: {}", from.text(), frame.whyAbsent(from)), {}};
@@ -106,40 +109,61 @@ Result<DerivedBuffer> makeZNdc(const Frame& frame) {
                                view.far)};
 }
 
+Error noneBecause(const std::string& why) { return Error{{}, why, {}}; }
+
+Result<BufferSet> mixNeeds(const BufferName&, const DerivedRecipe& recipe, const Scene& scene) {
+    if (const std::string why = whyNoMix(scene); !why.empty()) return noneBecause(why);
+    if (mixOf(recipe, scene).size() != pipeline::plainMix(scene.lights.size()).size())
+        return noneBecause("The mix is of another number of lights.");
+    return pipeline::mixBuffers();
+}
+Result<BufferSet> verdictsNeed(const BufferName& name, const DerivedRecipe&, const Scene& scene) {
+    if (const std::string why = whyNoShadowVerdicts(scene, std::size_t(name.light)); !why.empty())
+        return noneBecause(why);
+    return pipeline::setOf({BufferId::Shadow, BufferId::ObjectId});
+}
+Result<BufferSet> conditionNeeds(const BufferName& name, const DerivedRecipe& recipe, const Scene& scene) {
+    const auto condition = conditionOf(name, recipe, scene);
+    if (!condition) return condition.errors();
+    return condition->buffers;
+}
+Result<BufferSet> zNdcNeeds(const BufferName&, const DerivedRecipe&, const Scene&) {
+    return pipeline::setOf({BufferId::ZView});
+}
+
+struct DerivedRow {
+    BufferId id;
+    Result<BufferSet> (*needs)(const BufferName&, const DerivedRecipe&, const Scene&);
+    Result<DerivedBuffer> (*make)(const BufferName&, const DerivedRecipe&, const Frame&, const DerivedControl&);
+};
+// In the order of the enumerators: a derived buffer without a row does not compile.
+constexpr auto kRows = std::to_array<DerivedRow>({
+    {BufferId::Mix, mixNeeds, makeMix},
+    {BufferId::ShadowVerdict, verdictsNeed, makeVerdicts},
+    {BufferId::Condition, conditionNeeds, makeCondition},
+    {BufferId::Expression, conditionNeeds, makeCondition},
+    {BufferId::ZNdc, zNdcNeeds, makeZNdc},
+});
+static_assert(kRows.size() == pipeline::kDerivedCount);
+
+static_assert([] {
+    for (std::size_t i = 0; i < kRows.size(); ++i)
+        if (index(kRows[i].id) != pipeline::kBufferCount + i) return false;
+    return true;
+}());
+
+const DerivedRow& rowOf(BufferId id) { return kRows[index(id) - pipeline::kBufferCount]; }
+
 }  // namespace
 
 Result<BufferSet> buffersFor(const BufferName& name, const DerivedRecipe& recipe, const Scene& scene) {
-    const auto noneBecause = [](const std::string& why) { return Error{{}, why, {}}; };
-    switch (name.id) {
-        case BufferId::Mix:
-            if (const std::string why = whyNoMix(scene); !why.empty()) return noneBecause(why);
-            if (mixOf(recipe, scene).size() != pipeline::plainMix(scene.lights.size()).size())
-                return noneBecause("The mix is of another number of lights.");
-            return pipeline::mixBuffers();
-        case BufferId::ShadowVerdict:
-            if (const std::string why = whyNoShadowVerdicts(scene, std::size_t(name.light)); !why.empty())
-                return noneBecause(why);
-            return pipeline::setOf({BufferId::Shadow, BufferId::ObjectId});
-        case BufferId::Condition:
-        case BufferId::Expression: {
-            const auto condition = conditionOf(name, recipe, scene);
-            if (!condition) return condition.errors();
-            return condition->buffers;
-        }
-        case BufferId::ZNdc: return pipeline::setOf({BufferId::ZView});
-        default: break;
-    }
-    return noneBecause(name.text() + " is a buffer of the frame.");
+    if (!pipeline::isDerived(name.id)) return noneBecause(name.text() + " is a buffer of the frame.");
+    return rowOf(name.id).needs(name, recipe, scene);
 }
 
 Result<DerivedBuffer> derive(const BufferName& name, const DerivedRecipe& recipe, const Frame& frame,
                              const DerivedControl& control) {
-    switch (name.id) {
-        case BufferId::Mix: return makeMix(recipe, frame, control);
-        case BufferId::ShadowVerdict: return makeVerdicts(name, frame, control);
-        case BufferId::ZNdc: return makeZNdc(frame);
-        default: return makeCondition(name, recipe, frame, control);
-    }
+    return rowOf(name.id).make(name, recipe, frame, control);
 }
 
 }  // namespace lessons
