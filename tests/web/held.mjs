@@ -153,6 +153,15 @@ try {
   [x, y] = await d.run(middle('.grip.number'));
   await drag(d, [x, y], [x + 420, y]);
   expect('the near plane moves along its axis', Number(await d.run('settingOf("camera.near").text')) > 5, await d.run('settingOf("camera.near").text'));
+  const far = await d.run('settingOf("camera.near").text');
+  [x, y] = await d.run(middle('.grip.number'));
+  const mouse = (type, to) => d.ask('Input.dispatchMouseEvent', { type, x: to, y, button: 'left', buttons: 1, clickCount: 1 });
+  await mouse('mousePressed', x);
+  await Promise.all([mouse('mouseMoved', x + 1), mouse('mouseMoved', x - 300), mouse('mouseReleased', x - 300)]);
+  await settle(d);
+  expect('who lets go before the next picture loses no move', Number(await d.run('settingOf("camera.near").text')) < Number(far) / 2, await d.run('settingOf("camera.near").text'));
+  [x, y] = await d.run(middle('.grip.number'));
+  await drag(d, [x, y], [x + 300, y]);
   await d.until('document.querySelector("#play").textContent.includes("Half of all codes")').catch(() => {});
   expect('its play ends', (await d.run('document.querySelector("#play").textContent')).includes('Half of all codes'), await d.run('document.querySelector("#play").textContent'));
   if (shots) await d.shot(path.join(shots, '1366-depth-precision-1-moved.png'));

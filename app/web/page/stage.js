@@ -153,16 +153,19 @@ function dragged(event) {
   const { grip } = drag, coarse = event.ctrlKey || event.metaKey ? 1 : 0;
   if (!drag.moved && grip.number >= 0) undo.push(drag.values);
   drag.moved = true;
-  soon('drag', () => {
-    if (drag?.grip !== grip) return;
-    if (grip.kind === 'line') return setLine(grip, drag.to[0] / pictureSize()[0]);
-    if (grip.kind === 'pixel') return pickOnStage(drag.to.map(Math.floor));
-    putHand(core.ask('hold', grip.number, ...drag.from, ...drag.to, coarse, drag.values));
-  });
+  const mine = drag;
+  mine.due = () => {
+    mine.due = null;
+    if (grip.kind === 'line') return setLine(grip, mine.to[0] / pictureSize()[0]);
+    if (grip.kind === 'pixel') return pickOnStage(mine.to.map(Math.floor));
+    putHand(core.ask('hold', grip.number, ...mine.from, ...mine.to, coarse, mine.values));
+  };
+  soon('drag', () => mine.due?.());
 }
 
 function letGo() {
   if (!drag) return;
+  guarded(() => drag.due?.());  // the last move may still wait for the next picture of the screen
   const { grip, moved } = drag;
   drag = null;
   grip.button.classList.remove('on'), document.documentElement.classList.remove('dragging');
@@ -233,7 +236,7 @@ function startStage() {
   addEventListener('keydown', event => guarded(() => {
     if (event.key === 'Escape' && drag) {
       const { grip, values, moved } = drag;
-      letGo();
+      drag.due = null, letGo();
       if (moved && grip.number >= 0) undo.pop(), putHand(values);
       else if (grip.kind === 'line') setLine(grip, Number(values));
     } else if ((event.ctrlKey || event.metaKey) && event.key === 'z' && undo.length && !(/** @type {Element} */ (event.target).matches('input[type=text]'))) {
