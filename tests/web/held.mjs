@@ -195,18 +195,22 @@ try {
   expect('nothing was written to the console', s.log.length === 0, s.log);
   await s.close();
 
-  // Every page of every lesson, on the stage: no error, no word of what is hidden, the comparison of its second half.
+  // Every page of every lesson, on the stage: no error, no word of what is hidden, the comparison of its second half, and
+  // something to look at: a picture of one colour says so, or has edges over it, or a 3D view beside it.
   for (const name of names) {
     const l = await browser.open(write(name), { width: 1366, height: 768 });
     const found = await l.run(`(() => {
-      const wrong = [], box = document.querySelector('#wrong');
+      const wrong = [], box = document.querySelector('#wrong'), saysSo = /black|empty|0 pixels differ|exact rays/i;
+      const isPlain = canvas => { const d = new Uint32Array(canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data.buffer); return canvas.hidden || d.every(pixel => pixel === d[0]); };
+      const look = i => cells.forEach(cell => { if (!cell.field.classList.contains('listed') && isPlain(cell.canvases[0]) && !cell.over.querySelector('.edges') && !saysSo.test(cell.caption.textContent + one('#text').textContent)) wrong.push(i + ' has an empty picture of ' + cell.shown.buffer); });
       for (let i = 0; i < data.pages; ++i) {
         guarded(() => openPage(i));
         if (/hidden until/i.test(document.body.innerText)) wrong.push(i + ' says hidden');
+        look(i);
         const hidden = page.hidden.buffers, menus = [...document.querySelectorAll('select, option, title, [title], [aria-label]')].filter(part => part.offsetParent !== null).map(part => (/^(SELECT|OPTION|title)$/.test(part.tagName) ? part.textContent : '') + part.title + part.ariaLabel).join(' ');
         for (const name of hidden) if (menus.includes(name)) wrong.push(i + ' names ' + name);
         if (page.question && !page.question.settled) guarded(() => { core.ask('show'); readAgain(); });
-        if (page.has_then) guarded(() => openPage(i, true));
+        if (page.has_then) guarded(() => openPage(i, true)), look(i + ' then');
         for (const shown of page.buffers) if (shown.against && !(shown.mode === 'a') && core.ask('picture', shown.buffer, 1, -1, 0, 0, 0, 0, 0, 0, 0).pixels === 0) wrong.push(i + ' has no second picture');
         if (!box.hidden) { wrong.push(i + ': ' + box.textContent); box.hidden = true; }
       }

@@ -314,7 +314,14 @@ function drawCell(cell) {
       canvas.setAttribute('aria-label', `${shown.buffer}${which === 1 ? ` with ${shown.against}` : ''}, ${picture.width} by ${picture.height}. ${picture.meaning}`);
     });
   } catch (error) {
-    cell.caption.textContent = error.errors ? error.errors[0].found : error.message, cell.caption.hidden = false, cell.caption.known = '';
+    // A page that stops before there is a picture shows where the polygons are.
+    cell.caption.known = '', canvases[0].hidden = true;
+    if (shown.overlays.includes('edges')) try {
+      fitCell(cell);
+      cell.caption.hidden = true;
+      return void drawOver(cell, []);
+    } catch {}
+    cell.caption.textContent = error.errors ? error.errors[0].found : error.message, cell.caption.hidden = false;
     return;
   }
   if (sides.length > 1) {
