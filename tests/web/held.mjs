@@ -32,7 +32,9 @@ async function drag(p, from, to, { release = true, modifiers = 0 } = {}) {
   if (release) await mouse('mouseReleased', to);
   await settle(p);
 }
-const settle = p => p.run('new Promise(done => requestAnimationFrame(() => requestAnimationFrame(() => done(1))))');
+// Two pictures of the screen, and a frame that takes so long that another thread computes it.
+const shown = p => p.run('new Promise(done => requestAnimationFrame(() => requestAnimationFrame(() => done(1))))');
+const settle = async p => { await shown(p), await p.until('typeof running === "undefined" || !running'), await shown(p); };
 const picture = '(c => { const d = c.getContext("2d").getImageData(0, 0, c.width, c.height).data; let h = 0; for (let i = 0; i < d.length; ++i) h = (h * 31 + d[i]) | 0; return h; })(cells[0].canvases[0])';
 
 try {
