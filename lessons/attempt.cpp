@@ -72,7 +72,7 @@ Attempt::State Attempt::state() const {
 
 pipeline::Result<Verdict> Attempt::check(const Given& given, const Context& context, double seconds) {
     assert(!isSettled());
-    auto verdict = judge(*m_question, given, context);
+    auto verdict = judge(*m_question, given, context, m_progress.hints > 0);
     if (!verdict || verdict->mark == Mark::Again) return verdict;
     const bool right = verdict->mark == Mark::Right;
     std::string text = textOf(*m_question, given);

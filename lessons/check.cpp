@@ -198,8 +198,15 @@ private:
         }
         const auto frame = m_changed.frame(m_context.frame, changes, m_context.frame.wanted(), m_context.stop);
         if (!frame) return add(frame.errors());
-        if (const auto holds = number(kind.holds, {.frame = **frame, .stop = m_context.stop}); holds && *holds != 1)
+        const Context there{.frame = **frame, .changed = &m_changed, .stop = m_context.stop};
+        if (const auto holds = number(kind.holds, there); holds && *holds != 1)
             add(question().where, fmt::format("the condition does not hold with {}", fmt::join(changes, ", ")));
+        for (const Mistake& mistake : kind.mistakes) {
+            if (const auto here = number(mistake.value); here && *here == 1)
+                add(mistake.where, fmt::format("the mistake {} holds from the beginning", mistake.id));
+            if (const auto right = number(mistake.value, there); right && *right == 1)
+                add(mistake.where, fmt::format("the mistake {} holds with the answer", mistake.id));
+        }
     }
 
     void check(const OrderQuestion& kind) {

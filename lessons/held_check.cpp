@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cctype>
 
 #include <fmt/format.h>
 
@@ -12,7 +13,7 @@ namespace {
 
 using pipeline::SourceLocation;
 
-constexpr std::size_t kMostWordsHeld = 60, kMostWordsOfPlay = 14;
+constexpr std::size_t kMostWordsHeld = 60, kMostWords = 100, kMostWordsOfPlay = 14;
 constexpr int kPlaces = 9;  // over the range of a hold
 
 std::size_t wordsOf(std::string_view text) {
@@ -31,8 +32,8 @@ public:
         half(first, m_page.first.state.scene, *m_frames.first);
         if (m_page.then) half(m_page.then->held, m_page.then->state.scene, *m_frames.then);
         const bool holds = !first.holds.empty();
-        if (holds) limit(m_page.first.text, "before the question");
-        if (m_page.then && !m_page.then->held.holds.empty()) limit(m_page.then->text, "after the question");
+        if (m_page.question) limit(m_page.first.text, "before the question", holds);
+        if (m_page.then && !m_page.then->held.holds.empty()) limit(m_page.then->text, "after the question", true);
         if (m_page.question) secrets(first);
         return std::move(m_errors);
     }
@@ -41,10 +42,10 @@ private:
     void add(const SourceLocation& where, std::string found, std::string expected = {}) {
         m_errors.push_back({where, std::move(found), std::move(expected)});
     }
-    void limit(const Prose& text, std::string_view where) {
-        if (const std::size_t words = wordsIn(text); words > kMostWordsHeld)
+    void limit(const Prose& text, std::string_view where, bool holds) {
+        if (const std::size_t words = wordsIn(text); words > (holds ? kMostWordsHeld : kMostWords))
             add(m_page.where, fmt::format("this page has {} words {}", words, where),
-                "at most 60 where something is held");
+                holds ? "at most 60 where something is held" : "at most 100");
     }
 
     void half(const Held& held, const pipeline::Scene& scene, const pipeline::Frame& frame) {
@@ -112,11 +113,11 @@ private:
 std::size_t wordsIn(const Prose& prose) {
     const std::string text = withGaps(prose);
     std::size_t words = 0;
-    bool inside = false;
+    bool counted = false;  // a dash or an equals sign is no word
     for (const char c : text) {
-        const bool blank = c == ' ' || c == '\n' || c == '\t';
-        words += !blank && !inside;
-        inside = !blank;
+        const bool blank = c == ' ' || c == '\n' || c == '\t', sign = c > 0 && !std::isalnum(c);
+        words += !blank && !sign && !counted;
+        counted = !blank && (counted || !sign);
     }
     return words;
 }

@@ -18,6 +18,8 @@ using pipeline::Errors;
 using pipeline::Result;
 using Kind = Node::Kind;
 
+constexpr double kNearClick = 4;  // times the distance that is right
+
 template <class... Ts>
 struct Overloaded : Ts... {
     using Ts::operator()...;
@@ -40,7 +42,8 @@ void append(std::string& text, std::string_view more) {
 // What is said about an answer, from the frame that it was judged by.
 class Judge {
 public:
-    Judge(const Question& question, const Context& context) : m_question(question), m_context(context) {}
+    Judge(const Question& question, const Context& context, bool hinted)
+        : m_question(question), m_context(context), m_hinted(hinted) {}
 
     Result<Verdict> judge(const Given& given) {
         const auto verdict = std::visit(
@@ -184,9 +187,12 @@ private:
         if (!isThere(question.kind, pick)) return again(fmt::format("Click a {} first.", name(question.kind)));
         m_context.pick = &pick;
         if (holds(question.holds)) return right();
-        for (const Mistake& mistake : question.mistakes)
-            if (holds(mistake.value)) return wrong(said(mistake.said), mistake.id);
+        if (const Mistake* mistake = heldOf(question.mistakes)) return wrong(said(mistake->said), mistake->id);
         return wrong(question.near ? distanceText(question, pick) : std::string());
+    }
+    const Mistake* heldOf(std::span<const Mistake> mistakes) {
+        const auto found = std::ranges::find_if(mistakes, [&](const Mistake& one) { return holds(one.value); });
+        return found == mistakes.end() ? nullptr : &*found;
     }
     static bool isThere(ThingKind kind, const Pick& pick) {
         switch (kind) {
@@ -198,32 +204,33 @@ private:
         }
         return false;
     }
-    // "18 px too far to the left and 4 px too high"; rows run down.
+    // Near or far; the direction as well once a hint was seen: else a few clicks would find any place. Rows run down.
     std::string distanceText(const ClickQuestion& question, const Pick& pick) {
         const auto place = evaluate(*question.near, m_context);
         if (!place) {
             m_errors.insert(m_errors.end(), place.errors().begin(), place.errors().end());
             return {};
         }
-        const double right = *pick.x - place->numbers[0], down = *pick.y - place->numbers[1];
-        std::vector<std::string> parts;
-        const auto part = [&](double off, std::string_view less, std::string_view more) {
-            if (std::round(std::abs(off)) >= 1)
-                parts.push_back(fmt::format("{:.0f} px too {}", std::abs(off), off < 0 ? less : more));
-        };
-        part(right, "far to the left", "far to the right");
-        part(down, "high", "low");
-        return fmt::format("Not yet: {}.", listed(parts));
+        const glm::dvec2 off{place->numbers[0] - *pick.x, place->numbers[1] - *pick.y};
+        const bool isNear = glm::length(off) <= kNearClick * question.within;
+        std::string text = isNear ? "Not yet, but you are near." : "Not yet: it is far from here.";
+        if (!m_hinted) return text;
+        std::vector<std::string> ways;
+        if (std::abs(off.x) > question.within / 2) ways.push_back(off.x > 0 ? "right" : "left");
+        if (std::abs(off.y) > question.within / 2) ways.push_back(off.y > 0 ? "down" : "up");
+        return text + fmt::format(" Go {}.", listed(ways));
     }
 
     Verdict reached(const UntilQuestion& question) {
         if (holds(question.holds)) return right();
+        if (const Mistake* mistake = heldOf(question.mistakes)) return wrong(said(mistake->said), mistake->id);
         const auto gauge = gaugeOf(question, m_context);
         return wrong(gauge && *gauge ? fmt::format("Not yet: {}.", (*gauge)->said) : std::string());
     }
 
     const Question& m_question;
     Context m_context;
+    bool m_hinted;
     Errors m_errors;
 };
 
@@ -233,8 +240,8 @@ double toleranceOf(const NumberQuestion& number, double answer) {
     return number.relative ? number.tolerance * std::abs(answer) : number.tolerance;
 }
 
-Result<Verdict> judge(const Question& question, const Given& given, const Context& context) {
-    return Judge(question, context).judge(given);
+Result<Verdict> judge(const Question& question, const Given& given, const Context& context, bool hinted) {
+    return Judge(question, context, hinted).judge(given);
 }
 
 Result<std::vector<std::size_t>> holdingOptions(std::span<const Option> options, const Context& context) {

@@ -37,8 +37,10 @@ struct Verdict {
 };
 
 // Judges an answer and speaks about it by one frame: the page's own (of requestFor(page)), for a question of kind until
-// the reader's. Errors: what this frame cannot evaluate or fill in, or "stopped".
-pipeline::Result<Verdict> judge(const Question& question, const Given& given, const Context& context);
+// the reader's. Errors: what this frame cannot evaluate or fill in, or "stopped". hinted: a hint was seen, so that the way
+// to a place may be said.
+pipeline::Result<Verdict> judge(const Question& question, const Given& given, const Context& context,
+                                bool hinted = false);
 
 // What stands in the answer's place: "310", "35.376 ± 0.06 °", "B: A wider highlight", "polygons 0 and 4", "n = 4",
 // "B, A: the near pane; the far pane". Markdown.

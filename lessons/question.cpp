@@ -43,6 +43,7 @@ std::vector<const Prose*> rowsOf(const Question& question) {
 std::span<const Mistake> mistakesOf(const Question& question) {
     if (const auto* number = std::get_if<NumberQuestion>(&question.kind)) return number->mistakes;
     if (const auto* click = std::get_if<ClickQuestion>(&question.kind)) return click->mistakes;
+    if (const auto* until = std::get_if<UntilQuestion>(&question.kind)) return until->mistakes;
     return {};
 }
 

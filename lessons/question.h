@@ -81,6 +81,7 @@ struct UntilQuestion {
         std::optional<Expression> number;  // of any other setting
     };
     std::vector<Setting> answer;
+    std::vector<Mistake> mistakes;  // conditions on the reader's frame, judged where the hand stands
 };
 
 struct OrderItem {
@@ -118,7 +119,7 @@ std::string_view kindName(const Question& question);
 std::span<const Option> optionsOf(const Question& question);
 // The texts of its options, or of the items to be put in order; else none.
 std::vector<const Prose*> rowsOf(const Question& question);
-// The named mistakes of a number or click, else none.
+// The named mistakes of a number, click or until, else none.
 std::span<const Mistake> mistakesOf(const Question& question);
 
 // The ids of the misconceptions that its wrong answers name.

@@ -20,8 +20,7 @@ constexpr std::array<std::string_view, 5> kRepeatedQuestionKeys{"choice", "sever
 constexpr std::array<std::string_view, 3> kQuestionKeysWithId{"choice", "several", "mistake"};
 constexpr std::array<std::string_view, 10> kOneLineKeys{"answer", "tolerance", "unit",  "near", "click",
                                                         "until",  "free",      "order", "ends", "differs"};
-constexpr std::size_t kMostOptions = 9;  // one digit each
-constexpr std::size_t kMostHints = 9;
+constexpr std::size_t kMostOptions = 9, kMostHints = 9;  // one digit each
 constexpr double kMostPoints = 10;
 
 std::optional<ThingKind> thingNamed(std::string_view word) {
@@ -39,10 +38,9 @@ public:
     std::optional<Question> read() {
         Question question;
         question.where = m_entries.front().where;
-        if (!find("question")) {
-            m_complaints.add(question.where, "no \"question\" here", "both a question and its answer");
-            return {};
-        }
+        if (!find("question"))
+            return m_complaints.add(question.where, "no \"question\" here", "both a question and its answer"),
+                   std::nullopt;
         question.where = find("question")->where;
         question.text = textOf("question");
         for (const Entry& entry : m_entries)
@@ -143,11 +141,11 @@ private:
         question.kind = std::move(number);
     }
 
-    Mistake mistake(const Entry& entry, std::optional<Type> type) {
+    Mistake mistake(const Entry& entry, std::optional<Type> type, bool mayPick = false) {
         if (entry.id.empty()) m_complaints.add(entry.where, "found a mistake without an id", "\"mistake ID: …\"");
         checkId(entry.id, entry.where);
         Mistake mistake{std::string(entry.id), {}, {}, entry.where};
-        if (type) mistake.value = expression(entry.line(), *type, *type == Type::Truth);
+        if (type) mistake.value = expression(entry.line(), *type, mayPick);
         const std::span<const Line> said = std::span(entry.value).subspan(1);
         if (said.empty())
             m_complaints.add(entry.where, "found a mistake without its sentence", "what is said, on the next line");
@@ -221,7 +219,7 @@ private:
         if (answer) click.holds = expression(answer->line(), Type::Truth, true);
         if (near) readNear(near->line(), click);
         for (const Entry& one : m_entries)
-            if (one.key == "mistake") click.mistakes.push_back(mistake(one, Type::Truth));
+            if (one.key == "mistake") click.mistakes.push_back(mistake(one, Type::Truth, true));
         question.kind = std::move(click);
         return true;
     }
@@ -257,6 +255,8 @@ private:
             until.free.emplace_back(key.text);
         }
         for (const Line& part : separated(answer->line(), "; ")) setValue(part, until);
+        for (const Entry& one : m_entries)
+            if (one.key == "mistake") until.mistakes.push_back(mistake(one, Type::Truth));
         question.kind = std::move(until);
         return true;
     }
@@ -376,7 +376,7 @@ private:
         refuse("near", {"click"});
         refuse("free", {"until"});
         refuse("ends", {"order"});
-        if (!find("differs")) refuse("mistake", {"number", "click", "several", "order"});
+        if (!find("differs")) refuse("mistake", {"number", "click", "until", "several", "order"});
         for (const std::string_view other : {"choice", "several", "click", "until", "order"}) refuse(other, {other});
     }
 

@@ -257,8 +257,26 @@ TEST_F(AttemptTest, AClickIsJudgedByWhatItHitsOrHowFarItIsOff) {
     EXPECT_EQ(m_attempt->solution({.frame = *m_frame})->answer, "polygon 0 and 4");
 
     ask("question: Where?\nclick: pixel\nnear: [100, 50] within 6 px\n");
-    EXPECT_EQ(check(Pick{.x = 82, .y = 54}).said, "Not yet: 18 px too far to the left and 4 px too low.");
+    EXPECT_EQ(check(Pick{.x = 82, .y = 54}).said, "Not yet, but you are near.");  // 18.4 px off, up to 24 is near
+    EXPECT_EQ(check(Pick{.x = 60, .y = 54}).said, "Not yet: it is far from here.");
     EXPECT_EQ(check(Pick{.x = 104, .y = 54}).mark, Mark::Right);  // 5.7 px off
+}
+
+TEST_F(AttemptTest, TheWayToAPlaceIsSaidOnlyAfterAHint) {
+    ask("question: Where?\nclick: pixel\nnear: [100, 50] within 6 px\nhint: At the left.\n");
+    ASSERT_TRUE(m_attempt->nextHint({.frame = *m_frame}));
+    // 40 px to the left of it and 6 px below it; what is off by less than half of the distance needs no way.
+    EXPECT_EQ(check(Pick{.x = 60, .y = 56}).said, "Not yet: it is far from here. Go right and up.");
+    EXPECT_EQ(check(Pick{.x = 115, .y = 52}).said, "Not yet, but you are near. Go left.");
+}
+
+// The pyramid has n = 8.
+TEST_F(AttemptTest, AHandThatStandsAtAMistakeHearsItsName) {
+    ask("question: Lower n.\nuntil: buffer(specular.0, 268, 281, b) >= 175/255\nfree: material.0.n\n"
+        "answer: material.0.n = 4\nmistake half: setting(material.0.n) > 4\n  Lower still.\n");
+    const Verdict verdict = check(Reached{});
+    EXPECT_EQ(verdict.mistake, "half");
+    EXPECT_EQ(verdict.said, "Lower still.");
 }
 
 // k_s I_0 (R·V)^n = 40·0.3974^n is above 175/255 from n = 4.4 down.

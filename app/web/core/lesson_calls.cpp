@@ -237,7 +237,10 @@ pipeline::BufferSet readByPage(const OpenLesson& open) {
     const auto* until = question ? std::get_if<lessons::UntilQuestion>(&question->kind) : nullptr;
     const lessons::Page& page = open.lesson.pages[open.page];
     const pipeline::BufferSet held = buffersOf((open.then ? *page.then : page.first).held);
-    return until && !open.then ? held | until->holds.buffers : held;
+    if (!until || open.then) return held;
+    pipeline::BufferSet judged = held | until->holds.buffers;
+    for (const lessons::Mistake& mistake : until->mistakes) judged |= mistake.value.buffers;
+    return judged;
 }
 
 // lesson: lesson.md, whose scenes are files of the page by the names that it has for them, with ".toml". html: of each of
