@@ -1,6 +1,9 @@
+#include "lessons/answer_text.h"
+
 #include <fmt/format.h>
 
-#include "lessons/judge.h"
+#include <functional>
+
 #include "lessons/lesson_text.h"
 #include "pipeline/core/text.h"
 
@@ -36,29 +39,22 @@ Result<std::string> textOf(std::span<const Option> options, const Context& conte
     return fmt::format("{}", fmt::join(words, "; "));
 }
 
-Result<bool> holdsAt(const Expression& condition, Context context, glm::ivec2 pixel) {
-    Pick pick;
-    pick.x = pixel.x, pick.y = pixel.y;
-    context.pick = &pick;
-    const auto holds = evaluate(condition, context);
-    if (!holds) return holds.errors();
-    return holds->numbers[0] == 1;
-}
+// Whether something that can be picked is meant.
+using Meant = std::function<Result<bool>(const Pick&)>;
 
-// A pixel at which a condition holds, and around which it does, so that a finger hits it: on a coarse grid, then on
-// finer ones. Nothing where there is none so large.
-Result<std::optional<glm::ivec2>> exampleOf(const Expression& condition, Context context) {
-    KeptValues kept;
-    context.kept = &kept;
-    const glm::ivec2 size(context.frame.scene().settings.width, context.frame.scene().settings.height);
-    for (const auto& [step, around] : {std::pair{24, 6}, std::pair{8, 3}, std::pair{3, 1}})
-        for (int y = step; y < size.y - step; y += step)
-            for (int x = step; x < size.x - step; x += step) {
+// A pixel that is meant, and around which all are, so that a finger hits it: on a coarse grid, then on finer ones. The
+// last takes any pixel. Nothing where none is meant.
+Result<std::optional<glm::ivec2>> exampleOf(const Meant& isMeant, glm::ivec2 size) {
+    for (const auto& [step, around] : {std::pair{24, 6}, std::pair{8, 3}, std::pair{3, 1}, std::pair{1, 0}})
+        for (int y = around; y < size.y - around; y += step)
+            for (int x = around; x < size.x - around; x += step) {
                 bool all = true;
                 for (const glm::ivec2 beside : {glm::ivec2(0), {around, 0}, {-around, 0}, {0, around}, {0, -around}}) {
-                    const auto holds = holdsAt(condition, context, glm::ivec2(x, y) + beside);
-                    if (!holds) return holds.errors();
-                    if (!*holds) {
+                    Pick pick;
+                    pick.x = x + beside.x, pick.y = y + beside.y;
+                    const auto meant = isMeant(pick);
+                    if (!meant) return meant.errors();
+                    if (!*meant) {
                         all = false;
                         break;
                     }
@@ -68,26 +64,35 @@ Result<std::optional<glm::ivec2>> exampleOf(const Expression& condition, Context
     return std::optional<glm::ivec2>();
 }
 
-Result<std::string> textOf(const ClickQuestion& click, Context context) {
-    if (click.near) {
-        const auto place = evaluate(*click.near, context);
-        if (!place) return place.errors();
-        return fmt::format("x {}, y {}, within {} px", toText({{place->numbers[0]}, {}}, 0),
-                           toText({{place->numbers[1]}, {}}, 0), pipeline::shortestText(click.within));
-    }
+// What `condition` holds for and none of `others`: "for example x 226, y 280", or "vertex 1 and 3".
+Result<std::string> pickText(const ClickQuestion& click, const Expression& condition,
+                             const std::vector<const Expression*>& others, Context context) {
+    KeptValues kept;
+    context.kept = &kept;
+    const Meant isMeant = [&](const Pick& pick) -> Result<bool> {
+        context.pick = &pick;
+        const auto holds = evaluate(condition, context);
+        if (!holds) return holds.errors();
+        if (holds->numbers[0] != 1) return false;
+        for (const Expression* other : others) {
+            const auto is = evaluate(*other, context);
+            if (!is) return is.errors();
+            if (is->numbers[0] == 1) return false;
+        }
+        return true;
+    };
+    const pipeline::Scene& scene = context.frame.scene();
     if (click.kind == ThingKind::Pixel) {
-        const auto example = exampleOf(click.holds, context);
+        const auto example = exampleOf(isMeant, {scene.settings.width, scene.settings.height});
         if (!example) return example.errors();
-        if (!*example) return fmt::format("a pixel with `{}`", click.holds.text);
+        if (!*example) return std::string("nowhere in this picture");
         return fmt::format("for example x {}, y {}", (*example)->x, (*example)->y);
     }
     std::vector<std::string> words;
-    for (std::size_t i = 0; i < countOf(click.kind, context.frame.scene()); ++i) {
-        const Pick pick = pickOf({click.kind, i});
-        context.pick = &pick;
-        const auto holds = evaluate(click.holds, context);
-        if (!holds) return holds.errors();
-        if (holds->numbers[0] != 1) continue;
+    for (std::size_t i = 0; i < countOf(click.kind, scene); ++i) {
+        const auto meant = isMeant(pickOf({click.kind, i}));
+        if (!meant) return meant.errors();
+        if (!*meant) continue;
         if (words.size() == kMostNamed) {
             words.emplace_back("more");
             break;
@@ -95,6 +100,14 @@ Result<std::string> textOf(const ClickQuestion& click, Context context) {
         words.push_back(std::to_string(i));
     }
     return fmt::format("{} {}", name(click.kind), listed(words));
+}
+
+Result<std::string> textOf(const ClickQuestion& click, const Context& context) {
+    if (!click.near) return pickText(click, click.holds, {}, context);
+    const auto place = evaluate(*click.near, context);
+    if (!place) return place.errors();
+    return fmt::format("x {}, y {}, within {} px", toText({{place->numbers[0]}, {}}, 0),
+                       toText({{place->numbers[1]}, {}}, 0), pipeline::shortestText(click.within));
 }
 
 Result<std::string> textOf(const OrderQuestion& order, const Context& context) {
@@ -134,6 +147,18 @@ Pick pickOf(const Thing& thing) {
     if (thing.kind == ThingKind::Object) pick.object = index;
     if (thing.kind == ThingKind::Light) pick.light = index;
     return pick;
+}
+
+Result<std::string> mistakeText(const Question& question, std::size_t mistake, const Context& context) {
+    const auto* const click = std::get_if<ClickQuestion>(&question.kind);
+    if (!click) {
+        const auto value = evaluate(mistakesOf(question)[mistake].value, context);
+        if (!value) return value.errors();
+        return toText(*value);
+    }
+    std::vector<const Expression*> before{&click->holds};
+    for (std::size_t i = 0; i < mistake; ++i) before.push_back(&click->mistakes[i].value);
+    return pickText(*click, click->mistakes[mistake].value, before, context);
 }
 
 Result<std::string> answerText(const Question& question, const Context& context) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "lessons/answer_text.h"
 #include "lessons/handout_figure.h"
 #include "lessons/hidden.h"
 #include "lessons/judge.h"
@@ -243,10 +244,10 @@ private:
             rows += "<tr>" + element("td", given) + element("td", known ? known->name : id) + "<td>" +
                     html(said, context) + "</td></tr>\n";
         };
-        for (const Mistake& mistake : mistakesOf(question)) {
-            const bool isNumber = std::holds_alternative<NumberQuestion>(question.kind);
-            const auto value = isNumber ? evaluate(mistake.value, context) : Value();
-            row(!value ? "" : isNumber ? toText(*value) : mistake.value.text, mistake.id, mistake.said);
+        const auto mistakes = mistakesOf(question);
+        for (std::size_t i = 0; i < mistakes.size(); ++i) {
+            const auto given = mistakeText(question, i, context);
+            row(given ? *given : "", mistakes[i].id, mistakes[i].said);
         }
         char letter = 'A';
         for (const Option& option : optionsOf(question)) {

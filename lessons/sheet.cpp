@@ -214,15 +214,14 @@ private:
         if (!drawPixels(sheet, attempt, before, pixels, errors)) return {};
         sheet.text = withDrawn(before, pixels);
         auto lesson = parsed(sheet.text, errors);
-        if (!lesson) return {};
+        if (!lesson || !keeps(lesson->pages.front().first.state.scene, pixels, errors)) return {};
         std::vector<Answer> answers;
-        bool kept = true;
-        const bool all = runPages(*lesson, m_stop, [&](const Page& page, std::size_t number, const PageFrames& frames) {
+        bool answered = true;
+        const bool all = runPages(*lesson, m_stop, [&](const Page& page, std::size_t, const PageFrames& frames) {
             const Context context{.frame = *frames.first, .stop = m_stop};
-            if (number == 0) kept = keeps(*frames.first, pixels, errors);
-            if (kept && page.question) kept = addAnswer(*page.question, context, answers, errors);
+            if (answered && page.question) answered = addAnswer(*page.question, context, answers, errors);
         });
-        if (!all || !kept) return {};
+        if (!all || !answered) return {};
         if (!isApart(answers)) {
             errors = {{{m_made.file, 1, 1}, "its answers are those of a sheet before it", {}}};
             return {};
@@ -291,27 +290,28 @@ private:
         return text;
     }
 
-    bool keeps(const pipeline::Frame& frame, const std::map<std::string, std::string>& pixels, Errors& errors) {
+    // In the frame of this scene, before the pages are run: most draws that do not fit fail here.
+    bool keeps(const pipeline::Scene& drawn, const std::map<std::string, std::string>& pixels, Errors& errors) {
+        const auto scene = std::make_shared<const pipeline::Scene>(drawn);
         Names names;
         const auto name = [&](const std::string& word, std::string_view value) {
-            if (auto read = parseExpression(value, {}, {frame.scene()})) names[word] = std::move(read).value();
+            if (auto read = parseExpression(value, {}, {*scene})) names[word] = std::move(read).value();
         };
         for (const auto& [word, place] : pixels) {
             const std::size_t comma = place.find(',');
             name(word + "_x", place.substr(0, comma)), name(word + "_y", place.substr(comma + 2));
         }
         for (const SheetTemplate::Keep& keep : m_made.keep) {
-            const auto condition = parseExpression(keep.condition, keep.where, {frame.scene(), &names});
+            const auto condition = parseExpression(keep.condition, keep.where, {*scene, &names});
             if (!condition || condition->root.type != Type::Truth) {
                 errors = condition ? Errors{{keep.where, "found " + inQuotes(keep.condition), "a condition"}}
                                    : condition.errors();
                 return false;
             }
-            // What it reads need not be what the page shows.
             pipeline::FrameRequest request;
             request.wanted = condition->buffers;
             request.stop = m_stop;
-            const auto own = runFrame(frame.sharedScene(), request, nullptr);
+            const auto own = runFrame(scene, request, nullptr);
             const auto holds = own ? evaluate(*condition, {.frame = *own, .stop = m_stop}) : Error{{}, "stopped", {}};
             if (!holds || holds->numbers[0] != 1) {
                 errors = holds ? Errors{{keep.where, "it does not hold", {}}} : holds.errors();

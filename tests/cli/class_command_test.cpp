@@ -3,6 +3,8 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <regex>
+#include <set>
 
 #include "tests/cli/run_program.h"
 #include "tests/support/files.h"
@@ -105,6 +107,62 @@ TEST(Class, ADrawIsNamedEverywhereAndAnotherOneIsRefused) {
         draw);
     for (const char* file : {"1/sheet-02.html", "1/sheet-02-answers.json", "1/keys/sheet-02-key.html"})
         EXPECT_FALSE(fs::exists(folder / file)) << file;
+}
+
+// An answer as a key writes it, as a student hands it in: "0.774 ± 0.002" is 0.774, "B: Gouraud" is B, "C, A: near; far"
+// is C, A, and "for example x 226, y 280" is 226, 280.
+std::string asHandedIn(const std::string& key) {
+    std::smatch found;
+    if (std::regex_search(key, found, std::regex("x (\\d+), y (\\d+)"))) return found[1].str() + ", " + found[2].str();
+    if (std::regex_search(key, found, std::regex("^[A-I](, [A-I])+(?=: )"))) return found.str();
+    const std::regex option("(^|; )([A-I]): ");
+    std::string letters;
+    for (std::sregex_iterator it(key.begin(), key.end(), option), end; it != end; ++it) letters += (*it)[2].str() + ' ';
+    return letters.empty() ? key.substr(0, key.find(' ')) : letters;
+}
+
+// Each template that comes with the program gives sheets of six questions or more and of three kinds of answers, the manual
+// names it, and what its key says has all points.
+TEST(Class, EachTemplateOfTheProgramGivesSheetsWhoseKeysAreRight) {
+    const fs::path all = fs::path(SHADESCOPE_SCENES) / ".." / "sheets";
+    const std::string manual = test::readText(all / ".." / "manual" / "class.md");
+    std::size_t count = 0;
+    for (const auto& entry : fs::directory_iterator(all)) {
+        const std::string name = entry.path().filename().string();
+        SCOPED_TRACE(name);
+        ++count;
+        EXPECT_TRUE(test::has(manual, "| `" + name + "` |"));
+        const test::TemporaryFolder folder;
+        const auto made =
+            run({"sheet", entry.path().string(), "--variants", "2", "--seed", "11", "-o", folder / "out"});
+        ASSERT_EQ(made.status, 0) << made.err;
+        const auto sheets = nlohmann::json::parse(test::readText(folder / "out/keys/sheets.json"))["sheets"];
+        fs::create_directory(folder / "in");
+        for (const auto& sheet : sheets) {
+            nlohmann::json handedIn{{"version", 1}, {"sheet", sheet["sheet"]}, {"draw", sheet["draw"]}};
+            std::set<std::string> kinds;
+            EXPECT_GE(sheet["answers"].size(), 6u);
+            for (std::size_t i = 0; i < sheet["answers"].size(); ++i) {
+                const std::string key = sheet["answers"][i], given = asHandedIn(key);
+                handedIn["answers"][std::to_string(i + 1)] = given;
+                kinds.insert(test::has(key, " y ")           ? "place"
+                             : !(given[0] >= 'A')            ? "number"
+                             : given.find(',') == given.npos ? "choice"
+                                                             : "order");
+            }
+            EXPECT_GE(kinds.size(), 3u);
+            // Places are said in words, right ones and those of mistakes.
+            const std::string page = "out/keys/sheet-0" + std::to_string(int(sheet["sheet"])) + "-key.html";
+            EXPECT_FALSE(test::has(test::readText(folder / page), "pick."));
+            test::writeText(folder / "in" / (std::to_string(int(sheet["sheet"])) + ".json"), handedIn.dump());
+        }
+        const auto graded =
+            run({"grade", folder / "in", "--sheets", folder / "out/keys/sheets.json", "-o", folder / "class"});
+        ASSERT_EQ(graded.status, 0) << graded.err;
+        for (const auto& student : nlohmann::json::parse(test::readText(folder / "class/class.json"))["students"])
+            EXPECT_EQ(student["points"], student["of"]) << test::readText(folder / "class/class.csv");
+    }
+    EXPECT_GE(count, 4u) << "two for each lecture";
 }
 
 TEST(Class, WrongUsageAndFilesThatAreNotThere) {
