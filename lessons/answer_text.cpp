@@ -150,6 +150,7 @@ Pick pickOf(const Thing& thing) {
 }
 
 Result<std::string> mistakeText(const Question& question, std::size_t mistake, const Context& context) {
+    if (std::holds_alternative<UntilQuestion>(question.kind)) return std::string("other values");
     const auto* const click = std::get_if<ClickQuestion>(&question.kind);
     if (!click) {
         const auto value = evaluate(mistakesOf(question)[mistake].value, context);
