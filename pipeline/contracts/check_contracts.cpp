@@ -102,6 +102,10 @@ ContractResult checkContract(const Contract& contract, const ContractInput& inpu
         if (i % kBetweenLooks == 0 && goOn && !goOn()) return result;
         const std::optional<ContractFinding> finding = contract.check(data, i);
         if (!finding) continue;
+        if (!finding->canFail()) {
+            ++result.undecided;
+            continue;
+        }
         ++result.checked;
         if (finding->holds()) {
             ++result.hold;
@@ -111,7 +115,10 @@ ContractResult checkContract(const Contract& contract, const ContractInput& inpu
         }
         if (!result.worst || excess(*finding) > excess(result.worst->finding)) result.worst = {i, *finding};
     }
-    if (result.checked == 0) result.why = "Nothing that it is about is there.";
+    if (result.checked == 0)
+        result.why = result.undecided > 0
+                         ? fmt::format("Rounding decides at all {} places: no value could be wrong.", result.undecided)
+                         : "Nothing that it is about is there.";
     return result;
 }
 
@@ -153,8 +160,9 @@ std::string contractsText(std::span<const ContractResult> results, const Contrac
     const auto hold = std::ranges::count_if(results, [&](const auto& r) { return says(r) && r.holds(); });
     std::string text = fmt::format("{} of {} contracts hold\n", hold, std::ranges::count_if(results, says));
     const auto line = [&](const ContractResult& result) {
-        text += fmt::format("{:<14}{:<28}{:>9} of {:<9} {}\n", stageInfo(result.contract->stage).name, result.name(),
-                            result.hold, result.checked, result.contract->formula);
+        text += fmt::format("{:<14}{:<28}{:>9} of {:<9} {}{}\n", stageInfo(result.contract->stage).name, result.name(),
+                            result.hold, result.checked, result.contract->formula,
+                            result.undecided > 0 ? fmt::format("; rounding decides at {} more", result.undecided) : "");
     };
     for (const ContractResult& result : results) {
         if (!says(result) || result.holds()) continue;

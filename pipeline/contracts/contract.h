@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <initializer_list>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -50,7 +51,9 @@ struct ContractFinding {
     double value = 0;  // what the contract speaks of: |N|, Σ λ
     double error = 0;  // how far that is from holding, in its unit; NaN is a violation
     double bound = 0;  // what rounding may make of it
+    double room = std::numeric_limits<double>::infinity();  // the largest error there can be
     bool holds() const { return error <= bound; }
+    bool canFail() const { return bound < room || !(error <= bound); }
 };
 
 class ContractData;  // pipeline/contracts/contract_data.h
@@ -93,6 +96,7 @@ struct ContractResult {
     int light = -1;     // where the contract is per light
     std::string why{};  // why nothing was checked, one sentence; else empty
     std::size_t checked = 0, hold = 0;
+    std::size_t undecided = 0;  // elements at which rounding decides: their bound cannot fail, and counts as no check
     // The element that is farthest beyond its bound, or nearest to it where all hold; the first of equals.
     struct Worst {
         std::size_t element = 0;

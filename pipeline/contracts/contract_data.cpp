@@ -22,6 +22,27 @@ ContractData::ContractData(const ContractInput& input, int light)
     }
 }
 
+bool ContractData::hasArea(const Topology::Corners& corners) const {
+    const Vec3d origin = vector(BufferId::VerticesWorld, corners[0]);
+    Vec3d sum(0);
+    for (std::size_t i = 2; i < corners.size(); ++i)
+        sum += glm::cross(vector(BufferId::VerticesWorld, corners[i - 1]) - origin,
+                          vector(BufferId::VerticesWorld, corners[i]) - origin);
+    return sum != Vec3d(0);
+}
+
+std::vector<bool> ContractData::verticesWithArea() const {
+    const bool byNormals = has(BufferId::PolygonsNormal);
+    if (!byNormals && !has(BufferId::VerticesWorld)) return {};
+    std::vector<bool> found(topology().vertexCount());
+    for (std::size_t polygon = 0; polygon < topology().polygonCount(); ++polygon) {
+        const Topology::Corners corners = topology().corners(polygon);
+        if (!(byNormals ? vector(BufferId::PolygonsNormal, polygon) != Vec3d(0) : hasArea(corners))) continue;
+        for (std::size_t i = 0; i < corners.size(); ++i) found[corners[i]] = true;
+    }
+    return found;
+}
+
 bool ContractData::drawn(std::size_t pixel) const {
     if (pixel < m_input.drawn.size()) return m_input.drawn[pixel];
     for (const BufferId id : {BufferId::PolygonId, BufferId::ObjectId})

@@ -29,6 +29,13 @@ public:
     const Topology& topology() const { return m_input.topology; }
     const View& view() const { return m_view; }
     const DepthCode& depthCode() const { return m_depthCode; }
+    // Whether a polygon around the vertex has an area, by the normals of polygons or the places of vertices, whichever are
+    // there; true where nobody knows.
+    bool hasAreaAround(std::size_t vertex) const {
+        if (!m_hasArea) m_hasArea = verticesWithArea();
+        return vertex >= m_hasArea->size() || (*m_hasArea)[vertex];
+    }
+    bool hasArea(const Topology::Corners& corners) const;  // by the places of vertices, which are there
     double iMax() const { return m_iMax; }
     bool isTranslucent() const { return m_translucent; }  // some object lets through what is behind it
     int light() const { return m_light; }
@@ -47,7 +54,10 @@ private:
         return {buffer.flat(3 * i), buffer.flat(3 * i + 1), buffer.flat(3 * i + 2)};
     }
 
+    std::vector<bool> verticesWithArea() const;
+
     const ContractInput& m_input;
+    mutable std::optional<std::vector<bool>> m_hasArea;  // per vertex; found when the first asks
     int m_light;
     View m_view;
     DepthCode m_depthCode;
@@ -73,6 +83,12 @@ inline std::optional<ContractFinding> unitLength(const Vec3d& v, double bound) {
 }
 inline std::optional<ContractFinding> within(double value, double low, double high, double bound) {
     return ContractFinding{value, value < low ? low - value : value > high ? value - high : value - value, bound};
+}
+// A difference of two unit vectors, which is never above 2: rounding that may turn them by a third of that decides.
+inline std::optional<ContractFinding> direction(const Vec3d& difference, double bound) {
+    constexpr double kRoom = 2.0 / 3;
+    const double length = glm::length(difference);
+    return ContractFinding{length, length, bound, kRoom};
 }
 // value should be `expected`.
 inline std::optional<ContractFinding> equals(double value, double expected, double bound) {

@@ -93,18 +93,9 @@ Found outsideOfPlane(const ContractData& data, std::size_t polygon) {
     return ContractFinding{inside, std::max(inside, 0.0), 4 * data.u() * size};
 }
 
-bool hasArea(const ContractData& data, const Topology::Corners& corners) {
-    const Vec3d origin = data.vector(B::VerticesWorld, corners[0]);
-    Vec3d sum(0);
-    for (std::size_t i = 2; i < corners.size(); ++i)
-        sum += glm::cross(data.vector(B::VerticesWorld, corners[i - 1]) - origin,
-                          data.vector(B::VerticesWorld, corners[i]) - origin);
-    return sum != Vec3d(0);
-}
-
 Found unitPolygonNormal(const ContractData& data, std::size_t polygon) {
     const Vec3d normal = data.vector(B::PolygonsNormal, polygon);
-    if (normal == Vec3d(0) && data.has(B::VerticesWorld) && !hasArea(data, data.topology().corners(polygon))) return {};
+    if (normal == Vec3d(0) && data.has(B::VerticesWorld) && !data.hasArea(data.topology().corners(polygon))) return {};
     return unitLength(normal, 4 * data.u());
 }
 
@@ -118,14 +109,15 @@ Found normalByWinding(const ContractData& data, std::size_t polygon) {
     const Vec3d cross = glm::cross(p[1] - p[0], p[2] - p[0]);
     const double longest = std::max({glm::length(p[1] - p[0]), glm::length(p[2] - p[1]), glm::length(p[0] - p[2])});
     const double length = glm::length(cross), bound = data.u() * (8 * longest * longest / length + 4);
-    if (!(bound < 0.5)) return {};  // a splinter whose normal rounding decides
     const ObjectTransform& place = data.scene().objects[data.topology().objectOfPolygon(polygon)].transform;
     const Vec3d expected = (makeObjectMatrix(place).mirrors ? -1.0 : 1.0) / length * cross;
-    return equals(glm::length(normal - expected), 0, bound);
+    return direction(normal - expected, bound);
 }
 
 Found unitVertexNormal(const ContractData& data, std::size_t vertex) {
-    return unitLength(data.vector(B::VerticesNormal, vertex), 4 * data.u());
+    const Vec3d normal = data.vector(B::VerticesNormal, vertex);
+    if (normal == Vec3d(0) && !data.hasAreaAround(vertex)) return {};
+    return unitLength(normal, 4 * data.u());
 }
 
 }  // namespace

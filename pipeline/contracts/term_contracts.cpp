@@ -3,6 +3,7 @@
 
 #include "pipeline/contracts/contract_data.h"
 #include "pipeline/core/elementary.h"
+#include "pipeline/core/numerics.h"
 #include "pipeline/scene/model_facts.h"
 
 namespace pipeline {
@@ -26,18 +27,41 @@ std::string notAboveZero(const Scene& scene, std::size_t k) {
     }
     return negative ? "A coefficient or an intensity is below 0." : whyNotLit(scene);
 }
+std::string noHighlightBelowZero(const Scene& scene, std::size_t k) {
+    if (scene.settings.shading == Shading::Gouraud && scene.settings.model == Model::CookTorrance)
+        return "Gouraud shading interpolates highlights of any size, with weights that rounding may bring below 0.";
+    return notAboveZero(scene, k);
+}
 
 Found shadowFactor(const ContractData& data, std::size_t pixel) {
     if (!data.drawn(pixel)) return {};
     return within(data.number(B::Shadow, pixel), 0, 1, 0);
 }
 
+// Gouraud shading interpolates with weights that rounding may bring below 0, by 40 u at most: that much of the largest term
+// a vertex may have.
 template <B id>
 Found notBelowZero(const ContractData& data, std::size_t pixel) {
     if (!data.drawn(pixel)) return {};
     const Vec3d term = data.vector(id, pixel);
     const double least = std::min({term.x, term.y, term.z});
-    return within(least, 0, std::numeric_limits<double>::infinity(), 0);
+    double bound = 0;
+    if (data.scene().settings.shading == Shading::Gouraud) {
+        const Light& light = data.scene().lights[std::size_t(data.light())];
+        Vec3d largest(0);
+        const auto take = [&](const Material& m) {
+            largest = glm::max(largest, id == B::Diffuse ? m.diffuse : m.specular);
+        };
+        for (const Object& object : data.scene().objects) {
+            take(object.material);
+            if (object.backMaterial) take(*object.backMaterial);
+        }
+        const bool fades = modelFacts(data.scene().settings.model).found.glLights;  // by at least its constant part
+        const double gain = fades ? 1 / std::min(1.0, light.gl.constant) : 1;
+        bound = 40 * data.u() * gain *
+                largestComponent(light.intensity * glm::max(light.color, light.gl.specular) * largest);
+    }
+    return within(least, 0, std::numeric_limits<double>::infinity(), bound);
 }
 
 const Material* materialAt(const ContractData& data, std::size_t pixel) {
@@ -208,7 +232,7 @@ std::span<const Contract> termContracts() {
                  "",
                  "intensity",
                  "0 to ∞",
-                 "0: a product of what is not below 0",
+                 "0: a product of what is not below 0; of Gouraud shading 40 u I k_d",
                  kPhong,
                  notBelowZero<B::Diffuse>,
                  notAboveZero},
@@ -232,10 +256,10 @@ std::span<const Contract> termContracts() {
                  "",
                  "intensity",
                  "0 to ∞",
-                 "0: a product of what is not below 0",
+                 "0: a product of what is not below 0; of Gouraud shading 40 u I k_s",
                  kPhong,
                  notBelowZero<B::Specular>,
-                 notAboveZero},
+                 noHighlightBelowZero},
         Contract{"specular-where-lit",
                  StageId::Shading,
                  "There is no highlight where the surface faces away from the light.",

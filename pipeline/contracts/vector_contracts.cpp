@@ -49,7 +49,7 @@ Found towardsTheEye(const ContractData& data, std::size_t pixel) {
     if (!data.drawn(pixel)) return {};
     const View& view = data.view();
     const Vec3d v = data.vector(B::ViewVector, pixel), p = data.vector(B::Position, pixel);
-    if (!view.perspective) return equals(glm::length(v + view.forward), 0, 4 * data.u());
+    if (!view.perspective) return direction(v + view.forward, 4 * data.u());
     const Vec3d towards = view.eye - p;
     const double distance = glm::length(towards), id = data.number(B::PolygonId, pixel);
     if (!(distance > 0) || !(id >= 0) || !(id < double(data.topology().polygonCount()))) return {};
@@ -63,7 +63,7 @@ Found towardsTheEye(const ContractData& data, std::size_t pixel) {
     const double snapped = std::sqrt(2.0) * std::ldexp(1.0, -1 - data.scene().settings.subPixelBits);
     const double bound =
         snapped / std::min(view.scale.x, view.scale.y) + data.u() * (12 + (40 * size + 20 * reach) / distance);
-    return equals(glm::length(v - towards / distance), 0, bound);
+    return direction(v - towards / distance, bound);
 }
 
 Found towardsTheLight(const ContractData& data, std::size_t pixel) {
@@ -75,7 +75,7 @@ Found towardsTheLight(const ContractData& data, std::size_t pixel) {
     const double distance = glm::length(towards);
     if (!(distance > 0) || (!data.knowsDrawn() && l == Vec3d(0))) return {};
     const double reach = isFar ? 0 : 2 * (glm::length(light.position) + glm::length(p)) / distance;
-    return equals(glm::length(l - towards / distance), 0, data.u() * (6 + reach));
+    return direction(l - towards / distance, data.u() * (6 + reach));
 }
 
 Found reflection(const ContractData& data, std::size_t pixel) {
@@ -91,7 +91,7 @@ Found halfway(const ContractData& data, std::size_t pixel) {
     const Vec3d h = data.vector(B::HalfwayVector, pixel);
     const double length = glm::length(sum);
     if (!(length > 0)) return {};
-    return equals(glm::length(h - sum / length), 0, 6 * data.u());
+    return direction(h - sum / length, 6 * data.u());
 }
 
 }  // namespace

@@ -20,6 +20,7 @@ Json toJson(std::span<const ContractResult> results, const ContractInput& input,
             continue;
         }
         one["checked"] = result.checked, one["hold"] = result.hold;
+        if (result.undecided > 0) one["undecided"] = result.undecided;
         const ContractFinding& found = result.worst->finding;
         one["worst"] = {{"place", contractPlace(result, input, result.worst->element)},
                         {"value", number(found.value)},

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <deque>
 #include <limits>
+#include <memory>
+#include <mutex>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -14,12 +17,38 @@
 #include "pipeline/illumination/illumination.h"
 #include "pipeline/plan/black.h"
 #include "pipeline/scene/alike_remarks.h"
+#include "pipeline/scene/closed_mesh.h"
 #include "pipeline/scene/opacity.h"
 #include "pipeline/scene/settings_table.h"
 #include "pipeline/stages/transform.h"
 
 namespace pipeline {
 namespace {
+
+constexpr double kFarthest = 1e10;  // beyond what checkScene admits; false for what is not finite
+
+// Slivers of a mesh, looked at once while it lives; of a mesh of more than 4 million polygons 0.
+std::size_t sliversOf(const std::shared_ptr<const Mesh>& mesh) {
+    constexpr std::size_t kMostPolygons = 4'000'000, kMostKnown = 64;
+    struct Known {
+        std::weak_ptr<const Mesh> mesh;
+        std::size_t slivers;
+    };
+    static std::mutex mutex;
+    static std::deque<Known> known;
+    if (mesh->polygonCount() > kMostPolygons) return 0;
+    {
+        const std::scoped_lock lock(mutex);
+        for (const Known& one : known)
+            if (one.mesh.lock() == mesh) return one.slivers;
+    }
+    std::size_t slivers = 0;
+    for (std::size_t i = 0; i < mesh->polygonCount(); ++i) slivers += isSliver(*mesh, i) ? 1 : 0;
+    const std::scoped_lock lock(mutex);
+    known.push_back({mesh, slivers});
+    if (known.size() > kMostKnown) known.pop_front();
+    return slivers;
+}
 
 class Remarks {
 public:
@@ -34,6 +63,7 @@ public:
         ofCamera();
         ofChosenNearPlane();
         ofLights();
+        ofShadowTexels();
         m_alike.moveTo(m_list);
         for (std::size_t i = 0; i < m_scene.objects.size(); ++i) ofObject(i);
         m_alike.moveTo(m_list);
@@ -142,6 +172,28 @@ private:
         }
     }
 
+    // A face of a point light's buffer sees a right angle: at a distance d its N texels are 2 d wide together.
+    void ofShadowTexels() {
+        constexpr double kFewest = 32;  // texels across the scene
+        Vec3d low(std::numeric_limits<double>::infinity()), high = -low;
+        for (const Object& object : m_scene.objects)
+            forEachCorner(object, [&](Vec3d p) { low = glm::min(low, p), high = glm::max(high, p); });
+        const double size = glm::length(high - low);
+        if (m_scene.settings.visibility == Visibility::None || !(size > 0) || !(size < kFarthest)) return;
+        for (std::size_t k = 0; k < m_scene.lights.size(); ++k) {
+            const Light& light = m_scene.lights[k];
+            const double distance = glm::length(light.position - (low + high) / 2.0);
+            const double texel = 2 * distance / std::max(1, m_scene.settings.shadowSize);
+            if (!light.castsShadow || light.kind == LightKind::AtInfinity || size >= kFewest * texel) continue;
+            addOf("texel", fmt::format("light {}", k), "shadow.size",
+                  fmt::format(
+                      "A texel of the shadow buffer of light {} is {:.2g} world units wide at the scene, which is "
+                      "{:.2g} large: cast shadows are coarse or lost. Set a larger shadow.size, move the light "
+                      "nearer, or set its kind to at-infinity.",
+                      k, texel, size));
+        }
+    }
+
     static std::string negative(const std::string& what, double value) {
         return fmt::format(
             "{} is {}, below 0: it takes light away. Computed as written; what falls below 0 is shown "
@@ -201,6 +253,13 @@ private:
             addOf("degenerate", name, object.name,
                   fmt::format("{} without area. Nothing of such a polygon is drawn.",
                               polygonsAre(object, facts.degenerate)));
+        const std::size_t slivers = m_scene.settings.precision == Precision::Float ? sliversOf(object.mesh) : 0;
+        if (slivers > 0)
+            addOf("sliver", name, object.name,
+                  fmt::format(
+                      "{} slivers, less than 1/65536 as high as long: in float, rounding turns the normal of such a "
+                      "polygon, and with it those of its vertices. Set precision=double, or normal_weight=area.",
+                      polygonsAre(object, int(slivers))));
         ofDistance(object);
     }
 

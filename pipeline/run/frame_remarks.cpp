@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "pipeline/core/numerics.h"
 #include "pipeline/core/text.h"
 #include "pipeline/plan/black.h"
 #include "pipeline/plan/scene_remarks.h"
@@ -32,8 +33,24 @@ std::string otherSide(const Camera& camera) {
                        shortestText(180 - camera.phi));
 }
 
+// Where float holds no object: its places are 0 then, and none of the reasons below is the cause.
+std::optional<Remark> whyUnderflow(const Scene& scene) {
+    constexpr double kSmallest = 0x1p-126;  // a normal number in float
+    double size = 0;
+    for (const Object& object : scene.objects) {
+        const MeshFacts& facts = object.mesh->facts;
+        size = std::max(size, largestComponent((facts.high - facts.low) * object.transform.scale));
+    }
+    if (scene.settings.precision != Precision::Float || !(size > 0) || size >= kSmallest) return {};
+    return Remark{"precision", fmt::format("Underflow: the largest object is {} world units large, and float rounds "
+                                           "what is much smaller than {} to 0. Set precision=double, or scale the "
+                                           "objects and the camera up.",
+                                           shortestText(size), shortestText(kSmallest))};
+}
+
 // For objects of which no polygon is drawn.
 Remark whyNoneIsDrawn(const Scene& scene, const Counts& counts, std::size_t all) {
+    if (const auto underflow = whyUnderflow(scene)) return *underflow;
     const auto of = [&](Verdict verdict) { return counts[static_cast<std::size_t>(verdict)]; };
     const auto are = [&](std::string_view rest) {
         return fmt::format("{} {} {}", allPolygons(all), form(all, "is", "are"), rest);

@@ -8,6 +8,8 @@
 #include <span>
 #include <vector>
 
+#include "pipeline/core/numerics.h"
+
 namespace pipeline {
 namespace {
 
@@ -156,6 +158,22 @@ EdgeUse edgeUseOf(const Mesh& mesh, StopCheck& check) {
         }
     }
     return {turned == 0, turned};
+}
+
+bool isSliver(const Mesh& mesh, std::size_t polygon) {
+    const auto corners = mesh.polygon(polygon);
+    const Vec3d first = mesh.positions[corners[0]];
+    constexpr double kSliver = 0x1p-16;
+    double longest = 0;
+    for (const std::uint32_t corner : corners)
+        longest = std::max(longest, largestComponent(mesh.positions[corner] - first));
+    if (!(longest > 0)) return false;
+    Vec3d twice(0);  // the area, of sides up to about 1: no product underflows
+    for (std::size_t i = 2; i < corners.size(); ++i)
+        twice += glm::cross((mesh.positions[corners[i - 1]] - first) / longest,
+                            (mesh.positions[corners[i]] - first) / longest);
+    const double area = largestComponent(twice);
+    return area > 0 && area < kSliver;
 }
 
 }  // namespace pipeline

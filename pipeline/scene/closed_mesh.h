@@ -18,4 +18,9 @@ EdgeUse edgeUseOf(const Mesh& mesh, StopCheck& check);
 // the box of the others may be the wall of a cavity, and does not count.
 std::size_t inwardPolygons(const Mesh& mesh, StopCheck& check);
 
+// Whether a polygon has an area, and is less than 2^-16 times as high as it is long. Float rounds places by 2^-24 of their
+// size, and so turns the normal of such a polygon by some 2^-8, half a degree, and more; in a mean of unit normals it counts
+// as much as every other.
+bool isSliver(const Mesh& mesh, std::size_t polygon);
+
 }  // namespace pipeline
