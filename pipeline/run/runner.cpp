@@ -49,7 +49,8 @@ Past pastOf(const Scene& scene, const FramePtr& before) {
 
 Plan makePlan(const Scene& scene, const FrameRequest& request, const FramePtr& before) {
     const Needs needs = needsOf(scene, request.wanted, request.until);
-    const StageKeys keys = stageKeys(scene, needs, topologyOf(scene, before));
+    // Of a large scene the topology takes long; it is only compared with that of the frame before.
+    const StageKeys keys = stageKeys(scene, needs, before ? topologyOf(scene, before) : nullptr);
     Plan plan = decide(needs, request.until, keys, pastOf(scene, before));
     explain(scene, needs, plan);
     return plan;
