@@ -112,7 +112,7 @@ Finding runLineEnds(Trial& trial) {
     wrong += !same(kSquare + "# " + std::string(1 << 20, 'x'));  // a line of a megabyte
     wrong += !same(replaced(kSquare, " ", "  \t "));
     // What is left answers with objects or with an error, and never reads past the end.
-    for (const std::string ending : {".obj", ".ply", ".stl", ".des", ".scene", ".toml", ".gltf", ".glb"})
+    for (const std::string ending : {".obj", ".ply", ".stl", ".off", ".des", ".scene", ".toml", ".gltf", ".glb"})
         for (const std::string& text : {std::string(), std::string("\n"), std::string(64, '\0'), std::string("f"),
                                         std::string(1 << 16, '('), std::string("\xFF\xFE")}) {
             const Reading r = read("a" + ending, text);

@@ -24,6 +24,7 @@ constexpr auto kFormats = std::to_array<Format>({
     {"Wavefront model", ".obj", hasNoMark, readModelScene},
     {"polygon file", ".ply", hasNoMark, readModelScene},
     {"stereolithography file", ".stl", hasNoMark, readModelScene},
+    {"Object File Format", ".off", hasNoMark, readModelScene},
     {"glTF model", ".gltf", hasNoMark, readModelScene},
     {"binary glTF model", ".glb", hasNoMark, readModelScene},
     {"picture that carries its scene", ".png", looksLikePng, readPngScene},

@@ -1,4 +1,5 @@
 #pragma once
+#include <string_view>
 #include <vector>
 
 #include "pipeline/core/real.h"
@@ -17,6 +18,9 @@ struct GltfInstance {
 // The nodes of the file's scene, parents before children. The nodes must be a tree of at most 1024
 // levels; what is not as it must be is reported.
 std::vector<GltfInstance> instancesOf(GltfFile& file);
+
+// Its factors come before those of pbrMetallicRoughness: k_d = diffuse, k_s = specular, roughness = 1 - glossiness.
+inline constexpr std::string_view kSpecularGlossiness = "KHR_materials_pbrSpecularGlossiness";
 
 // metallic-roughness as coefficients (appendix B.2): k_d = baseColor (1 - metallic),
 // k_s = 0.04 (1 - metallic) + baseColor metallic, and for n the Blinn-Phong exponent 2 / α² - 2 that

@@ -7,15 +7,15 @@
 namespace pipeline {
 namespace {
 
+constexpr std::string_view kNoTextures = "Pictures on surfaces are not read; the materials' factors stand alone.";
+
 // What nothing of ours reads, with the remark that says so.
 void remarkOn(const GltfValue& material) {
     const GltfValue pbr = material["pbrMetallicRoughness"];
     for (const GltfValue& texture :
          {pbr["baseColorTexture"], pbr["metallicRoughnessTexture"], material["normalTexture"],
           material["occlusionTexture"], material["emissiveTexture"]})
-        if (texture.isThere())
-            remark(material.file(), "Pictures on surfaces are not read; the materials' factors stand alone.",
-                   "picture");
+        if (texture.isThere()) remark(material.file(), std::string(kNoTextures), "picture");
     if (!material["doubleSided"].truth().value_or(false)) return;
     material.file().doubleSided = true;
     remark(
@@ -61,15 +61,26 @@ Material readGltfMaterial(const GltfValue& value) {
         remark(value.file(), "What a picture gives off is not read, and the emissive factor with it.", "material");
     else
         factors(value["emissiveFactor"], emission);
-    const double metallic = factor(pbr["metallicFactor"], 1);
-    const double roughness = factor(pbr["roughnessFactor"], 1);
-    const double alpha = roughness * roughness;
-    const Vec3d base{color[0], color[1], color[2]};
-
+    double roughness = factor(pbr["roughnessFactor"], 1);
     constexpr double kDielectric = 0.04, kLeastExponent = 1, kLargestExponent = 10000;
     Material material;
-    material.diffuse = base * (1 - metallic);
-    material.specular = Vec3d(kDielectric * (1 - metallic)) + base * metallic;
+    Vec3d base{color[0], color[1], color[2]};
+    if (const GltfValue glossy = value["extensions"][kSpecularGlossiness]; glossy.isThere()) {
+        double specular[3] = {1, 1, 1};
+        std::ranges::fill(color, 1.0);
+        factors(glossy["diffuseFactor"], color);
+        factors(glossy["specularFactor"], specular);
+        if (glossy["diffuseTexture"].isThere() || glossy["specularGlossinessTexture"].isThere())
+            remark(value.file(), std::string(kNoTextures), "picture");
+        roughness = 1 - factor(glossy["glossinessFactor"], 1);
+        material.diffuse = base = {color[0], color[1], color[2]};
+        material.specular = {specular[0], specular[1], specular[2]};
+    } else {
+        const double metallic = factor(pbr["metallicFactor"], 1);
+        material.diffuse = base * (1 - metallic);
+        material.specular = Vec3d(kDielectric * (1 - metallic)) + base * metallic;
+    }
+    const double alpha = roughness * roughness;
     // At n = 0 a highlight would be as bright everywhere; a rough metal's is not.
     material.exponent =
         alpha > 0 ? std::clamp(2 / (alpha * alpha) - 2, kLeastExponent, kLargestExponent) : kLargestExponent;

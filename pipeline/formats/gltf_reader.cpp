@@ -101,6 +101,8 @@ private:
             for (std::size_t i = 0; i < list.size(); ++i)
                 if (const auto name = list.at(i).text(); name && *name == kQuantized)
                     m_quantized = true;
+                else if (name && *name == kSpecularGlossiness)
+                    continue;
                 else if (name && !isIn(required, *name))
                     remark(m_file, fmt::format("The extension {} is not read.", quotedInput(*name)));
                 else if (name && list.pointer() == required.pointer())

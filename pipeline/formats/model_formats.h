@@ -42,6 +42,7 @@ std::string shownName(std::string_view name, const std::string& otherwise);
 Result<LoadedModel> readObj(const SourceText& source, const FileLoader& load);
 Result<LoadedModel> readPly(const SourceText& source, const FileLoader& load);
 Result<LoadedModel> readStl(const SourceText& source, const FileLoader& load);
+Result<LoadedModel> readOff(const SourceText& source, const FileLoader& load);
 Result<LoadedModel> readGltf(const SourceText& source, const FileLoader& load);  // .gltf and .glb
 
 }  // namespace pipeline

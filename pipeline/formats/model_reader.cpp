@@ -10,6 +10,7 @@
 
 #include "pipeline/core/text.h"
 #include "pipeline/formats/lecture_values.h"
+#include "pipeline/formats/line_scanner.h"
 #include "pipeline/formats/model_formats.h"
 #include "pipeline/formats/no_memory.h"
 
@@ -22,13 +23,31 @@ struct ModelFormat {
 };
 
 constexpr ModelFormat kModelFormats[] = {
-    {".obj", readObj}, {".ply", readPly}, {".stl", readStl}, {".gltf", readGltf}, {".glb", readGltf},
+    {".obj", readObj}, {".ply", readPly}, {".stl", readStl}, {".off", readOff}, {".gltf", readGltf}, {".glb", readGltf},
 };
 
 const ModelFormat* findModelFormat(std::string_view extension) {
     const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
     for (const ModelFormat& format : kModelFormats)
         if (std::ranges::equal(format.extension, extension, {}, lower, lower)) return &format;
+    return nullptr;
+}
+
+// The format that a file is of by its first words, whatever its name says; null where they do not tell.
+const ModelFormat* formatByContent(const SourceText& source) {
+    if (source.text.starts_with("glTF")) return findModelFormat(".glb");
+    Errors none;
+    LineScanner scanner(source.text, {}, none);
+    std::string_view word;
+    while (word.empty() && scanner.nextLine()) word = scanner.next();
+    if (word.starts_with('{') && source.text.find("\"asset\"") != source.text.npos) return findModelFormat(".gltf");
+    if (word == "ply") return findModelFormat(".ply");
+    if (word == "OFF" || word == "COFF" || word == "NOFF") return findModelFormat(".off");
+    if (sameLetters(word, "solid") && scanner.nextLine() && sameLetters(scanner.next(), "facet"))
+        return findModelFormat(".stl");
+    constexpr std::string_view kObjStatements[]{"v", "vn", "vt", "o", "g", "s", "mtllib", "usemtl"};
+    if (std::ranges::find(kObjStatements, word) != std::end(kObjStatements) && !scanner.peek().empty())
+        return findModelFormat(".obj");
     return nullptr;
 }
 
@@ -42,6 +61,12 @@ Result<LoadedModel> readModel(const SourceText& source, std::string_view extensi
     try {
         Result<LoadedModel> model = format->read(source, load);
         if (source.progress.stop.stop_requested()) return readingStopped(source.name);
+        const ModelFormat* const other = model && !model->objects.empty() ? nullptr : formatByContent(source);
+        if (other && other->read != format->read)
+            return Error{{source.name, 0, 0},
+                         fmt::format("found what a {} file holds", other->extension),
+                         fmt::format("what a {} file holds: give the file the extension {}", format->extension,
+                                     other->extension)};
         if (model && model->objects.empty()) {
             std::string found = "found no polygon";
             for (const Remark& remark : model->remarks) found += "; " + remark.text;

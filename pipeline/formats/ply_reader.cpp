@@ -9,6 +9,7 @@
 #include "pipeline/formats/lecture_values.h"
 #include "pipeline/formats/model_formats.h"
 #include "pipeline/formats/ply_header.h"
+#include "pipeline/formats/tally.h"
 #include "pipeline/scene/make_mesh.h"
 
 // PLY (G. Turk, The PLY Polygon File Format, 1994): vertices with or without normals, and faces.
@@ -26,7 +27,13 @@ public:
           m_scanner(scanner),
           m_errors(errors),
           m_meter(bytes.size(), source.name, source.progress),
-          m_at(std::min(scanner.nextLineAt(), bytes.size())) {}
+          m_at(std::min(scanner.nextLineAt(), bytes.size())) {
+        // Where lines end with CR alone, a LF behind the last of them is the first byte of the numbers.
+        const std::string_view start = source.text;
+        const std::size_t first = start.find('\r');
+        const bool endsWithCr = first < start.find('\n') && start.substr(first, 2) != "\r\n";
+        if (!isText() && endsWithCr && m_at <= start.size() && start.substr(0, m_at).ends_with("\r\n")) --m_at;
+    }
 
     // In text form the scanner tells.
     bool goesOn() { return isText() || m_meter.goesOn(m_at, m_errors); }
@@ -61,6 +68,13 @@ public:
     void fail(std::string found, std::string expected) {
         if (m_errors.size() < kMaxErrors) m_errors.push_back({{m_name, 0, 0}, std::move(found), std::move(expected)});
     }
+    // In text form a row ends with its line, whatever else stands there.
+    void endRow() {
+        if (!isText() || m_scanner.next().empty()) return;
+        m_longer.add(m_name, m_scanner.line());
+        m_scanner.rest();
+    }
+    const CaseTally& longerRows() const { return m_longer; }
     // What is there after the last element, as a remark; empty where nothing is.
     std::string rest() {
         if (!isText()) {
@@ -69,9 +83,7 @@ public:
             return fmt::format("The last {} after the last element {} not read.",
                                bytes == 1 ? "byte" : groupedDigits(bytes) + " bytes", bytes == 1 ? "is" : "are");
         }
-        std::string_view word = m_scanner.next();
-        while (word.empty() && m_scanner.nextLine()) word = m_scanner.next();
-        if (word.empty()) return {};
+        if (wordOnAnyLine().empty()) return {};
         return fmt::format("What stands after the last element, from line {} on, is not read.", m_scanner.line());
     }
     // The line suffices: a row is one, and counting columns would take quadratic time where it is not.
@@ -84,9 +96,20 @@ private:
                word.find_first_not_of("+-.#()0123456789abdfinqstyABDFINQSTY") == word.npos;
     }
 
-    std::optional<double> nextWord(std::string_view what, bool mayBeNone) {
+    // Some programs write comments between rows as well.
+    std::string_view wordOnAnyLine() {
         std::string_view word = m_scanner.next();
-        while (word.empty() && m_scanner.nextLine()) word = m_scanner.next();
+        while (word.empty() && m_scanner.nextLine()) {
+            word = m_scanner.next();
+            if (word != "comment" && word != "obj_info") continue;
+            m_scanner.rest();
+            word = {};
+        }
+        return word;
+    }
+
+    std::optional<double> nextWord(std::string_view what, bool mayBeNone) {
+        const std::string_view word = wordOnAnyLine();
         m_at = m_scanner.at();
         const std::optional<double> value = parseNumber(word);
         if (!value && mayBeNone && isNoNumber(word)) return std::numeric_limits<double>::quiet_NaN();
@@ -121,6 +144,7 @@ private:
     LineScanner& m_scanner;
     Errors& m_errors;
     ReadMeter m_meter;
+    CaseTally m_longer;
     std::size_t m_at;  // the next byte
     std::size_t m_valueAt = 0;
     double m_value = 0;
@@ -238,6 +262,7 @@ Counts readElements(PlyBody& body, const PlyHeader& header, std::size_t fileSize
         if (isFace) mesh.reservePolygons(element.count, 3 * element.count);  // mostly they are triangles
         for (std::size_t i = 0; i < element.count; ++i) {
             if (!body.goesOn() || !readRow(body, element, i, mesh.positions.size(), row)) return counts;
+            body.endRow();
             if (isVertex) mesh.positions.push_back({row.values[0], row.values[1], row.values[2]});
             if (hasNormals) {
                 const std::optional<Vec3d> normal = unitVector({row.values[3], row.values[4], row.values[5]});
@@ -324,6 +349,7 @@ Result<LoadedModel> readPly(const SourceText& source, const FileLoader&) {
     if (!errors.empty()) return errors;
     LoadedModel model;
     remarkOnElements(header, source.name, model.remarks);
+    body.longerRows().say("row", "with more words than the header says", "read without them", model.remarks);
     if (counts.unknownNormals > 0)
         model.remarks.push_back(
             {source.name,

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <new>
+#include <optional>
 
 #include "pipeline/core/numerics.h"
 #include "pipeline/core/text.h"
@@ -33,11 +34,32 @@ bool beginsWithEndlessWord(std::string_view start) {
 
 Error refused(SourceLocation where, std::string found) { return {std::move(where), std::move(found), knownFormats()}; }
 
+// What packs files is told by its first bytes, whatever the file is called.
+std::optional<Error> whyPacked(std::string_view start, const std::string& name) {
+    struct Packed {
+        std::string_view mark, found, how;
+    };
+    using namespace std::string_view_literals;
+    constexpr Packed kPacked[]{{"\x1f\x8b"sv, "a file packed by gzip (.gz)", "gunzip"},
+                               {"PK\3\4"sv, "a ZIP archive (.zip)", "unzip"},
+                               {"BZh"sv, "a file packed by bzip2 (.bz2)", "bunzip2"},
+                               {"\xFD\x37zXZ\0"sv, "a file packed by xz (.xz)", "unxz"},
+                               {"7z\xBC\xAF\x27\x1C"sv, "a 7-Zip archive (.7z)", "7z x"},
+                               {"\x28\xB5\x2F\xFD"sv, "a file packed by zstd (.zst)", "unzstd"}};
+    for (const Packed& packed : kPacked)
+        if (start.starts_with(packed.mark))
+            return Error{{name, 0, 0},
+                         fmt::format("found {}", packed.found),
+                         fmt::format("the scene or model in it: unpack it first, as with {}", packed.how)};
+    return {};
+}
+
 Result<Scene> readUnchecked(const std::filesystem::path& file, const ReadProgress& progress) {
     const std::string name = file.string();
     const Result<NamedFile> opened = openFile(file);
     if (!opened) return opened.errors();
     const std::string& start = opened->text;
+    if (const auto packed = whyPacked(start, name)) return *packed;
     const Format* format = findFormat(start, file.extension().string());
     if (!format) return refused({name, 0, 0}, "found no scene");
     if (isModel(file.extension().string()))

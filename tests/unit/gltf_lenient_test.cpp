@@ -106,9 +106,27 @@ TEST(GltfLenient, RoundingErrorsRefuseNothing) {
         hasRemark(model, "A factor of a material lies beyond 0 to 1; it counts as the nearer of the two (2 factors)."));
 }
 
+// k_d and k_s are the diffuse and specular factors; with glossiness 1/2 α is 1/4, and n = 2 · 16 - 2.
+TEST(GltfLenient, SpecularAndGlossinessTakeThePlaceOfMetallicRoughness) {
+    Parts parts = squareParts();
+    parts["meshes"] = R"([{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1, "material": 0}]}])";
+    parts["materials"] = R"([{"pbrMetallicRoughness": {"baseColorFactor": [1, 0, 0, 1]}, "alphaMode": "BLEND",
+        "extensions": {"KHR_materials_pbrSpecularGlossiness": {"diffuseFactor": [0.25, 0.5, 0.75, 0.5],
+        "specularFactor": [0.125, 0.25, 0.5], "glossinessFactor": 0.5}}}])";
+    parts["extensionsUsed"] = R"(["KHR_materials_pbrSpecularGlossiness"])";
+    const LoadedModel model = modelOf(fileOf(parts));
+    const Material& material = model.objects.at(0).material;
+    EXPECT_EQ(material.diffuse, Vec3d(0.25, 0.5, 0.75));
+    EXPECT_EQ(material.ambient, Vec3d(0.25, 0.5, 0.75));
+    EXPECT_EQ(material.specular, Vec3d(0.125, 0.25, 0.5));
+    EXPECT_EQ(material.exponent, 30);
+    EXPECT_EQ(material.alpha, 0.5);
+    EXPECT_TRUE(model.remarks.empty());
+}
+
 TEST(GltfLenient, RequiredExtensionsBesideTheGeometryAreLeftOut) {
-    for (const char* name :
-         {"KHR_texture_transform", "KHR_materials_unlit", "KHR_lights_punctual", "KHR_materials_transmission"}) {
+    for (const char* name : {"KHR_texture_transform", "KHR_materials_unlit", "KHR_lights_punctual",
+                             "KHR_materials_transmission", "KHR_techniques_webgl"}) {
         Parts parts = squareParts();
         parts["extensionsRequired"] = parts["extensionsUsed"] = fmt::format(R"(["{}"])", name);
         const LoadedModel model = modelOf(fileOf(parts));

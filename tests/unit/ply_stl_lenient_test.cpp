@@ -1,6 +1,7 @@
 // PLY and STL as people have them: strips, what is left out, counts that were never filled in, records without an end.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstring>
 #include <limits>
 
@@ -78,6 +79,40 @@ TEST(PlyLenient, WhatIsLeftOutIsSaidWithACount) {
                                                        "\"quality\" of 3 rows of the element \"vertex\" is not read.",
                                                        "The element \"edge\" (1 row) is not read.",
                                                        "The colours of 1 row of the element \"face\" are not read."}));
+}
+
+// As MeshLab and three.js read them: a line is a row, and comments may stand between rows.
+TEST(PlyLenient, LongerRowsAndCommentsBetweenThemRefuseNothing) {
+    const std::string header =
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+        "element face 2\nproperty list uchar int vertex_indices\nend_header\n";
+    const std::vector<Triangle> expected{{{0, 1, 2}}, {{0, 2, 1}}};
+    const LoadedModel longer =
+        modelOf(header + "0 0 0 255 0 0\n1 0 0 0 255 0\n0 1 0 0 0 255\n3 0 1 2 9 9\n3 0 2 1\n", ".ply");
+    EXPECT_EQ(trianglesOf(longer), expected);
+    EXPECT_EQ(remarksOf(longer), Texts{"4 rows with more words than the header says are read without them."});
+    EXPECT_EQ(longer.remarks[0].about, "m:10");
+    const LoadedModel commented = modelOf(
+        header + "0 0 0\n1 0 0\ncomment 3 0 1 2\n0 1 0\nobj_info x\n\n# y\n3 0 1 2\n3 0 2 1\ncomment end\n", ".ply");
+    EXPECT_EQ(trianglesOf(commented), expected);
+    EXPECT_EQ(remarksOf(commented), Texts{});
+}
+
+// The first byte of the numbers may be that of a LF: here the lowest of the float 0x3F80000A.
+TEST(PlyLenient, AHeaderWhoseLinesEndWithCrAloneEndsThere) {
+    std::string header =
+        "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+        "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
+    std::ranges::replace(header, '\n', '\r');
+    const std::string numbers = listBytes<std::uint32_t>({0x3F80000A, 0, 0, 0, 0x3F800000, 0, 0, 0, 0x3F800000}) +
+                                '\3' + listBytes<std::int32_t>({0, 1, 2});
+    const LoadedModel model = modelOf(header + numbers, ".ply");
+    ASSERT_EQ(trianglesOf(model).size(), 1u);
+    EXPECT_EQ(model.objects[0].mesh->positions[0].x, 1 + 10 * 0x1p-23);
+    EXPECT_EQ(remarksOf(model), Texts{});
+    std::string text = header + "0 0 0\r1 0 0\r0 1 0\r3 0 1 2\r";
+    text.replace(text.find("binary_little_endian"), 20, "ascii");
+    EXPECT_EQ(trianglesOf(modelOf(text, ".ply")).size(), 1u);
 }
 
 TEST(PlyLenient, WordsOfItsOwnInTheHeaderRefuseNothing) {

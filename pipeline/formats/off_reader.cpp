@@ -1,0 +1,159 @@
+#include <algorithm>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "pipeline/core/text.h"
+#include "pipeline/formats/lecture_values.h"
+#include "pipeline/formats/line_scanner.h"
+#include "pipeline/formats/model_formats.h"
+#include "pipeline/formats/tally.h"
+#include "pipeline/scene/make_mesh.h"
+
+// OFF as text (Geomview manual, "OFF Files"): vertices and polygons. What follows the coordinates of a vertex or the indices
+// of a polygon on its line, colours and normals for the most part, is left out with a remark.
+namespace pipeline {
+namespace {
+
+class OffReader {
+public:
+    explicit OffReader(const SourceText& source)
+        : m_source(source), m_window(source), m_scanner(m_window, source.name, m_errors, source.progress) {}
+
+    Result<LoadedModel> read() {
+        if (const auto counts = readHeader()) {
+            readVertices(counts->vertices);
+            if (m_errors.empty()) readPolygons(counts->polygons);
+        }
+        if (!m_errors.empty()) return m_errors;
+        LoadedModel model;
+        m_colours.say("vertex line", "with more than three numbers, as a colour or a normal,", "read without them",
+                      model.remarks);
+        m_painted.say("polygon", "with a colour", "shown with the default material", model.remarks);
+        remarkOnLeftOut(m_fewCorners.count(), m_fewCorners.about(), model.remarks);
+        if (m_mesh.polygonCount() == 0) return model;
+        dropUnusedVertices(m_mesh);
+        m_mesh.file = meshFileOf(m_source);
+        Object& object = model.objects.emplace_back();
+        object.name = stemOf(m_source.name);
+        object.mesh = makeMesh(std::move(m_mesh), m_source.progress.stop);
+        return model;
+    }
+
+private:
+    struct Header {
+        std::size_t vertices = 0, polygons = 0;
+    };
+
+    std::optional<Header> readHeader() {
+        std::string_view word;
+        if (!nextWord(word)) {
+            m_scanner.fail("found the end of the file", "OFF");
+            return {};
+        }
+        // "OFF8 6 12": some data sets lack the space. The keyword itself may be missing.
+        const std::size_t digits = word.find_first_of("0123456789", word.starts_with('4') ? 1 : 0);
+        const std::string_view keyword = word.starts_with('4') && !word.ends_with("OFF")
+                                             ? std::string_view()
+                                             : word.substr(0, std::min(digits, word.size()));
+        if (!keyword.empty() && !keyword.ends_with("OFF"))
+            m_scanner.refuse("OFF");
+        else if (keyword.starts_with('4') || keyword.ends_with("nOFF"))
+            m_scanner.refuse("OFF: vertices with three coordinates");
+        else if (sameLetters(m_scanner.peek(), "BINARY"))
+            m_scanner.fail("found a binary OFF file", "one of text: save it as OFF in ASCII, or as PLY");
+        if (!m_errors.empty()) return {};
+        word.remove_prefix(keyword.size());
+        const auto vertices = count(word, "the number of vertices");
+        const int line = m_scanner.line();
+        const auto polygons = count({}, "the number of polygons");
+        // The number of edges, which nobody needs, some programs leave out.
+        if (line != m_scanner.line() || !m_scanner.peek().empty()) count({}, "the number of edges");
+        if (!vertices || !polygons || !m_errors.empty()) return {};
+        return Header{*vertices, *polygons};
+    }
+
+    bool nextWord(std::string_view& word) {
+        do word = m_scanner.next();
+        while (word.empty() && m_scanner.nextLine());
+        return !word.empty();
+    }
+    // The next number, or that of `word` where there is one. expected(): what a message names.
+    template <class Expected>
+    std::optional<double> number(std::string_view word, Expected expected) {
+        if (word.empty() && !nextWord(word)) {
+            m_scanner.fail("found the end of the file", expected());
+            return {};
+        }
+        const std::optional<double> value = parseNumber(word);
+        if (!value) m_scanner.refuse(expected());
+        return value;
+    }
+    std::optional<std::size_t> count(std::string_view word, std::string_view what) {
+        if (!m_errors.empty()) return {};
+        const auto value = number(word, [&] { return std::string(what); });
+        if (!value) return {};
+        if (*value >= 0 && *value <= double(kMaxVertices) && *value == double(std::size_t(*value)))
+            return std::size_t(*value);
+        m_scanner.refuse(fmt::format("{}, from 0 to {}", what, groupedDigits(kMaxVertices)));
+        return {};
+    }
+
+    void readVertices(std::size_t vertices) {
+        for (std::size_t i = 0; i < vertices && m_errors.empty(); ++i) {
+            Vec3d p(0.0);
+            for (int axis = 0; axis < 3 && m_errors.empty(); ++axis) {
+                const auto expected = [&] {
+                    return fmt::format("{} of vertex {}, {}", "xyz"[axis], i,
+                                       numberFrom(-kFarthestVertex, kFarthestVertex));
+                };
+                const auto value = number({}, expected);
+                if (value && !isCoordinate(*value)) m_scanner.refuse(expected());
+                p[axis] = value.value_or(0);
+            }
+            if (m_errors.empty() && !m_scanner.next().empty()) {
+                m_colours.add(m_source.name, m_scanner.line());
+                m_scanner.rest();
+            }
+            m_mesh.positions.push_back(p);
+        }
+    }
+
+    void readPolygons(std::size_t polygons) {
+        const std::size_t vertices = m_mesh.positions.size();
+        std::vector<std::uint32_t> corners;
+        for (std::size_t i = 0; i < polygons && m_errors.empty(); ++i) {
+            const auto n = count({}, "the number of a polygon's vertices");
+            const TextPosition place{m_scanner.line(), 1};
+            corners.clear();
+            for (std::size_t k = 0; n && k < *n && m_errors.empty(); ++k) {
+                const auto corner = number({}, [] { return std::string("a vertex index"); });
+                if (!corner) break;
+                if (*corner >= 0 && *corner < double(vertices) && *corner == double(std::uint32_t(*corner)))
+                    corners.push_back(std::uint32_t(*corner));
+                else
+                    m_scanner.refuse(vertices == 0 ? "no polygon: there are no vertices"
+                                                   : fmt::format("a vertex index from 0 to {}", vertices - 1));
+            }
+            if (!m_errors.empty()) return;
+            if (!m_scanner.next().empty()) {
+                m_painted.add(m_source.name, place.line);
+                m_scanner.rest();
+            }
+            if (!addPolygon(m_mesh, corners, place)) m_fewCorners.add(m_source.name, place.line);
+        }
+    }
+
+    const SourceText& m_source;
+    Errors m_errors;
+    ByteWindow m_window;
+    LineScanner m_scanner;
+    Mesh m_mesh;
+    CaseTally m_colours, m_painted, m_fewCorners;
+};
+
+}  // namespace
+
+Result<LoadedModel> readOff(const SourceText& source, const FileLoader&) { return OffReader(source).read(); }
+
+}  // namespace pipeline
