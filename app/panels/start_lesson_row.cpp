@@ -45,7 +45,7 @@ int LessonRow::besideName() const {
 int LessonRow::wantedHeight(int width) const {
     const QRect room(0, 0, std::max(1, width - besideName()), 1000);
     const int words = QFontMetrics(rowFont()).boundingRect(room, Qt::TextWordWrap, text()).height();
-    return words + Theme::current().px(m_lesson.isBegun() ? 12 : 4);
+    return words + Theme::current().px(m_lesson.isBegun() ? 13 : 4);
 }
 
 void LessonRow::paintInside(QPainter& painter, const QRectF& box) const {
@@ -71,7 +71,8 @@ void LessonRow::paintInside(QPainter& painter, const QRectF& box) const {
         painter.drawText(QRectF(box.left() + rowSide(), box.top(), leftOfName(), box.height()),
                          Qt::AlignLeft | Qt::AlignVCenter, QString::number(m_number));
     }
-    const QRectF name(box.left() + leftOfName(), box.top(), box.width() - besideName(), box.height());
+    const QRectF name(box.left() + leftOfName(), box.top(), box.width() - besideName(),
+                      box.height() - theme.px(m_lesson.isBegun() ? 8 : 0));  // above the bar
     painter.setFont(rowFont());
     painter.setPen(c.text);
     painter.drawText(name, Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap, text());
@@ -82,7 +83,7 @@ void LessonRow::paintInside(QPainter& painter, const QRectF& box) const {
     painter.setPen(Qt::NoPen);
     if (m_lesson.isBegun()) {
         const double whole = box.width() - leftOfName() - rowSide();
-        QRectF bar(name.left(), box.bottom() - theme.px(7), whole, theme.px(3));
+        QRectF bar(name.left(), box.bottom() - theme.px(6), whole, theme.px(3));
         painter.setBrush(c.hover);
         painter.drawRoundedRect(bar, theme.px(1.5), theme.px(1.5));
         bar.setWidth(whole * m_lesson.page / m_lesson.pages);
@@ -91,6 +92,7 @@ void LessonRow::paintInside(QPainter& painter, const QRectF& box) const {
     }
     painter.setPen(c.line);
     painter.drawLine(box.bottomLeft() - QPointF(0, 0.5), box.bottomRight() - QPointF(0, 0.5));
+    if (y() == 0) painter.drawLine(box.topLeft() + QPointF(0, 0.5), box.topRight() + QPointF(0, 0.5));
 }
 
 }  // namespace app

@@ -190,7 +190,7 @@ void StartPage::fit() {
     fitLeft(fit);
 }
 
-// What goes first where there is no height for all comes first.
+// Where the column is too low, its parts are left out in this order until the rest fits.
 void StartPage::fitLeft(const StartFit& fit) {
     const Theme& theme = Theme::current();
     m_left->setFixedWidth(fit.left);

@@ -121,7 +121,7 @@ void StartViewCard::place() {
     for (Picture* picture : m_pictures) picture->setVisible(!isLow);
     m_talkPlace->setVisible(!isLow);
     m_title->setWordWrap(!isLow), m_talkTitle->setWordWrap(!isLow);
-    const int pad = theme.px(width() < theme.px(850) ? 10 : 14);
+    const int pad = theme.px(width() < theme.px(850) ? 9 : 14);
     if (isLow) {
         const auto centred = [&](QWidget& part, int x, int wide) {
             const int high = part.sizeHint().height();
@@ -140,7 +140,10 @@ void StartViewCard::place() {
         return;
     }
     m_talkTitle->show();
-    const int text = std::max({int(width() * 0.157), theme.px(132), m_open->sizeHint().width() + 2 * pad});
+    // The talk's name on one line where that does not take much from the pictures.
+    const int talkName = QFontMetrics(m_talkTitle->font()).horizontalAdvance(m_talkTitle->text()) + 2 * pad + 2;
+    const int text = std::max({int(width() * 0.157), theme.px(132), m_open->sizeHint().width() + 2 * pad,
+                               std::min(talkName, int(width() * 0.18))});
     const int pictures = width() - 2 * text, count = int(m_pictures.size());
     for (int i = 0; i < count; ++i) {
         const int from = 1 + i * pictures / count, to = (i + 1) * pictures / count - 1;
