@@ -1,6 +1,8 @@
 #include "app/core/other_source.h"
 
 #include <algorithm>
+#include <array>
+#include <string_view>
 #include <utility>
 
 #include "app/core/equation_symbols.h"
@@ -48,6 +50,25 @@ QString whyNotSetting(const Scene& scene, const SettingRef& ref, double value) {
     return errors.empty() ? QString() : toQString(format(errors.front()));
 }
 
+// In words: what a file's word means to somebody who does not see the setting's name.
+QString choiceCaption(const SettingRef& setting, const QString& word, const Scene& scene) {
+    constexpr std::array<std::array<std::string_view, 3>, 5> kCaptions{{{"numerics.power", "log1p", "exp(n log1p(−q))"},
+                                                                        {"numerics.power", "pow", "(R·V)ⁿ"},
+                                                                        {"shadow.bias", "automatic", "Automatic bias"},
+                                                                        {"shadow.bias", "constant", "Constant bias"},
+                                                                        {"shadow.bias", "slope", "Bias by slope"}}};
+    const std::string key = setting.key(), said = word.toStdString();
+    if (key == "shadow.bias" && said == "constant" && scene.settings.shadowBiasValue == 0)
+        return QStringLiteral("No bias");
+    for (const auto& [ofKey, ofWord, caption] : kCaptions)
+        if (key == ofKey && said == ofWord) return toQString(caption);
+    if (said == "on" || said == "off" || said == "none") return labelOf(setting) + ": " + word;
+    if (word.startsWith("fixed")) return word.mid(5) + " bits";
+    QString words = word;
+    if (key.starts_with("numerics.")) words.replace('-', ' ');
+    return words.left(1).toUpper() + words.mid(1);
+}
+
 bool haveSameShape(const BufferInfo& a, const BufferInfo& b) {
     return a.domain == b.domain && a.channels == b.channels;
 }
@@ -73,9 +94,9 @@ QString nameOf(const OtherSource& source) {
     return {};
 }
 
-QString captionOf(const SettingRef& setting, double value) {
-    const auto text = toQString(formatSetting(setting, value));
-    if (setting.setting->kind == SettingKind::Choice) return text.left(1).toUpper() + text.mid(1);
+QString captionOf(const SettingRef& setting, const Scene& scene) {
+    const auto text = toQString(formatSetting(setting, setting.get(scene)));
+    if (setting.setting->kind == SettingKind::Choice) return choiceCaption(setting, text, scene);
     const QString label = labelOf(setting), symbol = symbolOf(setting);
     const bool hasSymbol = symbol != label || symbol.size() == 1 || symbol.contains('_');
     return hasSymbol ? symbol + " = " + text : label + ' ' + text;

@@ -32,8 +32,8 @@ struct OtherSource {
 // "gouraud (shading)", "before the last change", "diffuse.0", "reference.npy".
 QString nameOf(const OtherSource& source);
 
-// A value of a setting below a picture: "Phong", "Tessellation 32".
-QString captionOf(const pipeline::SettingRef& setting, double value);
+// A scene's value of a setting below a picture, in words: "Phong", "16 bits", "No bias", "Tessellation 32".
+QString captionOf(const pipeline::SettingRef& setting, const pipeline::Scene& scene);
 
 // As a file has it, empty for Mine: "before", "previous stage", "buffer z_view", "setting shading=gouraud", "scene z_buffer_flat", "file a.npy"; and again, for a
 // scene that has the setting.

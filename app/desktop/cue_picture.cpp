@@ -62,7 +62,7 @@ CueSides sidesOf(const lessons::BufferShown& view, const std::shared_ptr<const p
     if (*b != *a) sides.view.range.reset();
     if (source->kind == Kind::Setting) {
         const auto named = [&](const pipeline::Scene& of) {
-            return (toQString(view.buffer) + ", " + captionOf(source->setting, source->setting.get(of))).toStdString();
+            return (toQString(view.buffer) + ", " + captionOf(source->setting, of)).toStdString();
         };
         sides.names = {named(*scene), named(*sides.scene)};
     } else {

@@ -18,11 +18,16 @@ TalkHint::TalkHint(bool hasCues, QWidget* parent)
     setProperty("tone", 2);
     m_time.setSingleShot(true);
     connect(&m_time, &QTimer::timeout, this, &QWidget::hide);
-    m_time.start(kHintMs);
+    m_time.setInterval(kHintMs);
     followTheme(this, [this] {
         setFont(Theme::current().text(12));
         setMargin(Theme::current().px(4));
     });
+}
+
+void TalkHint::paintEvent(QPaintEvent* event) {
+    QLabel::paintEvent(event);
+    if (!m_time.isActive()) m_time.start();
 }
 
 void TalkHint::showKeys() {

@@ -15,8 +15,11 @@ public:
 signals:
     void changed();  // its size
 
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
 private:
-    QTimer m_time;
+    QTimer m_time;  // from when it is first seen, which on a slow machine is late
 };
 
 }  // namespace app

@@ -4,9 +4,13 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "app/core/put_away.h"
+#include "app/panels/buffer_features.h"
 #include "app/panels/buffer_header.h"
+#include "app/panels/buffer_range.h"
 #include "app/panels/buffer_view.h"
 #include "app/panels/follow_theme.h"
+#include "app/panels/range_foot.h"
 #include "app/view3d/view3d_panel.h"
 
 namespace app {
@@ -46,8 +50,18 @@ BufferView& ViewSet::buffer(int number) {
     view = new BufferView(m_document);
     frame(view, leaf);
     view->setBare(m_dress == ViewDress::Bare);
+    if (m_dress == ViewDress::Bare)
+        connect(&view->features().range->foot(), &RangeFoot::shown, this, &ViewSet::alignPictures);
     emit made(leaf);
     return *view;
+}
+
+// An audience compares pictures: one above a histogram is as high as one beside it.
+void ViewSet::alignPictures() {
+    const bool any = std::ranges::any_of(m_buffers, [](const auto& one) {
+        return !isPutAway(*one.second) && !one.second->features().range->foot().isHidden();
+    });
+    for (const auto& one : m_buffers) one.second->features().range->foot().keepRoom(any);
 }
 
 View3dPanel& ViewSet::space(int number) {

@@ -48,6 +48,7 @@ signals:
 
 private:
     void frame(QWidget* view, lessons::ViewLeaf leaf);
+    void alignPictures();
 
     Document& m_document;
     QWidget& m_room;

@@ -168,7 +168,7 @@ void BufferCompare::nameDifference(const OtherSource& source, const pipeline::Sc
     const bool isSetting = source.kind == Kind::Setting;
     if (m_bar->isBare() && (isSetting || differing.size() == 1)) {
         const pipeline::SettingRef setting = isSetting ? source.setting : differing[0];
-        m_nameA = captionOf(setting, setting.get(a)), m_nameB = captionOf(setting, setting.get(b));
+        m_nameA = captionOf(setting, a), m_nameB = captionOf(setting, b);
         return;
     }
     if (differing.size() != 1) return;

@@ -97,6 +97,12 @@ void RangeFoot::setBare(bool bare) {
     fitWidth();
 }
 
+void RangeFoot::keepRoom(bool keep) {
+    QSizePolicy policy = sizePolicy();
+    policy.setRetainSizeWhenHidden(keep);
+    setSizePolicy(policy);
+}
+
 void RangeFoot::resizeEvent(QResizeEvent* event) {
     QStackedWidget::resizeEvent(event);
     fitWidth();
@@ -105,6 +111,7 @@ void RangeFoot::resizeEvent(QResizeEvent* event) {
 void RangeFoot::show(const ShownBuffer& shown, bool keepsFitting, bool logarithmic) {
     const bool hasScale = !shown.scale.histogram.empty();
     setVisible(hasScale || !shown.legend.empty());
+    emit this->shown();
     setCurrentIndex(hasScale ? 0 : 1);
     m_legend->setEntries(shown.legend);
     if (!hasScale) return;

@@ -19,12 +19,15 @@ public:
     // keepsFitting: the range follows every frame. logarithmic: the axis of the histogram's counts.
     void show(const ShownBuffer& shown, bool keepsFitting, bool logarithmic);
     void setBare(bool bare);  // without its buttons, which have keys
+    // While it is hidden its room stays empty, so that the picture above is as high as one beside it with a range.
+    void keepRoom(bool keep);
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
     void showEvent(QShowEvent* event) override;
 
 signals:
+    void shown();  // or hidden, with another picture
     void rangeChosen(pipeline::PaletteRange range);
     void autofit(bool keep);  // keep: from now on
     void logarithmicChosen(bool logarithmic);

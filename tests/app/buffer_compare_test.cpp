@@ -42,6 +42,30 @@ pipeline::Scene ball(pipeline::Shading shading) {
     return scene;
 }
 
+// As an audience reads them, which sees no setting's name.
+TEST(CaptionOf, ChoicesAreInWords) {
+    pipeline::Scene scene = test::pyramid();
+    scene.settings.visibility = pipeline::Visibility::Painter;
+    const auto caption = [&](const char* key, const char* value) {
+        auto changed = withSetting(scene, std::string(key) + "=" + value);
+        EXPECT_TRUE(changed) << key;
+        return app::captionOf(*findSetting(scene, key), *changed).toStdString();
+    };
+    scene.settings.shadowBiasValue = 0;
+    EXPECT_EQ(caption("shadow.bias", "constant"), "No bias");
+    EXPECT_EQ(caption("shadow.bias", "automatic"), "Automatic bias");
+    scene.settings.shadowBiasValue = 5;
+    EXPECT_EQ(caption("shadow.bias", "constant"), "Constant bias");
+    EXPECT_EQ(caption("numerics.polygon_normal", "three-corners"), "Three corners");
+    EXPECT_EQ(caption("numerics.power", "pow"), "(R·V)ⁿ");
+    EXPECT_EQ(caption("shading", "phong"), "Phong");
+    EXPECT_EQ(caption("visibility", "none"), "Visibility: none");
+    scene.settings.visibility = pipeline::Visibility::ZBuffer;
+    EXPECT_EQ(caption("visibility", "z-buffer"), "Z-buffer");
+    scene.settings.depthFormat = pipeline::DepthFormat::Float;
+    EXPECT_EQ(caption("depth_format", "fixed16"), "16 bits");
+}
+
 struct BufferCompareTest : testing::Test {
     Document document;
     BufferView view{document};
