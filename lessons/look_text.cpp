@@ -19,6 +19,13 @@ std::string numberText(double value) {
     return fmt::format("{:.4g}", value);
 }
 
+std::vector<std::string> channelNames(const pipeline::BufferInfo& info) {
+    if (info.channels == 1) return {};
+    if (info.id == pipeline::BufferId::Barycentric) return {"λ0", "λ1", "λ2"};
+    if (info.palette == pipeline::Palette::Color) return {"r", "g", "b"};
+    return {"x", "y", "z"};
+}
+
 namespace {
 
 using pipeline::AnyBuffer;
@@ -26,15 +33,6 @@ using pipeline::BufferId;
 using pipeline::Domain;
 
 constexpr std::size_t kMostRows = 12;
-
-// The numbers of an element, "(0.3, 0.1, 0.9)"; of a verdict its name.
-std::string valueText(const AnyBuffer& buffer, std::size_t x, std::size_t y) {
-    if (buffer.info->palette == pipeline::Palette::Verdict)
-        return std::string(name(static_cast<pipeline::Verdict>(buffer.value(x, y))));
-    std::string text;
-    for (int c = 0; c < buffer.channels(); ++c) text += (c == 0 ? "" : ", ") + numberText(buffer.value(x, y, c));
-    return buffer.channels() == 1 ? text : '(' + text + ')';
-}
 
 // Which pixels show a surface; all elements of what has no pixels.
 std::vector<bool> drawnIn(const pipeline::Frame& frame, const AnyBuffer& buffer) {
@@ -106,17 +104,52 @@ std::string verdictCounts(const AnyBuffer& buffer) {
     return text + ".\n";
 }
 
-std::string rowsText(const AnyBuffer& buffer) {
+using Table = std::vector<std::vector<std::string>>;  // the first row: the columns' names
+
+std::size_t lettersIn(const std::string& text) {
+    return std::size_t(std::ranges::count_if(text, [](char c) { return (c & 0xC0) != 0x80; }));
+}
+
+// In columns, as for a font whose letters have one width.
+std::string tableText(const Table& table) {
+    std::vector<std::size_t> widths(table[0].size());
+    for (const auto& row : table)
+        for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], lettersIn(row[i]));
     std::string text;
-    const std::string_view what = buffer.info->domain == Domain::Polygon ? "polygon" : "vertex";
+    for (const auto& row : table) {
+        for (std::size_t i = 0; i < row.size(); ++i)
+            text += std::string(widths[i] - lettersIn(row[i]) + (i == 0 ? 0 : 2), ' ') + row[i];
+        text += '\n';
+    }
+    return text;
+}
+
+// The columns' names of a buffer's values: of its channels, else its own.
+std::vector<std::string> headOf(std::vector<std::string> head, const AnyBuffer& buffer,
+                                const pipeline::BufferName& name) {
+    const auto channels = channelNames(*buffer.info);
+    if (channels.empty()) head.push_back(name.text());
+    head.insert(head.end(), channels.begin(), channels.end());
+    return head;
+}
+
+void addValues(std::vector<std::string>& row, const AnyBuffer& buffer, std::size_t x, std::size_t y) {
+    if (buffer.info->palette == pipeline::Palette::Verdict)
+        return row.emplace_back(name(static_cast<pipeline::Verdict>(buffer.value(x, y)))), void();
+    for (int c = 0; c < buffer.channels(); ++c) row.push_back(numberText(buffer.value(x, y, c)));
+}
+
+std::string rowsText(const AnyBuffer& buffer, const pipeline::BufferName& name) {
+    Table table{headOf({buffer.info->domain == Domain::Polygon ? "polygon" : "vertex"}, buffer, name)};
     for (std::size_t row = 0; row < std::min(buffer.rows(), kMostRows); ++row)
-        text += fmt::format("  {} {}: {}\n", what, row, valueText(buffer, 0, row));
-    if (buffer.rows() > kMostRows) text += fmt::format("  and {} more\n", buffer.rows() - kMostRows);
+        addValues(table.emplace_back(1, std::to_string(row)), buffer, 0, row);
+    std::string text = '\n' + tableText(table);
+    if (buffer.rows() > kMostRows) text += fmt::format("and {} more\n", buffer.rows() - kMostRows);
     return text;
 }
 
 // Pixels on a grid of 5 by 4, where something is drawn.
-std::string pixelsText(const AnyBuffer& buffer, const std::vector<bool>& drawn) {
+std::string pixelsText(const AnyBuffer& buffer, const std::vector<bool>& drawn, const pipeline::BufferName& name) {
     std::size_t left = buffer.columns(), right = 0, top = buffer.rows(), bottom = 0;
     for (std::size_t i = 0; i < drawn.size(); ++i) {
         if (!drawn[i]) continue;
@@ -124,13 +157,14 @@ std::string pixelsText(const AnyBuffer& buffer, const std::vector<bool>& drawn) 
         left = std::min(left, x), right = std::max(right, x), top = std::min(top, y), bottom = std::max(bottom, y);
     }
     if (left > right) return {};
-    std::string text = fmt::format("Drawn are columns {} to {}, rows {} to {}.\n", left, right, top, bottom);
+    Table table{headOf({"column", "row"}, buffer, name)};
     for (std::size_t j = 0; j < 4; ++j)
         for (std::size_t i = 0; i < 5; ++i) {
             const std::size_t x = left + (right - left) * (2 * i + 1) / 10, y = top + (bottom - top) * (2 * j + 1) / 8;
-            if (drawn[y * buffer.columns() + x]) text += fmt::format("  {}, {}: {}\n", x, y, valueText(buffer, x, y));
+            if (!drawn[y * buffer.columns() + x]) continue;
+            addValues(table.emplace_back(std::vector{std::to_string(x), std::to_string(y)}), buffer, x, y);
         }
-    return text;
+    return fmt::format("Drawn are columns {} to {}, rows {} to {}.\n\n", left, right, top, bottom) + tableText(table);
 }
 
 }  // namespace
@@ -143,8 +177,8 @@ std::string lookText(const pipeline::Frame& frame, const pipeline::BufferName& n
     const std::vector<bool> drawn = drawnIn(frame, *buffer);
     text += buffer->info->palette == pipeline::Palette::Verdict ? verdictCounts(*buffer) : rangeText(*buffer, drawn);
     text += contractsOf(frame, name);
-    if (buffer->info->domain == Domain::Pixel) return text + pixelsText(*buffer, drawn);
-    return buffer->info->domain == Domain::Texel ? text : text + rowsText(*buffer);
+    if (buffer->info->domain == Domain::Pixel) return text + pixelsText(*buffer, drawn, name);
+    return buffer->info->domain == Domain::Texel ? text : text + rowsText(*buffer, name);
 }
 
 std::string lookText(const pipeline::Frame& frame, glm::ivec2 pixel) {

@@ -187,6 +187,16 @@ pipeline::Result<Riddle> makeRiddle(std::uint64_t seed, std::size_t number, cons
     return riddle;
 }
 
+Riddle ownRiddle(std::shared_ptr<const pipeline::Scene> right, Defect defect, std::uint64_t seed) {
+    Dice dice(seed, 0);
+    if (right->settings.defect != Defect::None) {
+        auto mended = std::make_shared<pipeline::Scene>(*right);
+        mended->settings.defect = Defect::None;
+        right = std::move(mended);
+    }
+    return {defect, std::move(right), causesFor(defect, dice), parOf(poolOf({}))};
+}
+
 std::unique_ptr<WrongPicture> WrongPicture::begin(Riddle riddle, const pipeline::Stop& stop) {
     std::unique_ptr<WrongPicture> game(new WrongPicture);
     game->m_riddle = std::move(riddle);

@@ -34,6 +34,8 @@ struct Riddle {
 // where no defect of the game is of these boxes, or its scene cannot be read.
 pipeline::Result<Riddle> makeRiddle(std::uint64_t seed, std::size_t number, const std::vector<int>& boxes = {});
 std::size_t riddleCount(const std::vector<int>& boxes = {});
+// A scene and a defect that somebody has chosen; the other causes by the seed.
+Riddle ownRiddle(std::shared_ptr<const pipeline::Scene> right, pipeline::Defect defect, std::uint64_t seed);
 
 // The scene in which a defect shows, as its row says. An error where it cannot be read.
 pipeline::Result<pipeline::Scene> sceneOf(const pipeline::DefectRow& row);

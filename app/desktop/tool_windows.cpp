@@ -92,6 +92,7 @@ void ToolWindows::showChecks() {
 void ToolWindows::showWrongPicture() {
     if (!m_bugs) {
         m_bugs = new BugPanel(&m_window);
+        m_bugs->setOpenScene([this] { return m_document.hasScene() ? m_document.sharedScene() : nullptr; });
         connect(m_bugs, &BugPanel::lessonAsked, this, [this](const QString& lesson, const QString& heading) {
             m_lessons.openPage(lesson, heading);
             m_window.activateWindow();

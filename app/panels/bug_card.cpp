@@ -61,9 +61,13 @@ void BugCard::makeFields() {
     });
     m_seed = new QLineEdit(this);
     m_seed->setObjectName("bugSeed");
-    m_seed->setPlaceholderText(tr("Seed: the same number, the same pictures"));
-    m_seed->setAccessibleName(m_seed->placeholderText());
+    m_seed->setPlaceholderText(tr("Seed, as 2026"));
+    m_seed->setAccessibleName(tr("Seed: the same number gives the same pictures"));
+    m_seed->setToolTip(m_seed->accessibleName());
     connect(m_seed, &QLineEdit::returnPressed, this, &BugCard::begin);
+    m_own = bugButton(tr("Set a picture…"), "bugOwn", this);
+    m_own->setToolTip(tr("Choose the scene and the error that others are to find."));
+    connect(m_own, &QPushButton::clicked, this, &BugCard::ownAsked);
 }
 
 void BugCard::layOut() {
@@ -84,7 +88,10 @@ void BugCard::layOut() {
     auto* rows = new QVBoxLayout(this);
     rows->addWidget(m_scroll, 1);
     rows->addWidget(m_foot);
-    rows->addWidget(m_seed);
+    auto* next = new QHBoxLayout;
+    next->addWidget(m_seed, 1);
+    next->addWidget(m_own);
+    rows->addLayout(next);
     followTheme(this, [this, column, rows] {
         const Theme& theme = Theme::current();
         column->setContentsMargins(0, 0, 0, 0);
@@ -92,10 +99,15 @@ void BugCard::layOut() {
         rows->setContentsMargins(theme.px(12), theme.px(10), theme.px(12), theme.px(10));
         rows->setSpacing(theme.px(6));
         setMinimumWidth(theme.px(280));
-        m_looks->setFont(theme.mono(12));
-        m_text->setFont(theme.mono(12));
-        fitText();
+        for (QLabel* heading : {m_count, m_foot}) heading->setContentsMargins(0, theme.px(10), 0, 0);
+        setFonts();
     });
+}
+
+// The rows of a table need letters of one width. Set while they are hidden, fonts do not outlive the first show.
+void BugCard::setFonts() {
+    for (QWidget* part : std::initializer_list<QWidget*>{m_looks, m_text}) part->setFont(Theme::current().mono(12));
+    fitText();
 }
 
 // The editor lays out the lines that it paints. Here all of them are laid out: what is out of sight may be folded too.
@@ -117,6 +129,7 @@ void BugCard::begin() {
 }
 
 void BugCard::say(const QString& text) {
+    setFonts();
     m_text->setPlainText(text);
     m_sight->keep(m_text);
     QAccessibleEvent alert(m_text, QAccessible::Alert);
@@ -145,15 +158,17 @@ void BugCard::showState() {
     m_heading->setText(m_round.isIn(Phase::Stage)   ? tr("Something is wrong")
                        : m_round.isIn(Phase::Cause) ? tr("What is the cause?")
                                                     : toQString(row.name));
-    m_what->setText(
-        m_round.isIn(Phase::Stage)
-            ? tr("This is %1. Which stage is the first that leaves something wrong?").arg(toQString(row.scene))
-        : m_round.isIn(Phase::Cause) ? turn.verdict
-                                     : toQString(row.symptom));
+    m_what->setText(m_round.isIn(Phase::Stage)
+                        ? tr("This is %1. Which stage is the first that leaves something wrong?")
+                              .arg(score.isOwn ? toQString(game->riddle().right->name) : toQString(row.scene))
+                    : m_round.isIn(Phase::Cause) ? turn.verdict
+                                                 : toQString(row.symptom));
     m_hint->setEnabled(!m_round.busy() && game->hints() < 3);
     showLooks();
     QString foot =
-        tr("%1 points; picture %2, seed %3, level B").arg(game->points()).arg(score.number + 1).arg(score.seed);
+        score.isOwn
+            ? tr("%1 points; a picture that was set").arg(game->points())
+            : tr("%1 points; picture %2, seed %3, level B").arg(game->points()).arg(score.number + 1).arg(score.seed);
     if (score.solved > 0) foot += tr("\n%1 points in %2 pictures so far").arg(score.total).arg(score.solved);
     m_foot->setText(foot);
 }

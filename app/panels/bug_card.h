@@ -27,6 +27,7 @@ public:
 
 signals:
     void lessonAsked(const QString& lesson, const QString& heading);
+    void ownAsked();
 
 private:
     void makeFields();
@@ -35,6 +36,7 @@ private:
     void showLooks();
     void say(const QString& text);
     void fitText();
+    void setFonts();
     void begin();  // with the seed that was typed
 
     BugRound& m_round;
@@ -47,7 +49,7 @@ private:
     QScrollArea* m_scroll;
     class KeptInSight* m_sight;
     QLineEdit *m_pixel, *m_seed;
-    QPushButton* m_hint;
+    QPushButton *m_hint, *m_own;
 };
 
 }  // namespace app

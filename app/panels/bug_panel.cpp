@@ -8,6 +8,7 @@
 
 #include "app/panels/bug_box.h"
 #include "app/panels/bug_card.h"
+#include "app/panels/bug_own.h"
 #include "app/panels/bug_parts.h"
 #include "app/panels/bug_pictures.h"
 #include "app/panels/follow_theme.h"
@@ -45,6 +46,7 @@ BugPanel::BugPanel(QWidget* parent) : QWidget(parent) {
     addShortcuts();
     connect(m_pictures, &BugPictures::cursorMoved, m_card, &BugCard::showCursor);
     connect(m_card, &BugCard::lessonAsked, this, &BugPanel::lessonAsked);
+    connect(m_card, &BugCard::ownAsked, this, &BugPanel::setPicture);
     connect(&m_round, &BugRound::changed, this, &BugPanel::showBoxes);
     followTheme(this, [this, column, middle] {
         const Theme& theme = Theme::current();
@@ -110,6 +112,14 @@ void BugPanel::showBoxes() {
                    looks[std::size_t(box)], box == m_round.turn().marked);
         shown.setEnabled(!m_round.busy() && m_round.isIn(Phase::Stage) && !game->isCleared(box));
     }
+}
+
+void BugPanel::setPicture() {
+    auto* dialog = new BugOwnDialog(m_open(), this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &BugOwnDialog::chosen, &m_round,
+            qOverload<std::shared_ptr<const pipeline::Scene>, pipeline::Defect>(&BugRound::begin));
+    dialog->open();
 }
 
 void BugPanel::showEvent(QShowEvent* event) {

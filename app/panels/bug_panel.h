@@ -18,6 +18,8 @@ public:
     explicit BugPanel(QWidget* parent = nullptr);
 
     BugRound& round() { return m_round; }
+    // What is open in the window, for a picture of one's own; null: nothing.
+    void setOpenScene(std::function<std::shared_ptr<const pipeline::Scene>()> open) { m_open = std::move(open); }
 
 signals:
     void lessonAsked(const QString& lesson, const QString& heading);
@@ -30,8 +32,10 @@ private:
     QWidget* makeBoxes();
     void addShortcuts();
     void showBoxes();
+    void setPicture();
 
     BugRound m_round;
+    std::function<std::shared_ptr<const pipeline::Scene>()> m_open = [] { return nullptr; };
     std::array<BugBox*, lessons::kBoxes> m_boxes{};
     BugPictures* m_pictures;
     BugCard* m_card;

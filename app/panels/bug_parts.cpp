@@ -151,6 +151,7 @@ BugEndPart::BugEndPart(BugRound& round, QWidget* parent) : QWidget(parent), m_ro
     connect(&round, &BugRound::changed, this, &BugEndPart::showState);
     followTheme(this, [this] {
         for (MathView* one : {m_wrong, m_right}) one->setBaseSize(14);
+        for (QLabel* one : {m_wrongName, m_rightName, m_fix}) one->setContentsMargins(0, Theme::current().px(8), 0, 0);
     });
     showState();
 }

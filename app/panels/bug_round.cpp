@@ -16,35 +16,42 @@ BugRound::BugRound(QObject* parent) : QObject(parent) {
 }
 
 void BugRound::begin(std::uint64_t seed, std::size_t number) {
-    using Made = std::pair<std::shared_ptr<WrongPicture>, QString>;
     if (number == 0) m_score.total = m_score.solved = 0;
-    m_score.seed = seed, m_score.number = number;
+    m_score.seed = seed, m_score.number = number, m_score.isOwn = false;
+    compute([=] { return lessons::makeRiddle(seed, number); });
+}
+
+void BugRound::begin(std::shared_ptr<const pipeline::Scene> scene, pipeline::Defect defect) {
+    m_score.isOwn = true;
+    compute([scene = std::move(scene), defect, seed = m_score.seed]() -> pipeline::Result<lessons::Riddle> {
+        return lessons::ownRiddle(scene, defect, seed);
+    });
+}
+
+void BugRound::compute(const std::function<pipeline::Result<lessons::Riddle>()>& riddle) {
+    using Made = std::pair<std::shared_ptr<WrongPicture>, QString>;
     m_game.reset();
     m_turn.error.clear();
     m_job.ask(
-        [seed, number](const BackgroundJob::Control& control) -> Made {
-            auto riddle = lessons::makeRiddle(seed, number);
-            if (!riddle) return {nullptr, toQString(format(riddle.errors()))};
-            return {std::shared_ptr<WrongPicture>(WrongPicture::begin(std::move(riddle).value(), control.stop)), {}};
+        [riddle](const BackgroundJob::Control& control) -> Made {
+            auto made = riddle();
+            if (!made) return {nullptr, toQString(format(made.errors()))};
+            std::shared_ptr<WrongPicture> game = WrongPicture::begin(std::move(made).value(), control.stop);
+            if (game && !lessons::worstPixel(*game->right(), *game->wrong()))
+                return {nullptr, tr("This error does not change this scene's picture. Choose another one.")};
+            return {std::move(game), {}};
         },
         [this](const Made& made) {
             m_turn = {};
             m_turn.error = made.second;
-            take(made.first);
+            m_game = made.first;
+            emit begun();
+            if (!m_game) return void(emit changed());
+            // The picture's own text is free: somebody who does not see the picture reads it.
+            run([](WrongPicture& one) { return toQString(one.look(BufferName{pipeline::BufferId::Color})); },
+                [this](const QString& text) { say(text); });
         });
     emit changed();
-}
-
-void BugRound::take(std::shared_ptr<WrongPicture> game) {
-    m_game = std::move(game);
-    emit begun();
-    if (!m_game) {
-        emit changed();
-        return;
-    }
-    // The picture's own text is free: somebody who does not see the picture reads it.
-    run([](WrongPicture& one) { return toQString(one.look(BufferName{pipeline::BufferId::Color})); },
-        [this](const QString& text) { say(text); });
 }
 
 // An answer takes a while with many pixels.

@@ -29,12 +29,16 @@ public:
         std::uint64_t seed = 0;
         std::size_t number = 0;     // of this picture, from 0
         int total = 0, solved = 0;  // points, in pictures
+        bool isOwn = false;         // the scene and the defect were chosen
     };
 
     explicit BugRound(QObject* parent = nullptr);
 
     // As many pictures as there are in a round; the same seed gives the same ones.
     void begin(std::uint64_t seed, std::size_t number = 0);
+    // With a scene and a defect that somebody has chosen for others to find; the next picture is of the round again. A defect
+    // that changes nothing of the scene's picture is refused.
+    void begin(std::shared_ptr<const pipeline::Scene> scene, pipeline::Defect defect);
     const lessons::WrongPicture* game() const { return m_game.get(); }  // null until the frames are there
     bool isIn(Phase phase) const { return m_game && m_game->phase() == phase; }
     bool busy() const { return m_job.busy(); }
@@ -65,8 +69,8 @@ signals:
     void revealed();
 
 private:
+    void compute(const std::function<pipeline::Result<lessons::Riddle>()>& riddle);
     void run(std::function<QString(lessons::WrongPicture&)> work, std::function<void(const QString&)> done);
-    void take(std::shared_ptr<lessons::WrongPicture> game);
 
     BackgroundJob m_job;
     std::shared_ptr<lessons::WrongPicture> m_game;

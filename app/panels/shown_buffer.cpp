@@ -10,6 +10,7 @@
 #include "app/core/numbers.h"
 #include "app/core/text.h"
 #include "app/panels/buffer_legend.h"
+#include "lessons/look_text.h"
 #include "pipeline/run/frame_remarks.h"
 
 namespace app {
@@ -174,10 +175,9 @@ ElementCounts countsOf(const AnyBuffer& buffer, QSize size, lessons::ShownChanne
 bool ShownBuffer::hasValue(QPoint pixel) const { return isDrawn(content.image, pixel); }
 
 QStringList channelNames(const BufferInfo& info) {
-    if (info.channels == 1) return {};
-    if (info.id == BufferId::Barycentric) return {"λ0", "λ1", "λ2"};
-    if (info.palette == Palette::Color) return {"r", "g", "b"};
-    return {"x", "y", "z"};
+    QStringList names;
+    for (const std::string& name : lessons::channelNames(info)) names += toQString(name);
+    return names;
 }
 
 QString captionOf(const BufferInfo& info, lessons::ShownChannel channel) {

@@ -4,6 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
+#include <QComboBox>
+#include <QDialog>
+#include <QDialogButtonBox>
+#include <QLabel>
 #include <QListWidget>
 #include <QPlainTextEdit>
 #include <QPushButton>
@@ -14,6 +18,7 @@
 #include "app/panels/buffer_canvas.h"
 #include "app/panels/bug_box.h"
 #include "tests/app/quiet.h"
+#include "tests/support/scenes.h"
 
 namespace app {
 namespace {
@@ -116,6 +121,39 @@ TEST_F(BugPanelTest, AStageThatIsAccusedWronglyIsShownToHaveDoneWhatItShould) {
         << panel.round().text().toStdString();
     EXPECT_EQ(panel.round().game()->points(), 80);
     EXPECT_EQ(panel.round().game()->phase(), Phase::Stage);
+}
+
+// A scene and an error that a teacher has chosen; the next picture is of the round again.
+TEST_F(BugPanelTest, ATeacherSetsASceneAndAnErrorOfTheirOwn) {
+    auto scene = std::make_shared<pipeline::Scene>(test::pyramid());
+    scene->name = "my own scene";
+    panel.setOpenScene([&] { return scene; });
+    panel.findChild<QPushButton*>("bugOwn")->click();
+    auto* dialog = panel.findChild<QDialog*>("bugOwnDialog");
+    ASSERT_TRUE(dialog);
+    auto* defects = dialog->findChild<QComboBox*>("bugOwnDefect");
+    EXPECT_TRUE(dialog->findChild<QComboBox*>("bugOwnScene")->currentText().startsWith("my own scene"));
+    defects->setCurrentIndex(defects->findData(int(pipeline::Defect::NormalFlip)));
+    for (QAbstractButton* button : dialog->findChild<QDialogButtonBox*>()->buttons())
+        if (button->text() == "Begin") button->click();
+    ASSERT_TRUE(wait());
+    EXPECT_EQ(panel.round().game()->row().id, pipeline::Defect::NormalFlip);
+    EXPECT_EQ(panel.round().game()->wrong()->scene().settings.width, scene->settings.width);
+    EXPECT_TRUE(panel.findChild<QLabel*>("bugWhat")->text().contains("my own scene"));
+    EXPECT_EQ(rightCause() >= 0 && rightCause() < 5, true);
+    panel.round().begin(kSeed);
+    ASSERT_TRUE(wait());
+    EXPECT_EQ(panel.round().game()->riddle().defect, lessons::makeRiddle(kSeed, 0)->defect);
+}
+
+// Nothing casts a shadow here: no bias, no error.
+TEST_F(BugPanelTest, AnErrorThatChangesNothingIsRefused) {
+    auto scene = std::make_shared<pipeline::Scene>(test::pyramid());
+    scene->lights[0].castsShadow = false;
+    panel.round().begin(scene, pipeline::Defect::NoBias);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !panel.round().busy(); }, 60000));
+    EXPECT_FALSE(panel.round().game());
+    EXPECT_TRUE(panel.findChild<QLabel*>("bugWhat")->text().contains("does not change"));
 }
 
 TEST_F(BugPanelTest, AHintCostsTenPoints) {

@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <iterator>
 #include <set>
+#include <sstream>
 
 #include "lessons/bug_quiz.h"
 #include "lessons/library.h"
@@ -134,6 +136,22 @@ TEST(WrongPicture, EveryDefectIsInTheTextOfABuffer) {
             isTold = isTold || lookText(*game->right(), name) != lookText(*game->wrong(), name);
         EXPECT_TRUE(isTold) << row.idText();
     }
+}
+
+// The columns have names, and their numbers end below each other: the pyramid's file has its first vertex at 75, 75, 150.
+TEST(WrongPicture, NumbersAreATableWithNames) {
+    const auto frame = gameOf(Defect::Winding)->right();
+    const std::string text = lookText(*frame, {pipeline::BufferId::VerticesWorld});
+    std::vector<std::string> lines;
+    std::istringstream stream(text.substr(text.find("\n\n") + 2));
+    for (std::string line; std::getline(stream, line);) lines.push_back(line);
+    ASSERT_GE(lines.size(), 2u) << text;
+    std::istringstream names(lines[0]);
+    EXPECT_EQ(std::vector<std::string>(std::istream_iterator<std::string>(names), {}),
+              (std::vector<std::string>{"vertex", "x", "y", "z"}));
+    for (const std::string& line : lines)
+        if (!line.starts_with("and ")) EXPECT_EQ(line.size(), lines[0].size()) << text;
+    EXPECT_NE(text.find("In world units"), std::string::npos) << "the unit";
 }
 
 TEST(WrongPicture, LooksDoNotNameTheDefect) {
