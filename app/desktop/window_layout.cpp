@@ -43,12 +43,30 @@ WindowLayout::WindowLayout(QMainWindow& window, Document& document, const Window
       m_docks(docks),
       m_presentation(presentation) {
     followAlgorithm();
-    for (PanelDock* dock : m_docks.all())
+    m_soon.setSingleShot(true);
+    m_soon.setInterval(1000);
+    connect(&m_soon, &QTimer::timeout, this, [this] {
+        if (showsViews() && !m_presentation.changesWindow()) keep();
+    });
+    for (PanelDock* dock : m_docks.all()) {
+        dock->installEventFilter(this);
         connect(dock->toggleViewAction(), &QAction::triggered, this, [this, dock](bool shown) {
             if (!shown || !showsViews()) return;
             if (m_docks.left().contains(dock)) showOneLeftDock(dock);
             giveRoomTo(dock);
         });
+    }
+}
+
+bool WindowLayout::eventFilter(QObject* watched, QEvent* event) {
+    switch (event->type()) {
+        case QEvent::Show:
+        case QEvent::Hide:
+        case QEvent::Move:
+        case QEvent::Resize: m_soon.start(); break;
+        default: break;
+    }
+    return QObject::eventFilter(watched, event);
 }
 
 bool WindowLayout::showsScene() const { return showsViews() && m_document.hasScene(); }

@@ -1,5 +1,6 @@
 #pragma once
 #include <QObject>
+#include <QTimer>
 #include <optional>
 
 class QMainWindow;
@@ -49,6 +50,9 @@ public:
     void keep() const;                            // where panels are, for the next scene and the next start
     void setKept(bool kept) { m_isKept = kept; }  // a lesson's choice of panels is not kept
 
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
 signals:
     void changed();     // what is shown
     void startShows();  // the start page comes next
@@ -73,6 +77,7 @@ private:
     std::optional<Width> m_width;  // as last laid out; nothing on the start page
     double m_dockScale = 1;        // of the text size that the panels' widths are for
     bool m_isKept = true;
+    QTimer m_soon;  // to keep what has changed: little is lost when the program ends by accident
 };
 
 }  // namespace app

@@ -18,6 +18,7 @@
 #include "app/desktop/even_splitter.h"
 #include "app/desktop/key_sheet.h"
 #include "app/desktop/layout_store.h"
+#include "app/desktop/panel_dock.h"
 #include "app/desktop/panel_table.h"
 #include "app/desktop/view_area.h"
 #include "app/panels/buffer_canvas.h"
@@ -325,6 +326,24 @@ TEST_F(WindowLooks, TheNextSceneHasThePanelsOfTheOneThatWasClosed) {
     openPyramid();
     EXPECT_FALSE(find<QDockWidget>("inspector")->isVisible());
     EXPECT_TRUE(find<QDockWidget>("settings")->isVisible());
+}
+
+// A program that was killed says no goodbye: the second window begins while the first still stands.
+TEST_F(WindowLooks, PanelsAreKeptSoonAfterTheyChange) {
+    window.resize(1900, 1000);
+    openPyramid();
+    PanelDock& settings = window.docks()[PanelId::Settings];
+    ASSERT_FALSE(settings.isHidden());
+    settings.toggleViewAction()->trigger();
+    ASSERT_TRUE(settings.isHidden());
+    const auto staysHidden = [&] {
+        MainWindow next;
+        next.resize(1900, 1000);
+        next.show();
+        EXPECT_TRUE(next.openFile(resourceScene("pyramid.scene")));
+        return next.docks()[PanelId::Settings].isHidden();
+    };
+    EXPECT_TRUE(QTest::qWaitFor(staysHidden, 20000));
 }
 
 }  // namespace
