@@ -9,8 +9,9 @@ namespace app {
 struct RecentFile {
     QString file;        // absolute path
     QDateTime when;      // of the last opening
-    QString where = {};  // "z-buffer/polygon=2 · pixel 268, 281": the window's place when it was closed; may be empty
-    QString state = {};  // the same as TOML: lessons/state/window_state.h; of a list of cues the cue's name
+    QString where = {};  // "z-buffer/polygon=2 · pixel 268, 281": the window's place when it was closed, what was found
+    QString state = {};  // the same as TOML: lessons/state/window_state.h; of a list of cues the cue's name, of a
+                         // renderer's folder the scene that it was compared with
     QString title = {};  // of a lesson or a list of cues
 };
 

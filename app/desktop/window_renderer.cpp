@@ -7,8 +7,10 @@
 #include <utility>
 
 #include "app/core/document.h"
+#include "app/core/recent_files.h"
 #include "app/core/renderer_check.h"
 #include "app/core/shown_name.h"
+#include "app/core/text.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/panel_docks.h"
 #include "app/desktop/scene_files.h"
@@ -21,6 +23,7 @@
 #include "app/panels/lesson_panel.h"
 #include "app/panels/renderer_panel.h"
 #include "lessons/library.h"
+#include "pipeline/compare/verdict.h"
 #include "pipeline/formats/format_table.h"
 
 namespace app {
@@ -38,6 +41,13 @@ QString onlySceneIn(const QString& folder) {
         if (name.endsWith(".toml") || name.endsWith(".scene")) found += file.absoluteFilePath();
     }
     return found.size() == 1 ? found.front() : QString();
+}
+
+// The scene that a folder was compared with last, else the one in it.
+QString sceneFor(const QString& folder) {
+    const auto files = recentFiles();
+    const auto before = std::ranges::find(files, QFileInfo(folder).absoluteFilePath(), &RecentFile::file);
+    return before != files.end() && QFileInfo(before->state).isFile() ? before->state : onlySceneIn(folder);
 }
 
 bool isMine(const QString& path, std::size_t lights) {
@@ -67,6 +77,7 @@ WindowRenderer::WindowRenderer(QWidget& window, Actions& actions, Document& docu
     connect(&document.renderer(), &RendererCheck::compared, this, [this] {
         emit viewsChanged();
         if (!m_document.renderer().isOpen()) leave();
+        remember();
     });
     connect(&lessons, &WindowLessons::begins, this, &WindowRenderer::leave);  // the lesson's scene is another
     addActions(actions);
@@ -130,7 +141,7 @@ bool WindowRenderer::accepts(const QStringList& paths) const {
 void WindowRenderer::check(const QStringList& paths) {
     m_docks.panels().lesson->close();  // its scene is not the one that somebody has drawn
     if (!m_layout.showsScene()) {
-        const QString scene = paths.size() == 1 ? onlySceneIn(paths.front()) : QString();
+        const QString scene = paths.size() == 1 ? sceneFor(paths.front()) : QString();
         if (scene.isEmpty()) {
             const std::string found = shownName(paths.front()).toStdString();
             emit m_document.failed({{{},
@@ -144,7 +155,16 @@ void WindowRenderer::check(const QStringList& paths) {
     }
     leave();
     showPanel();
+    if (paths.size() == 1) addRecentFile(paths.front());
     m_document.renderer().open(paths);
+}
+
+// What was found stands in the list of recent files, with the scene, as far as hints do not keep it back.
+void WindowRenderer::remember() {
+    const RendererCheck& check = m_document.renderer();
+    if (const auto report = check.shownStages(); report && check.paths().size() == 1)
+        rememberPlace(QFileInfo(check.paths().front()).absoluteFilePath(),
+                      toQString(pipeline::foreign::headline(*report)), toQString(m_document.scene().file));
 }
 
 void WindowRenderer::showPanel() {

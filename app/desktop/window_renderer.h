@@ -41,6 +41,7 @@ private:
     void setViews();
     void showInViews(const pipeline::BufferName& buffer);
     void leave();
+    void remember();
 
     QWidget& m_window;
     Document& m_document;

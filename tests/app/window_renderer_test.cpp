@@ -1,14 +1,17 @@
 // Somebody else's renderer in the window: a folder is dropped, and the views show mine, reference and classes.
 #include <QDropEvent>
 #include <QMimeData>
+#include <QTest>
 #include <QTreeWidget>
 
+#include "app/core/recent_files.h"
 #include "app/desktop/view_area.h"
 #include "app/panels/buffer_compare.h"
 #include "app/panels/buffer_view.h"
 #include "app/panels/error_list.h"
 #include "app/panels/renderer_panel.h"
 #include "app/panels/stage_differences.h"
+#include "app/panels/start_line.h"
 #include "pipeline/formats/toml_writer.h"
 #include "tests/app/renderer_files.h"
 #include "tests/app/window_fixture.h"
@@ -106,6 +109,29 @@ TEST_F(WindowRenderer, AFolderThatIsOpenedAsAFileIsCheckedAsADroppedOneIs) {
     ASSERT_TRUE(waitForNames());
     EXPECT_TRUE(find<RendererPanel>("rendererPanel")->isVisible());
     EXPECT_EQ(document().renderer().report()->firstWrong, StageId::Normals);
+}
+
+// From the start page, with the scene that it was compared with, which is not in the folder.
+TEST_F(WindowRenderer, ACheckedFolderIsAmongTheRecentFilesWithWhatWasFound) {
+    QTemporaryDir elsewhere;
+    const QString file = elsewhere.filePath("check_me.toml");
+    QFile scene(file);
+    ASSERT_TRUE(scene.open(QIODevice::WriteOnly));
+    scene.write(QByteArray::fromStdString(*toTomlScene(smallCheckMe())));
+    scene.close();
+    ASSERT_TRUE(window.openFile(file));
+    ASSERT_TRUE(waitForFrame());
+    drop(folder.path());
+    ASSERT_TRUE(waitForNames());
+    const std::vector<RecentFile> recent = recentFiles();
+    ASSERT_FALSE(recent.empty());
+    EXPECT_EQ(recent.front().file, QFileInfo(folder.path()).absoluteFilePath());
+    EXPECT_TRUE(recent.front().where.contains("Normals")) << recent.front().where.toStdString();
+    window.files().close();
+    for (StartLine* line : window.findChildren<StartLine*>())
+        if (line->text() == nameOf(recent.front())) QTest::mouseClick(line, Qt::LeftButton);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return document().hasScene() && document().renderer().isOpen(); }, 30000));
+    EXPECT_EQ(document().scene().file, file.toStdString());
 }
 
 TEST_F(WindowRenderer, WithoutASceneTheReasonIsSaid) {
