@@ -20,6 +20,7 @@ TalkAlgorithm::TalkAlgorithm(const Document& document, QWidget* parent)
       m_tables(new StepTables(this)),
       m_leftOut(new QLabel(this)) {
     m_lines->setLetters(20.8, 17.6);  // 38 and 32 px in 1080 lines
+    m_tables->setLetters(19.7);       // 36 px
     m_lines->setMostLines(int(lessons::kMostAlgorithmRows));
     m_lines->setShowsLoop(true);
     m_lines->setFocusPolicy(Qt::NoFocus);

@@ -89,9 +89,9 @@ AlgorithmPanel::AlgorithmPanel(Document& document, QWidget* parent)
     m_hint->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     auto* column = new QVBoxLayout(this);
     column->addLayout(head);
-    column->addWidget(m_scroll, 1);
+    column->addWidget(m_scroll, 1000);  // up to its height; the tables have the rest
     column->addWidget(m_loop);
-    column->addWidget(m_tables, 1000);
+    column->addWidget(m_tables, 1);
     column->addWidget(m_note);
     column->addLayout(foot);
     followTheme(this, [this, head, column, loop, foot] {
@@ -135,8 +135,8 @@ void AlgorithmPanel::showEvent(QShowEvent*) { showStep(); }
 void AlgorithmPanel::showLit() {
     const QSize room = m_scroll->viewport()->size();
     m_view->setMinimumHeight(m_view->heightForWidth(room.width()));
-    m_view->resize(room.width(), std::max(m_view->minimumHeight(), room.height()));    // the bar's range with it
-    m_scroll->setMaximumHeight(m_view->minimumHeight() + 2 * m_scroll->frameWidth());  // the tables have the rest
+    m_view->resize(room.width(), std::max(m_view->minimumHeight(), room.height()));  // the bar's range with it
+    m_scroll->setMaximumHeight(m_view->minimumHeight() + 2 * m_scroll->frameWidth());
     const QRect lit = m_view->currentRect();
     QScrollBar* bar = m_scroll->verticalScrollBar();
     if (lit.isEmpty() || (lit.top() >= bar->value() && lit.bottom() < bar->value() + room.height())) return;

@@ -53,7 +53,7 @@ Qt::GlobalColor inkOn(QRgb ground) {
 
 void paintTexts(QPainter& painter, const CanvasContent& content, const Placement& placement, const QRect& pixels) {
     const ThemeColors& c = Theme::current().colors();
-    const int size = std::clamp(int(placement.zoom / 5), 11, std::max(11, Theme::current().px(14)));
+    const int size = std::clamp(int(placement.zoom / 5), 11, 32);
     QFont font = Theme::current().mono(11);
     font.setPixelSize(size);
     painter.setFont(font);

@@ -9,6 +9,7 @@
 #include "app/core/theme.h"
 #include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_compare.h"
+#include "app/panels/buffer_step.h"
 #include "app/panels/buffer_view.h"
 
 namespace app {
@@ -42,6 +43,7 @@ PixelReadout::PixelReadout(BufferView& view, const BufferCompare& compare)
     };
     connect(&document.pointing(), &Pointing::pixelChanged, this, follow);
     connect(&document.pointing(), &Pointing::hoverChanged, this, follow);
+    connect(&document.stepper(), &Stepper::changed, this, follow);
 }
 
 void PixelReadout::hover(std::optional<QPoint> pixel) {
@@ -67,8 +69,7 @@ void PixelReadout::show() {
     canvas.setHovered(isOfPixels     ? toPoint(document.pointing().hovered())
                       : m_localHover ? m_localHover
                                      : texelOf(document.pointing().hovered()));
-    const CanvasContent& content = canvas.content();
-    const std::optional<QPoint> pixel = content.hovered ? content.hovered : content.picked;
+    const std::optional<QPoint> pixel = saidPixel();
     m_label->setText(pixel && view().shown() ? at(*pixel) : QString());
     m_label->setVisible(!m_label->text().isEmpty());
     if (!view().shown()) return;
@@ -101,10 +102,16 @@ void PixelReadout::place(CanvasRoom& room) {
     room.left = box.right();
 }
 
+std::optional<QPoint> PixelReadout::saidPixel() const {
+    const CanvasContent& content = view().canvas()->content();
+    if (content.hovered) return content.hovered;
+    const auto step = view().isOfPixels() ? toPoint(stepPixel(view().document().stepper())) : std::nullopt;
+    return step ? step : content.picked;
+}
+
 // The pixel that the label is about, with some of its neighbourhood.
 QRect PixelReadout::pixelOnCanvas() const {
-    const CanvasContent& content = view().canvas()->content();
-    const std::optional<QPoint> pixel = content.hovered ? content.hovered : content.picked;
+    const std::optional<QPoint> pixel = saidPixel();
     if (!pixel) return {};
     const CanvasPlacing& placing = view().canvas()->placing();
     const QPointF centre = placing.placement().toWidget(placing.toShown(QPointF(*pixel) + QPointF(0.5, 0.5)));

@@ -6,13 +6,15 @@
 
 #include "app/core/theme.h"
 #include "app/panels/buffer_canvas.h"
+#include "app/panels/buffer_captions.h"
 #include "app/panels/buffer_view.h"
 #include "app/panels/projected_scene.h"
 
 namespace app {
 namespace {
 
-constexpr double kNumbersZoom = 72;  // of CanvasPlacing's zooms the first at which four decimals have room
+// Screen pixels for one at which four decimals have room, in the theme's lengths; and for a hall.
+constexpr double kNumbersZoom = 68, kHallZoom = 93;
 
 // What the step is at, where it is no pixel.
 std::optional<lessons::Selection> elementOf(const Stepper& stepper) {
@@ -27,6 +29,15 @@ std::optional<lessons::Selection> elementOf(const Stepper& stepper) {
 }
 
 }  // namespace
+
+bool isAtLine(const Stepper& stepper) {
+    return stepper.steps() && stepper.place() &&
+           (stepper.place()->line || stepper.level() == pipeline::StepLevel::Line);
+}
+
+std::optional<glm::ivec2> stepPixel(const Stepper& stepper) {
+    return isAtLine(stepper) ? stepper.steps()->pixelOf(*stepper.moment()) : std::nullopt;
+}
 
 // Lets the mouse through.
 class StepMark::Layer : public QWidget {
@@ -52,6 +63,7 @@ StepMark::StepMark(BufferView& view)
       m_layer(new Layer(view.canvas(), *this)),
       m_button(new QPushButton(tr("Follow"), view.canvas())) {
     m_button->setToolTip(tr("Keep the step in the middle of the view again."));
+    m_button->setObjectName("followStep");
     m_button->hide();
     connect(m_button, &QPushButton::clicked, this, [this] {
         m_follows = true;
@@ -69,13 +81,12 @@ StepMark::StepMark(BufferView& view)
 
 void StepMark::show() {
     const Stepper& stepper = view().document().stepper();
-    const bool isAtLine = stepper.place() && (stepper.place()->line || stepper.level() == pipeline::StepLevel::Line);
-    const bool steps = isAtLine && stepper.steps() && view().isOfPixels() && view().frame();
+    const bool steps = isAtLine(stepper) && view().isOfPixels() && view().frame();
     const bool wasStepping = std::exchange(m_isStepping, steps);
     m_pixel.reset();
     m_outlines.clear();
     if (steps) {
-        if (const auto pixel = stepper.steps()->pixelOf(*stepper.moment()))
+        if (const auto pixel = stepPixel(stepper))
             m_pixel = QPoint(pixel->x, pixel->y);
         else if (const auto element = elementOf(stepper))
             m_outlines = outlinesOf(*view().frame(), *element);
@@ -98,7 +109,10 @@ void StepMark::follow() {
         placing.fit();
     else
         placing.follow(
-            {.fits = false, .focus = {}, .zoom = kNumbersZoom, .center = QPointF(*m_pixel) + QPointF(0.5, 0.5)});
+            {.fits = false,
+             .focus = {},
+             .zoom = double(Theme::current().px(view().features().captions->isBare() ? kHallZoom : kNumbersZoom)),
+             .center = QPointF(*m_pixel) + QPointF(0.5, 0.5)});
     m_moves = false;
 }
 
@@ -132,6 +146,11 @@ void StepMark::place(CanvasRoom& room) {
     m_button->adjustSize();
     m_button->move(room.size.width() - m_button->width() - CanvasRoom::kMargin - room.right, CanvasRoom::kMargin);
     room.right += m_button->width() + CanvasRoom::kMargin;
+}
+
+// The part that the step is in is nobody's choice.
+void StepMark::write(lessons::BufferShown& state) const {
+    if (m_isStepping && m_follows) state.zoom.reset();
 }
 
 // A part that a cue names stays.

@@ -1,5 +1,7 @@
 #pragma once
 #include <QPolygonF>
+#include <glm/vec2.hpp>
+#include <optional>
 #include <vector>
 
 #include "app/panels/buffer_feature.h"
@@ -7,6 +9,12 @@
 class QPushButton;
 
 namespace app {
+
+class Stepper;
+
+// Whether the algorithm is shown line by line, so that its pixel, polygon or vertex is marked; and the pixel.
+bool isAtLine(const Stepper& stepper);
+std::optional<glm::ivec2> stepPixel(const Stepper& stepper);
 
 // Marks the pixel, polygon or vertex that the algorithm is at, and keeps it in the middle, so large that the numbers in
 // the pixels can be read; what only has names is shown whole. A view that somebody moves stays until Follow is pressed.
@@ -16,6 +24,7 @@ public:
 
     void show() override;
     void place(CanvasRoom& room) override;
+    void write(lessons::BufferShown& state) const override;
     pipeline::Errors read(const lessons::BufferShown& state) override;
 
 private:

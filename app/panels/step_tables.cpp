@@ -13,14 +13,37 @@
 namespace app {
 namespace {
 
+constexpr double kLeastLetters = 13;
+
 int sideOf() { return Theme::current().px(14); }
+
+// A line of cells at a moving height.
+struct Line {
+    QPainter& painter;
+    int y, height;
+
+    void cell(int left, int wide, const QFont& font, const QColor& color, int align, const QString& text) const {
+        painter.setFont(font);
+        painter.setPen(color);
+        painter.drawText(QRect(left, y, wide, height), align | Qt::AlignVCenter,
+                         painter.fontMetrics().elidedText(text, Qt::ElideRight, wide));
+    }
+    void next() { y += height; }
+};
+
+// Below the rule that ends what is above.
+Line beginTable(QPainter& painter, int y, int width, int height) {
+    painter.setPen(Theme::current().colors().line);
+    painter.drawLine(0, y, width, y);
+    return {painter, y + Theme::current().px(8), height};
+}
 
 }  // namespace
 
 StepTables::StepTables(QWidget* parent) : QWidget(parent) {
     setObjectName("stepTables");
     setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Expanding);
-    followTheme(this, [this] { updateGeometry(), update(); });
+    followTheme(this, [this] { update(); });
 }
 
 // Of the step's pixel in the z-buffer stage. In a large frame they take longer than a step may.
@@ -68,111 +91,114 @@ void StepTables::showStep(const std::vector<pipeline::AlgorithmRow>& rows, const
     }
     setAccessibleName(tr("Variables and fragments"));
     setAccessibleDescription(spoken.join(QStringLiteral("; ")));
-    updateGeometry();
     update();
 }
 
-int StepTables::lineHeight() const { return QFontMetrics(Theme::current().mono(13)).height() + Theme::current().px(5); }
-int StepTables::variablesHeight() const {
-    return m_variables.empty() ? 0 : (int(m_variables.size()) + 1) * lineHeight() + Theme::current().px(16);
+void StepTables::setLetters(double size) {
+    m_letters = size;
+    update();
 }
-int StepTables::fragmentsHeight() const {
-    return m_fragments ? (int(m_fragments->rows.size()) + 2) * lineHeight() + Theme::current().px(16) : 0;
+
+// Of one table, with its heading; 0 without lines.
+int StepTables::tableHeight(std::size_t lines, double letters) {
+    return lines == 0 ? 0 : int(lines) * lineHeight(letters) + Theme::current().px(16);
+}
+int StepTables::lineHeight(double letters) {
+    return QFontMetrics(Theme::current().mono(letters)).height() + Theme::current().px(5);
+}
+int StepTables::variablesHeight(double letters) const {
+    return tableHeight(m_variables.empty() ? 0 : m_variables.size() + 1, letters);
+}
+int StepTables::fragmentsHeight(double letters) const {
+    return tableHeight(m_fragments ? m_fragments->rows.size() + 2 : 0, letters);
 }
 
 void StepTables::paintEvent(QPaintEvent*) {
     QPainter painter(this);
+    double letters = m_letters;
+    while (letters > kLeastLetters && height() < wanted(letters)) letters = std::max(letters - 1, kLeastLetters);
+    if (height() < wanted(letters)) letters = m_letters;  // the fragments alone
+    while (letters > kLeastLetters && height() < fragmentsHeight(letters))
+        letters = std::max(letters - 1, kLeastLetters);
     int y = 0;
-    if (height() >= wanted()) y = paintVariables(painter, y);
-    if (m_fragments && height() >= fragmentsHeight()) paintFragments(painter, y);
+    if (height() >= wanted(letters)) y = paintVariables(painter, y, letters);
+    if (m_fragments && height() >= fragmentsHeight(letters)) paintFragments(painter, y, letters);
 }
 
-int StepTables::paintVariables(QPainter& painter, int y) const {
+int StepTables::paintVariables(QPainter& painter, int y, double letters) const {
     if (m_variables.empty()) return y;
     const Theme& theme = Theme::current();
     const ThemeColors& c = theme.colors();
-    const int line = lineHeight(), side = sideOf(), gap = theme.px(14);
-    painter.setPen(c.line);
-    painter.drawLine(0, y, width(), y);
-    y += theme.px(8);
-    const auto cell = [&](int left, int wide, const QFont& font, const QColor& color, int align, const QString& text) {
-        painter.setFont(font);
-        painter.setPen(color);
-        painter.drawText(QRect(left, y, wide, line), align | Qt::AlignVCenter,
-                         painter.fontMetrics().elidedText(text, Qt::ElideRight, wide));
-    };
-    cell(side, width() - 2 * side, theme.text(13, 600), c.text, Qt::AlignLeft, tr("Variables"));
-    y += line;
-    QFont bold = theme.mono(13);
+    const int side = sideOf(), gap = theme.px(14);
+    Line row = beginTable(painter, y, width(), lineHeight(letters));
+    row.cell(side, width() - 2 * side, theme.text(letters, 600), c.text, Qt::AlignLeft, tr("Variables"));
+    row.next();
+    QFont bold = theme.mono(letters);
     bold.setWeight(QFont::DemiBold);
     int names = 0, values = 0;
     for (const pipeline::AlgorithmValue& one : m_variables) {
-        names = std::max(names, QFontMetrics(theme.mono(13)).horizontalAdvance(toQString(one.shown)));
+        names = std::max(names, QFontMetrics(theme.mono(letters)).horizontalAdvance(toQString(one.shown)));
         values = std::max(values, QFontMetrics(bold).horizontalAdvance(toQString(one.text)));
     }
-    names = std::min(names, width() / 3), values = std::min(values, width() / 2);
+    // A width that a font rounds down would cut the last digits.
+    names = std::min(names + 2, width() / 3), values = std::min(values + 2, width() / 2);
     for (const pipeline::AlgorithmValue& one : m_variables) {
-        cell(side, names, theme.mono(13), c.text, Qt::AlignLeft, toQString(one.shown));
-        cell(side + names + gap, values, bold, c.text, Qt::AlignRight, toQString(one.text));
+        row.cell(side, names, theme.mono(letters), c.text, Qt::AlignLeft, toQString(one.shown));
+        row.cell(side + names + gap, values, bold, c.text, Qt::AlignRight, toQString(one.text));
         const int from = side + names + values + 2 * gap;
-        cell(from, std::max(0, width() - from - side), theme.text(12), c.text2, Qt::AlignLeft, toQString(one.from));
-        y += line;
+        row.cell(from, std::max(0, width() - from - side), theme.text(letters - 1), c.text2, Qt::AlignLeft,
+                 toQString(one.from));
+        row.next();
     }
-    return y + theme.px(8);
+    return row.y + theme.px(8);
 }
 
-void StepTables::paintFragments(QPainter& painter, int y) const {
+void StepTables::paintFragments(QPainter& painter, int y, double letters) const {
     const Theme& theme = Theme::current();
     const ThemeColors& c = theme.colors();
-    const int line = lineHeight(), side = sideOf(), gap = theme.px(10);
-    painter.setPen(c.line);
-    painter.drawLine(0, y, width(), y);
-    y += theme.px(8);
-    const auto cell = [&](int left, int wide, const QFont& font, const QColor& color, int align, const QString& text) {
-        painter.setFont(font);
-        painter.setPen(color);
-        painter.drawText(QRect(left, y, wide, line), align | Qt::AlignVCenter,
-                         painter.fontMetrics().elidedText(text, Qt::ElideRight, wide));
-    };
-    cell(side, width() - 2 * side, theme.text(13, 600), c.text, Qt::AlignLeft, m_fragments->title);
-    cell(side, width() - 2 * side, theme.text(12), c.text2, Qt::AlignRight, tr("in the order they came"));
-    y += line;
-    const QFontMetrics numbers(theme.mono(13)), words(theme.text(13));
-    int depth = numbers.horizontalAdvance('z'), relation = numbers.horizontalAdvance('<'), stored = depth;
-    for (const pipeline::FragmentReport& row : m_fragments->rows) {
-        const pipeline::ComparisonText text = comparisonText(row);
+    const int side = sideOf(), gap = theme.px(10);
+    Line row = beginTable(painter, y, width(), lineHeight(letters));
+    row.cell(side, width() - 2 * side, theme.text(letters, 600), c.text, Qt::AlignLeft, m_fragments->title);
+    row.cell(side, width() - 2 * side, theme.text(letters - 1), c.text2, Qt::AlignRight, tr("in the order they came"));
+    row.next();
+    const QFontMetrics numbers(theme.mono(letters)), words(theme.text(letters));
+    int depth = numbers.horizontalAdvance('z'), stored = numbers.horizontalAdvance("zbuffer");
+    const int relation = numbers.horizontalAdvance('<') + 2;
+    for (const pipeline::FragmentReport& one : m_fragments->rows) {
+        const pipeline::ComparisonText text = comparisonText(one);
         depth = std::max(depth, numbers.horizontalAdvance(toQString(text.depth)));
         stored = std::max(stored, numbers.horizontalAdvance(toQString(text.stored)));
     }
+    depth += 2, stored += 2;
     const int polygon = std::max(words.horizontalAdvance(tr("Polygon")), numbers.horizontalAdvance("0000"));
     const int lefts[] = {side, side + polygon + gap, side + polygon + depth + 2 * gap,
                          side + polygon + depth + relation + 3 * gap,
                          side + polygon + depth + relation + stored + 4 * gap};
     const int last = std::max(0, width() - lefts[4] - side);
-    cell(lefts[0], polygon, theme.text(12), c.text2, Qt::AlignLeft, tr("Polygon"));
-    cell(lefts[1], depth, theme.mono(12), c.text2, Qt::AlignRight, QStringLiteral("z"));
-    cell(lefts[3], stored, theme.mono(12), c.text2, Qt::AlignRight, QStringLiteral("zbuffer"));
-    cell(lefts[4], last, theme.text(12), c.text2, Qt::AlignLeft, tr("Verdict"));
-    y += line;
-    for (std::size_t i = 0; i < m_fragments->rows.size() && y + line <= height(); ++i) {
-        const pipeline::FragmentReport& row = m_fragments->rows[i];
-        const pipeline::ComparisonText text = comparisonText(row);
+    row.cell(lefts[0], polygon, theme.text(letters - 1), c.text2, Qt::AlignLeft, tr("Polygon"));
+    row.cell(lefts[1], depth, theme.mono(letters - 1), c.text2, Qt::AlignRight, QStringLiteral("z"));
+    row.cell(lefts[3], stored, theme.mono(letters - 1), c.text2, Qt::AlignRight, QStringLiteral("zbuffer"));
+    row.cell(lefts[4], last, theme.text(letters - 1), c.text2, Qt::AlignLeft, tr("Verdict"));
+    row.next();
+    for (std::size_t i = 0; i < m_fragments->rows.size() && row.y + row.height <= height(); ++i) {
+        const pipeline::FragmentReport& one = m_fragments->rows[i];
+        const pipeline::ComparisonText text = comparisonText(one);
         const bool isTested = m_fragments->tested == i;
-        if (isTested) painter.fillRect(QRect(side / 2, y, width() - side, line), c.tint);
-        const QColor tone = came(row.verdict) || isTested ? c.text : c.text2;
-        cell(lefts[0], polygon, theme.mono(13), tone, Qt::AlignLeft, QString::number(row.polygon));
-        cell(lefts[1], depth, theme.mono(13), tone, Qt::AlignRight, toQString(text.depth));
-        cell(lefts[2], relation, theme.mono(13), tone, Qt::AlignHCenter, toQString(text.relation));
-        cell(lefts[3], stored, theme.mono(13), tone, Qt::AlignRight, toQString(text.stored));
+        if (isTested) painter.fillRect(QRect(side / 2, row.y, width() - side, row.height), c.tint);
+        const QColor tone = came(one.verdict) || isTested ? c.text : c.text2;
+        row.cell(lefts[0], polygon, theme.mono(letters), tone, Qt::AlignLeft, QString::number(one.polygon));
+        row.cell(lefts[1], depth, theme.mono(letters), tone, Qt::AlignRight, toQString(text.depth));
+        row.cell(lefts[2], relation, theme.mono(letters), tone, Qt::AlignHCenter, toQString(text.relation));
+        row.cell(lefts[3], stored, theme.mono(letters), tone, Qt::AlignRight, toQString(text.stored));
         const QString verdict = isTested                                             ? tr("◐ being tested")
-                                : row.verdict == pipeline::FragmentVerdict::WonStays ? tr("● in the buffer")
-                                                                                     : toQString(name(row.verdict));
-        cell(lefts[4], last, theme.text(13),
-             isTested                                             ? c.accent
-             : row.verdict == pipeline::FragmentVerdict::WonStays ? c.run
-                                                                  : c.text2,
-             Qt::AlignLeft, verdict);
-        y += line;
+                                : one.verdict == pipeline::FragmentVerdict::WonStays ? tr("● in the buffer")
+                                                                                     : toQString(name(one.verdict));
+        row.cell(lefts[4], last, theme.text(letters),
+                 isTested                                             ? c.accent
+                 : one.verdict == pipeline::FragmentVerdict::WonStays ? c.run
+                                                                      : c.text2,
+                 Qt::AlignLeft, verdict);
+        row.next();
     }
 }
 

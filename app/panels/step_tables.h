@@ -20,8 +20,10 @@ public:
     // rows: those of the algorithm on show.
     void showStep(const std::vector<pipeline::AlgorithmRow>& rows, const Document& document);
 
-    QSize sizeHint() const override { return {0, wanted()}; }
-    QSize minimumSizeHint() const override { return {0, 0}; }
+    // The size of the letters where there is room for it, in the theme's units; 13 to begin with, and at least.
+    void setLetters(double size);
+
+    QSize sizeHint() const override { return {0, 0}; }  // the room that the code leaves
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -33,15 +35,17 @@ private:
         std::optional<std::size_t> tested;  // the row that the step is at
     };
     static std::optional<Fragments> fragmentsAtStep(const Document& document);
-    int lineHeight() const;
-    int variablesHeight() const;
-    int fragmentsHeight() const;
-    int wanted() const { return variablesHeight() + fragmentsHeight(); }
-    int paintVariables(QPainter& painter, int y) const;
-    void paintFragments(QPainter& painter, int y) const;
+    static int lineHeight(double letters);
+    static int tableHeight(std::size_t lines, double letters);
+    int variablesHeight(double letters) const;
+    int fragmentsHeight(double letters) const;
+    int wanted(double letters) const { return variablesHeight(letters) + fragmentsHeight(letters); }
+    int paintVariables(QPainter& painter, int y, double letters) const;
+    void paintFragments(QPainter& painter, int y, double letters) const;
 
     std::vector<pipeline::AlgorithmValue> m_variables;
     std::optional<Fragments> m_fragments;
+    double m_letters = 13;
 };
 
 }  // namespace app

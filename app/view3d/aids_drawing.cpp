@@ -79,4 +79,20 @@ void addFrustum(const pipeline::View& eye, Drawing& drawing) {
     label(5, "far " + threeDigits(eye.far));
 }
 
+void addMarkedPoint(const ViewContent& content, Drawing& drawing) {
+    drawing.vertex = content.markedVertex;
+    if (!content.stepRay) return;
+    const auto& [pixel, from, to] = *content.stepRay;
+    const Vec3d begin = content.eye.perspective && content.map.keepsLengths() ? content.eye.eye : from;
+    drawing.lines.push_back({begin, to, Ink::V, 1, 1});
+    drawing.obstacles.push_back({begin, to});
+    drawing.labels.push_back({.kind = Label::Kind::Caption,
+                              .at = to,
+                              .foot = begin,
+                              .text = "ray of " + std::to_string(pixel.x) + ", " + std::to_string(pixel.y),
+                              .distance = {},
+                              .ink = Ink::V});
+    if (!drawing.vertex) drawing.vertex = to;
+}
+
 }  // namespace app

@@ -17,5 +17,7 @@ std::array<Vec3d, 8> frustumCorners(const pipeline::View& eye);
 // Both planes and the edges between them, labelled with their distances; in perspective the edges go
 // on to the eye.
 void addFrustum(const pipeline::View& eye, Drawing& drawing);
+// The selected vertex; the eye's ray through the pixel that an algorithm is at, to the polygon, with its column and row.
+void addMarkedPoint(const ViewContent& content, Drawing& drawing);
 
 }  // namespace app

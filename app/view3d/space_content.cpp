@@ -136,6 +136,10 @@ void leaveOutAngles(const SpaceMap& map, ViewContent& content) {
 ViewContent withMoved(ViewContent content, std::shared_ptr<const ViewMesh> mesh, const SpaceMap& map) {
     for (std::optional<Vec3d>* p : {&content.point, &content.foot, &content.markedVertex})
         if (*p) *p = hasPlace(content.eye, map, **p) ? std::optional(map.toSpace(**p)) : std::nullopt;
+    if (auto& ray = content.stepRay; ray && hasPlace(content.eye, map, ray->to))
+        ray->from = map.toSpace(ray->from), ray->to = map.toSpace(ray->to);
+    else
+        ray.reset();
     content.mesh = std::move(mesh);
     content.map = map;
     map.keepsLengths() ? moveRigidly(map, content) : leaveOutAngles(map, content);

@@ -312,6 +312,30 @@ std::array<Vec3d, 4> pictureCorners(const pipeline::View& view, double distance)
             pipeline::worldPoint(view, s, distance), pipeline::worldPoint(view, {0, s.y}, distance)};
 }
 
+namespace {
+
+// Where no polygon is tested, or it is seen from its edge, to what the pixel shows.
+std::optional<ViewContent::StepRay> rayTo(const ViewContent& content, const pipeline::Steps& steps, glm::ivec2 pixel,
+                                          std::optional<std::size_t> polygon) {
+    const glm::dvec2 centre = glm::dvec2(pixel) + 0.5;
+    const Vec3d from = pipeline::worldPoint(content.eye, centre, content.eye.near);
+    const Vec3d along = pipeline::worldPoint(content.eye, centre, content.eye.far) - from;
+    if (polygon) {
+        const auto& positions = content.mesh->positions;
+        const auto corners = steps.frame()->topology().corners(*polygon);
+        Vec3d normal(0);  // Newell's
+        for (std::size_t i = 0; i < corners.size(); ++i)
+            normal += glm::cross(positions[corners[i]] - positions[corners[0]],
+                                 positions[corners[(i + 1) % corners.size()]] - positions[corners[0]]);
+        const double share = glm::dot(positions[corners[0]] - from, normal) / glm::dot(along, normal);
+        if (share >= 0 && share <= 1) return ViewContent::StepRay{pixel, from, from + share * along};
+    }
+    const auto shown = pointShownBy(content, pixel);
+    return shown ? std::optional(ViewContent::StepRay{pixel, from, *shown}) : std::nullopt;
+}
+
+}  // namespace
+
 ViewContent withProgress(const ViewContent& content, const pipeline::Steps& steps, pipeline::Moment moment) {
     ViewContent result = content;
     const std::vector<std::uint8_t> done = steps.polygonsDone(moment);
@@ -326,6 +350,7 @@ ViewContent withProgress(const ViewContent& content, const pipeline::Steps& step
         const auto corners = steps.frame()->topology().corners(*current);
         for (std::size_t i = 0; i < corners.size(); ++i) result.markedLoop.push_back(corners[i]);
     }
+    if (const auto pixel = steps.pixelOf(moment)) result.stepRay = rayTo(content, steps, *pixel, current);
     return result;
 }
 

@@ -144,6 +144,12 @@ struct ViewContent {
     std::vector<std::uint32_t> markedLoop;           // a polygon's vertices in order
     std::optional<pipeline::BoundingBox> markedBox;  // of an object, in world space
     std::optional<Vec3d> markedVertex;
+    // While an algorithm is at a pixel: its ray from the near plane to the plane of the polygon that it tests.
+    struct StepRay {
+        glm::ivec2 pixel;
+        Vec3d from, to;
+    };
+    std::optional<StepRay> stepRay;
     const std::vector<std::uint32_t>& outlinedLoop() const { return markedLoop.empty() ? pickedLoop : markedLoop; }
 };
 

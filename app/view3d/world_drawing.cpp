@@ -202,7 +202,7 @@ private:
                           lines);
         }
         for (const Segment& edge : markedOutline(m_content)) m_drawing.obstacles.push_back({edge.a, edge.b});
-        m_drawing.vertex = m_content.markedVertex;
+        addMarkedPoint(m_content, m_drawing);
         for (const LightFrustum& frustum : m_content.frusta)
             if (isShown(frustum, m_content, m_options)) addLightFrustum(frustum, m_drawing);
         if (!m_content.map.keepsLengths()) return addSpaceBox(m_content.map, m_drawing);

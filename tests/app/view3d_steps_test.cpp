@@ -9,6 +9,30 @@ class View3dSteps : public ShownView3d {};
 
 }  // namespace
 
+// Without culling, polygon 1 is tested at pixel 250, 270 where polygon 0 is stored already. The z-buffer stage interpolates
+// its depth on the screen: 671.9340. The ray meets the polygon's plane in the world. The stage's corners are
+// on a grid of 1/256 pixel, and z grows by 2.8 a pixel: both differ by 2.8 / 256 at most.
+TEST_F(View3dSteps, TheRayOfTheStepsPixelReachesThePolygonThatIsTested) {
+    pipeline::Scene scene = test::pyramid();
+    scene.settings.cull = pipeline::CullMode::None;
+    QSignalSpy ready(&document.frames(), &app::FrameFeed::frameReady);
+    document.setScene(scene);
+    ASSERT_TRUE(ready.wait());
+    document.stepper().setLevel(pipeline::StepLevel::Line);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return document.stepper().steps() != nullptr; }, 10000));
+    document.stepper().goTo(*pipeline::parsePlace("z-buffer/polygon=1/row=270/x=250/line=5"));
+    ASSERT_TRUE(QTest::qWaitFor([this] { return document.stepper().isSettled(); }, 10000));
+    ASSERT_TRUE(waitUntilDrawn());
+    const app::ViewContent& content = *view.space().content();
+    ASSERT_TRUE(content.stepRay);
+    EXPECT_EQ(content.stepRay->pixel, glm::ivec2(250, 270));
+    EXPECT_NEAR(glm::dot(content.stepRay->to - content.eye.eye, content.eye.forward), 671.9340, 2.8 / 256);
+    document.stepper().leave();
+    ASSERT_TRUE(QTest::qWaitFor([this] { return !document.frames().busy(); }, 10000));
+    ASSERT_TRUE(waitUntilDrawn());
+    EXPECT_FALSE(view.space().content()->stepRay);
+}
+
 // Of the pyramid, inside the transform stage: nothing of what later stages find, and a colour where all corners are.
 TEST_F(View3dSteps, InsideTheTransformStageItShowsNothingOfLaterStages) {
     openPyramid();

@@ -1,3 +1,4 @@
+#include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
@@ -62,6 +63,73 @@ TEST_F(WindowSteps, TheSelectionIsWhatCtrlF10RunsTo) {
     EXPECT_EQ(document().stage(), StageId::ZBuffer);
     EXPECT_EQ(stepper().steps()->pixelOf(*stepper().moment()), glm::ivec2(268, 281));
     EXPECT_EQ(window.views().first().buffer().id, pipeline::BufferId::ZView);
+}
+
+// The step's pixel is in the middle, so large that numbers can be read in the pixels; a view that somebody drags stays
+// until Follow is pressed. What has only names is shown whole.
+TEST_F(WindowSteps, ViewsMarkThePixelOfTheAlgorithmsStepAndFollowIt) {
+    openAndCount();
+    window.views().setArrangement("compare");
+    window.views().links().set(false);  // linked views stand at the same place
+    stepper().setLevel(pipeline::StepLevel::Line);
+    const glm::ivec2 pixel(268, 281);
+    document().pointing().pick(pixel);
+    press("Ctrl+F10");
+    settle();
+    ASSERT_EQ(stepper().steps()->pixelOf(*stepper().moment()), pixel);
+    window.views().showBuffers({{pipeline::BufferId::ZView}, {pipeline::BufferId::PolygonId}});
+    settle();
+    const auto views = window.views().shownBuffers();
+    ASSERT_EQ(views.size(), 2u);
+    const auto middleOf = [](const BufferView& view) { return QRectF(view.canvas()->rect()).center(); };
+    const auto pixelIn = [&](const BufferView& view) {
+        const CanvasPlacing& placing = view.canvas()->placing();
+        const glm::ivec2 at = *stepper().steps()->pixelOf(*stepper().moment());
+        return placing.placement().toWidget(placing.toShown(QPointF(at.x + 0.5, at.y + 0.5)));
+    };
+    const auto isFollowed = [&](const BufferView& view) {
+        return (pixelIn(view) - middleOf(view)).manhattanLength() < 2 && view.canvas()->placing().zoom() >= 68;
+    };
+    for (const BufferView* view : views) {
+        EXPECT_TRUE(view->findChild<QWidget*>("stepMark")->isVisible());
+        EXPECT_FALSE(view->findChild<QPushButton*>("followStep")->isVisible());
+    }
+    EXPECT_TRUE(isFollowed(*views[0]));
+    EXPECT_LT(views[1]->canvas()->placing().zoom(), 68);
+    EXPECT_TRUE(QRectF(views[1]->canvas()->rect()).contains(pixelIn(*views[1])));
+    document().pointing().pick(std::nullopt);
+    EXPECT_TRUE(views[1]->canvas()->accessibleDescription().startsWith("x 268 y 281 → "))
+        << views[1]->canvas()->accessibleDescription().toStdString();
+
+    CanvasPlacing& placing = views[0]->canvas()->placing();
+    placing.drag(placing.placement().origin + QPointF(60, 0));
+    const QPointF left = placing.placement().origin;
+    for (int i = 0; i < 12; ++i) press("F10");
+    settle();
+    ASSERT_TRUE(stepper().steps()->pixelOf(*stepper().moment()));
+    EXPECT_EQ(placing.placement().origin, left);
+    auto* follow = views[0]->findChild<QPushButton*>("followStep");
+    ASSERT_TRUE(follow->isVisible());
+    follow->click();
+    EXPECT_TRUE(isFollowed(*views[0]));
+    EXPECT_FALSE(follow->isVisible());
+    stepper().leave();
+    settle();
+    EXPECT_FALSE(views[0]->findChild<QWidget*>("stepMark")->isVisible());
+}
+
+// The timeline has little room: of a long place its end is cut.
+TEST_F(WindowSteps, ThePlaceOfALineBeginsWithTheLine) {
+    openAndCount();
+    stepper().setLevel(pipeline::StepLevel::Line);
+    document().pointing().pick(glm::ivec2(268, 281));
+    press("Ctrl+F10");
+    settle();
+    press("F10");
+    settle();
+    ASSERT_TRUE(stepper().place()->line);
+    const QString words = find<QLabel>("stepWords")->text();
+    EXPECT_TRUE(words.startsWith(QString("line %1, ").arg(*stepper().place()->line))) << words.toStdString();
 }
 
 TEST_F(WindowSteps, SpacePlaysUnlessAButtonHasTheFocus) {

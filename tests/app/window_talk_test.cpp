@@ -143,6 +143,9 @@ TEST_F(WindowTalk, AShowsTheAlgorithmWithTheLineOfTheStep) {
     EXPECT_TRUE(algorithm->isVisible());
     EXPECT_FALSE(algorithm->currentRect().isEmpty());
     EXPECT_TRUE(view.caption().contains("line 5")) << view.caption().toStdString();
+    ASSERT_TRUE(waitForFrame());
+    // Letters in pixels are a fifth of them: 2 % of the height can be read from the last row.
+    EXPECT_GE(view.views().first().canvas()->placing().zoom() / 5, 0.02 * view.height());
     EXPECT_TRUE(window.shown().now()->algorithm);
     EXPECT_TRUE(view.keys().take(Qt::Key_A));
     EXPECT_FALSE(algorithm->isVisible());
