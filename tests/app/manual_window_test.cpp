@@ -49,6 +49,15 @@ TEST_F(WindowManual, LinksLeadToHeadingsAndPicturesFit) {
     EXPECT_EQ(page().horizontalScrollBar()->maximum(), 0) << "a picture is wider than the page";
 }
 
+TEST_F(WindowManual, EscapeClosesIt) {
+    window.actions()[ActionId::Manual]->trigger();
+    auto* manual = find<ManualWindow>("manual");
+    ASSERT_TRUE(manual->isVisible());
+    QApplication::setActiveWindow(manual);
+    QTest::keyClick(&page(), Qt::Key_Escape);
+    EXPECT_FALSE(manual->isVisible());
+}
+
 TEST_F(WindowManual, WhatIsNotInstalledIsNamed) {
     window.actions()[ActionId::Manual]->trigger();
     find<ManualWindow>("manual")->open("nothing.md");

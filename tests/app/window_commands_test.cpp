@@ -159,6 +159,18 @@ TEST_F(WindowCommands, ASettingAndALessonAreFoundAmongTheCommands) {
     EXPECT_EQ(lessons->lesson()->name, "pyramid");
 }
 
+// Typed digits replace the number, without a click in between.
+TEST_F(WindowCommands, ASettingThatThePaletteFoundTakesTypedDigits) {
+    openPyramid();
+    press("Ctrl+Shift+P");
+    auto* field = find<QLineEdit>("commandField");
+    QTest::keyClicks(field, "n exponent");
+    QTest::keyClick(field, Qt::Key_Return);
+    QTest::keyClicks(QApplication::focusWidget(), "12");
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+    EXPECT_EQ(document().scene().objects[0].material.exponent, 12);
+}
+
 TEST_F(WindowCommands, NoPageOfALessonShowsOneBufferTwice) {
     window.resize(1600, 1000);
     window.lessons().open("pyramid");

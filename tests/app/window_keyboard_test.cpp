@@ -7,6 +7,8 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenuBar>
+#include <QNativeGestureEvent>
+#include <QPointingDevice>
 #include <QPushButton>
 #include <QScreen>
 #include <QScrollArea>
@@ -282,6 +284,34 @@ TEST_F(WindowKeyboard, ListsAndTablesShowThatTheyHaveTheFocus) {
         ++seen;
     }
     EXPECT_GE(seen, 3) << "the scene's, the cues, a table";
+}
+
+// For a mail as for another window: the picture, and the text that shows it again.
+TEST_F(WindowKeyboard, CopyingInAViewCopiesThePictureToo) {
+    openPyramid();
+    canvas()->setFocus();
+    press("Ctrl+C");
+    const QImage copied = QApplication::clipboard()->image();
+    EXPECT_EQ(copied.size(), QSize(document().scene().settings.width, document().scene().settings.height));
+    const glm::ivec2 pixel(268, 281);
+    EXPECT_EQ(copied.pixelColor(pixel.x, pixel.y), frameColor(pixel));
+    EXPECT_TRUE(QApplication::clipboard()->text().contains("pyramid"));
+}
+
+TEST_F(WindowKeyboard, TwoFingersOnATouchpadZoom) {
+    openPyramid();
+    const double before = canvas()->placing().zoom();
+    const auto pinch = [&](double by) {
+        const QPointF at(canvas()->rect().center());
+        QNativeGestureEvent event(Qt::ZoomNativeGesture, QPointingDevice::primaryPointingDevice(), 2, at, at, at, by,
+                                  {});
+        QCoreApplication::sendEvent(canvas(), &event);
+    };
+    for (int i = 0; i < 12; ++i) pinch(0.25);
+    const double larger = canvas()->placing().zoom();
+    EXPECT_GT(larger, 2 * before);
+    for (int i = 0; i < 6; ++i) pinch(-0.25);
+    EXPECT_LT(canvas()->placing().zoom(), larger);
 }
 
 TEST_F(WindowKeyboard, TextFieldsCopyTheirOwnText) {
