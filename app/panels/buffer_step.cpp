@@ -140,6 +140,8 @@ void StepMark::paint(QPainter& painter) const {
 
 void StepMark::place(CanvasRoom& room) {
     m_layer->setGeometry(QRect(QPoint(), room.size));
+    const bool resized = std::exchange(m_size, room.size) != room.size;
+    if (resized && m_isStepping && m_follows && !m_moves) follow();
     m_button->setVisible(m_isStepping && !m_follows);
     if (m_button->isHidden()) return;
     m_button->setFont(Theme::current().text(12));

@@ -1,5 +1,6 @@
 #pragma once
 #include <QPolygonF>
+#include <QSize>
 #include <glm/vec2.hpp>
 #include <optional>
 #include <vector>
@@ -34,6 +35,7 @@ private:
 
     Layer* m_layer;  // over the canvas
     QPushButton* m_button;
+    QSize m_size;  // of the canvas, when the step was last put into its middle
     std::optional<QPoint> m_pixel;
     std::vector<QPolygonF> m_outlines;  // a single corner is a vertex
     bool m_isStepping = false, m_follows = true, m_moves = false;

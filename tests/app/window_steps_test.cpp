@@ -113,6 +113,9 @@ TEST_F(WindowSteps, ViewsMarkThePixelOfTheAlgorithmsStepAndFollowIt) {
     follow->click();
     EXPECT_TRUE(isFollowed(*views[0]));
     EXPECT_FALSE(follow->isVisible());
+    window.resize(window.width() - 150, window.height() - 100);
+    settle();
+    EXPECT_TRUE(isFollowed(*views[0])) << "a view of another size";
     stepper().leave();
     settle();
     EXPECT_FALSE(views[0]->findChild<QWidget*>("stepMark")->isVisible());
