@@ -14,7 +14,7 @@ namespace app {
 namespace {
 
 // The room of a number only grows: numbers that change with every value of a drag must not lay the window out anew.
-void keepRoom(QLabel* number) {
+void letGrow(QLabel* number) {
     const QSize needed = number->sizeHint();
     if (needed.width() > number->minimumWidth() || needed.height() != number->minimumHeight())
         number->setFixedSize(needed);
@@ -121,7 +121,7 @@ void RangeFoot::show(const ShownBuffer& shown, bool keepsFitting, bool logarithm
     const auto [low, high] = std::minmax(first, last);
     m_low->setText(valueText(shown.buffer, low, 8));
     m_high->setText(valueText(shown.buffer, high, 8));
-    keepRoom(m_low), keepRoom(m_high);
+    letGrow(m_low), letGrow(m_high);
     m_unit->setText(toQString(shown.buffer.info->unit));
     fitWidth();
     PaletteBar::Scale scale = shown.scale;
