@@ -57,7 +57,7 @@ TEST(LivePage, CarriesItsScenesAndAsManyTextsAsTheLessonHas) {
     });
     ASSERT_TRUE(again) << format(again.errors());
     ASSERT_EQ(again->pages.size(),
-              std::size_t(std::ranges::count_if(lesson->pages, [](const Page& page) { return !page.from; })));
+              std::size_t(std::ranges::count_if(lesson->pages, [](const Page& each) { return !each.from; })));
     std::size_t texts = 0;
     for (const Page& one : again->pages)
         texts += 1 + std::size_t(one.then.has_value()) + (one.question ? textsOf(*one.question).size() : 0);
