@@ -149,7 +149,8 @@ TEST(WrongPicture, NumbersAreATableWithNames) {
     std::istringstream names(lines[0]);
     EXPECT_EQ(std::vector<std::string>(std::istream_iterator<std::string>(names), {}),
               (std::vector<std::string>{"vertex", "x", "y", "z"}));
-    for (const std::string& line : lines) EXPECT_TRUE(line.starts_with("and ") || line.size() == lines[0].size()) << text;
+    for (const std::string& line : lines)
+        EXPECT_TRUE(line.starts_with("and ") || line.size() == lines[0].size()) << text;
     EXPECT_NE(text.find("In world units"), std::string::npos) << "the unit";
 }
 
