@@ -10,7 +10,7 @@ namespace app {
 
 // All that the program prints goes through here. What no terminal should get (control characters and what turns the
 // direction of writing; names, paths and the words of libraries may hold it) is escaped, see pipeline/core/printable.h.
-void writeEscaped(std::string_view text, std::FILE* to);  // what it could not write the stream's error says
+void writeEscaped(std::string_view text, std::FILE* to);  // a failed write is left to std::ferror
 
 // A message for standard error. One that cannot be written changes nothing: the exit status has been decided by what
 // happened, not by who could be told.
@@ -32,8 +32,8 @@ void sayBold(std::string_view text);
 // Empties the line of a terminal that the cursor is in.
 void clearLine();
 
-// What the caller has closed of standard input, output and error stays taken by a file that can be neither read nor
-// written as it should: else the next file that is opened would get its number, and what is said its bytes.
+// Opens a dummy file for each standard stream that the caller closed. Otherwise the next opened file would become
+// descriptor 0, 1 or 2, and messages would be written into it.
 void keepStandardFiles();
 
 // A file that may not grow further (ulimit -f) is one that could not be written, as on a full disk, and not the end of

@@ -22,7 +22,7 @@ public:
     SlideDialog(const Document& document, ViewArea& views, lessons::WindowState state, QWidget* parent = nullptr);
 
     SlideRequest request() const;
-    void save(const QString& file);  // away from the window; what comes of it stands in the dialog
+    void save(const QString& file);  // writes on a worker thread; the dialog shows the result
     bool isWorking() const { return m_job.busy(); }
     QString message() const;
     void reject() override;  // cancels what is being made, and stays to say so; else closes
@@ -50,7 +50,7 @@ private:
     QPushButton *m_save, *m_copy, *m_close;
     QProgressBar* m_progress;
     bool m_ready = false;
-    // Of the newest job: whether its file is being written, or it was cancelled; who says so first decides.
+    // Of the newest job. Set once, by whichever comes first: the write begins, or the user cancels.
     std::shared_ptr<std::atomic<bool>> m_decided;
     BackgroundJob m_job;
 };

@@ -12,7 +12,7 @@ class ElidedLabel;
 class SceneOpener;
 
 // Left the last event in a sentence, and what is being opened and computed; right the pixel under the cursor, remarks about the scene,
-// whether every number is one, the error against double precision, and how many threads compute.
+// whether the frame contains NaN, the error against double precision, and how many threads compute.
 class StatusLine : public QStatusBar {
     Q_OBJECT
 public:

@@ -40,7 +40,7 @@ public:
 
     void showBuffer(const pipeline::BufferName& buffer);                 // in the active buffer view
     void showBuffers(const std::vector<pipeline::BufferName>& buffers);  // one in each view, as far as they go
-    // What the views show: into a state, and as a state has it. Errors: what there is not.
+    // Saves the views into a state; restores them from one, with an error for each name that the scene no longer has.
     void fill(lessons::WindowState& state) const;
     pipeline::Errors lookAt(const lessons::WindowState& state);
 

@@ -8,8 +8,8 @@
 
 namespace app {
 
-// A picture that can be zoomed to its pixels, moved and picked from. It knows no document: what it
-// shows is given, what the user does is said.
+// A picture that can be zoomed to its pixels, moved and picked from. It knows no document: callers set its content; it
+// reports input by signals.
 class BufferCanvas : public QWidget {
     Q_OBJECT
 public:
@@ -41,7 +41,7 @@ public:
     void setEdgeView(std::optional<pipeline::EdgeView> view);
     void setShowEdges(bool show);
 
-    bool isPainting() const { return m_base.busy() || m_otherBase.busy(); }  // what is seen is of before
+    bool isPainting() const { return m_base.busy() || m_otherBase.busy(); }  // still shows the previous picture
     void cancelPainting() { m_base.cancel(), m_otherBase.cancel(); }
     void retryPainting();
     QSize sizeHint() const override;

@@ -27,7 +27,7 @@ public:
     const pipeline::BufferName& buffer() const { return m_name; }
     void setBuffer(const pipeline::BufferName& name);
     void setBare(bool bare);  // without the header, the buffer's name over the picture
-    // How the buffer is looked at, and the same again. Errors: what there is not, left out.
+    // Saves and restores zoom, palette and overlays. Returns an error for each name that the scene no longer has.
     lessons::BufferShown state() const;
     pipeline::Errors lookAt(const lessons::BufferShown& state);
     Document& document() const { return m_document; }

@@ -11,7 +11,8 @@ public:
 
     explicit BugBox(int box, QWidget* parent = nullptr);  // as lessons::boxLabel counts them
 
-    // Open: looks is said; cleared: that it did what it should. isMarked: it is the one that is accused next.
+    // Open shows the number of looks, cleared "did what it should", named "wrong here". isMarked: the next accusation
+    // names this one.
     void show(State state, int looks, bool isMarked);
     QString says() const;  // "not marked", "2 looks", "did what it should", "wrong here"
     State state() const { return m_state; }

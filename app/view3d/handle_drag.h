@@ -39,11 +39,14 @@ bool holds(const Handle& handle, std::optional<std::size_t> arm);
 // tenths of a scale.
 enum class DragStep : unsigned char { Usual, Fine, Coarse };
 
-// The handle's value when the cursor, which took hold of it at `from`, has moved by `moved` pixels. Moved
-// in the screen's plane it is under the cursor, on an arm beside it, a direction on the sphere around
-// `centre`; in steps of a power of ten, at most as large as a pixel there. Turned by whole degrees, as
-// far as the cursor goes around the arm. Scaled by as much as an arm would grow, all three where none is
-// held, to hundredths; never through 0. Always finite.
+// The handle's value when the cursor, which took hold of it at `from`, has moved by `moved` pixels:
+// - moved without an arm: the point of the screen's plane under the cursor; a direction, the point of the sphere around
+//   `centre`;
+// - moved along an arm: the point of the arm that is nearest to the cursor. Both in steps of a power of ten, at most as
+//   large as a pixel there;
+// - turned: the angle that the cursor goes around the arm, in whole degrees;
+// - scaled: as much as the arm grows, all three without an arm, to hundredths; never 0 or of the other sign.
+// Always finite.
 Vec3d draggedTo(const Handle& handle, std::optional<std::size_t> arm, const HandleView& view, glm::dvec2 from,
                 glm::dvec2 moved, DragStep step = DragStep::Usual);
 

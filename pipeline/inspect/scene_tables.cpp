@@ -17,7 +17,7 @@ namespace {
 
 using namespace table_columns;
 
-constexpr std::array<std::string_view, kTableCount> kNames{"objects", "polygons", "vertices", "lights"};
+constexpr std::array<std::string_view, kTableCount> kTableNames{"objects", "polygons", "vertices", "lights"};
 
 // "3 to 7": the rows of another table that belong to a row.
 std::string rangeText(std::size_t first, std::size_t end) {
@@ -182,12 +182,12 @@ std::string TableColumn::heading() const {
     return name.substr(name.find_last_of(". ") + 1);
 }
 
-std::string_view name(TableId id) { return kNames[std::size_t(id)]; }
+std::string_view name(TableId id) { return kTableNames[std::size_t(id)]; }
 
 std::optional<TableId> findTable(std::string_view name) {
-    const auto found = std::ranges::find(kNames, name);
-    if (found == kNames.end()) return {};
-    return TableId(found - kNames.begin());
+    const auto found = std::ranges::find(kTableNames, name);
+    if (found == kTableNames.end()) return {};
+    return TableId(found - kTableNames.begin());
 }
 
 BufferSet tableBuffers(const Scene& scene, TableId id) {

@@ -13,7 +13,7 @@
 namespace pipeline {
 namespace {
 
-constexpr std::array<std::string_view, 4> kNames{"emission", "ambient", "diffuse", "specular"};
+constexpr std::array<std::string_view, 4> kTermNames{"emission", "ambient", "diffuse", "specular"};
 
 constexpr std::string_view kSolo = "solo", kMuted = "muted";
 
@@ -24,18 +24,18 @@ BufferName bufferOf(const TermStrip& strip) {
 
 // "diffuse.0", as parseMix reads it.
 std::string key(const TermStrip& strip) {
-    const std::string name(kNames[std::size_t(strip.kind)]);
+    const std::string name(kTermNames[std::size_t(strip.kind)]);
     return strip.light < 0 ? name : fmt::format("{}.{}", name, strip.light);
 }
 
 template <class Real>
-using Picture = Buffer2D<Vec3<Real>>;
+using TermPicture = Buffer2D<Vec3<Real>>;
 
 template <class Real>
 struct Terms {
-    std::vector<const Picture<Real>*> pictures;  // of the strips, in their order
+    std::vector<const TermPicture<Real>*> pictures;  // of the strips, in their order
     std::vector<Real> weights;
-    const Picture<Real>* translucent = nullptr;  // null where no layers are laid over
+    const TermPicture<Real>* translucent = nullptr;  // null where no layers are laid over
     const Buffer2D<Real>* transmittance = nullptr;
 
     // The stage adds emission and ambient first, each light's two terms after that.
@@ -93,7 +93,7 @@ Result<MixedPicture> mixOf(const Frame& frame, const FrameData<Real>& data, cons
 }  // namespace
 
 std::string TermStrip::name() const {
-    const std::string_view kindName = kNames[std::size_t(kind)];
+    const std::string_view kindName = kTermNames[std::size_t(kind)];
     return light < 0 ? std::string(kindName) : fmt::format("{} {}", kindName, light);
 }
 
