@@ -52,6 +52,7 @@ Scene shinyScene(unsigned seed) {
     settings.visibility = seed % 8 == 6 ? Visibility::Painter : Visibility::ZBuffer;
     settings.width = 30 + int(random() % 110), settings.height = 30 + int(random() % 70);
     settings.shadowFilter = int(random() % 2);
+    settings.twoSided = seed % 8 == 5;  // of such a scene a frame keeps no light
     const Rule rule = Rule(seed % kRuleCount);
     if (rule != Rule::UnreadBuffers) settings.rules.reset(index(rule));  // without it every buffer is made
     if (scene.objects.empty()) scene.objects.push_back(test::pyramid().objects[0]);
