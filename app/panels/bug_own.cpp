@@ -53,7 +53,7 @@ BugOwnDialog::BugOwnDialog(std::shared_ptr<const pipeline::Scene> open, QWidget*
     setMinimumWidth(Theme::current().px(480));
 }
 
-// A file of the program that cannot be read is told in place of the error's words.
+// If a scene's file cannot be read, the dialog says why in place of the symptom.
 void BugOwnDialog::choose() {
     auto scene = m_open;
     if (const QString file = m_scenes->currentData().toString(); !file.isEmpty()) {

@@ -83,7 +83,7 @@ struct Settings {
     Model model = Model::Phong;
     double exponentFactor = 1;  // Blinn-Phong: multiplies n; about 4 gives a highlight as wide as Phong's
     bool localViewer = false;   // OpenGL: V points to the eye; off: along the viewing axis
-    bool twoSided = false;      // OpenGL: back faces are lit with their normal turned round
+    bool twoSided = false;      // back faces are lit with their normal turned round
     NormalWeight normalWeight = NormalWeight::Mean;
     Visibility visibility = Visibility::ZBuffer;
     bool split = true;  // Painter: polygons that intersect or overlap in a cycle are split
