@@ -35,6 +35,9 @@ std::string fileNameOf(const std::string& path);
 // Mesh::file of what a model holds.
 std::string meshFileOf(const SourceText& source);
 
+// Adds an object of this mesh, without the vertices that no polygon uses; none if the mesh has no polygon.
+void addObject(Mesh mesh, const SourceText& source, std::string name, std::vector<Object>& objects);
+
 // A name from a file where a window can show it, else the other one.
 std::string shownName(std::string_view name, const std::string& otherwise);
 

@@ -13,6 +13,7 @@
 #include "pipeline/formats/line_scanner.h"
 #include "pipeline/formats/model_formats.h"
 #include "pipeline/formats/no_memory.h"
+#include "pipeline/scene/make_mesh.h"
 
 namespace pipeline {
 namespace {
@@ -132,6 +133,15 @@ std::string stemOf(const std::string& path) { return printableText(std::filesyst
 std::string fileNameOf(const std::string& path) { return std::filesystem::path(path).filename().string(); }
 std::string meshFileOf(const SourceText& source) {
     return source.called.empty() ? fileNameOf(source.name) : source.called;
+}
+
+void addObject(Mesh mesh, const SourceText& source, std::string name, std::vector<Object>& objects) {
+    if (mesh.polygonCount() == 0) return;
+    dropUnusedVertices(mesh);
+    mesh.file = meshFileOf(source);
+    Object& object = objects.emplace_back();
+    object.name = std::move(name);
+    object.mesh = makeMesh(std::move(mesh), source.progress.stop);
 }
 
 std::string shownName(std::string_view name, const std::string& otherwise) {

@@ -8,7 +8,6 @@
 #include "pipeline/formats/line_scanner.h"
 #include "pipeline/formats/model_formats.h"
 #include "pipeline/formats/tally.h"
-#include "pipeline/scene/make_mesh.h"
 
 // OFF as text (Geomview manual, "OFF Files"): vertices and polygons. What follows the coordinates of a vertex or the indices
 // of a polygon on its line, colours and normals for the most part, is left out with a remark.
@@ -31,12 +30,7 @@ public:
                       model.remarks);
         m_painted.say("polygon", "with a colour", "shown with the default material", model.remarks);
         remarkOnLeftOut(m_fewCorners.count(), m_fewCorners.about(), model.remarks);
-        if (m_mesh.polygonCount() == 0) return model;
-        dropUnusedVertices(m_mesh);
-        m_mesh.file = meshFileOf(m_source);
-        Object& object = model.objects.emplace_back();
-        object.name = stemOf(m_source.name);
-        object.mesh = makeMesh(std::move(m_mesh), m_source.progress.stop);
+        addObject(std::move(m_mesh), m_source, stemOf(m_source.name), model.objects);
         return model;
     }
 

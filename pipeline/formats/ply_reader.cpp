@@ -10,7 +10,6 @@
 #include "pipeline/formats/model_formats.h"
 #include "pipeline/formats/ply_header.h"
 #include "pipeline/formats/tally.h"
-#include "pipeline/scene/make_mesh.h"
 
 // PLY (G. Turk, The PLY Polygon File Format, 1994): vertices with or without normals, and faces.
 // Colours, other properties and other elements are left out, with a remark.
@@ -359,12 +358,7 @@ Result<LoadedModel> readPly(const SourceText& source, const FileLoader&) {
     remarkOnLeftOut(counts.leftOut, source.name, model.remarks);
     if (std::string rest = body.rest(); !rest.empty()) model.remarks.push_back({source.name, std::move(rest)});
     if (!errors.empty()) return errors;
-    if (mesh.polygonCount() == 0) return model;
-    dropUnusedVertices(mesh);
-    mesh.file = meshFileOf(source);
-    Object& object = model.objects.emplace_back();
-    object.name = stemOf(source.name);
-    object.mesh = makeMesh(std::move(mesh), source.progress.stop);
+    addObject(std::move(mesh), source, stemOf(source.name), model.objects);
     return model;
 }
 

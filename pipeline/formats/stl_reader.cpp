@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -11,7 +12,6 @@
 #include "pipeline/formats/line_scanner.h"
 #include "pipeline/formats/model_formats.h"
 #include "pipeline/formats/welded_vertices.h"
-#include "pipeline/scene/make_mesh.h"
 
 // STL in both forms (3D Systems, StereoLithography Interface Specification, 1989). The normals of
 // the facets are not read: they say nothing that the corners' order does not say. Keywords are
@@ -21,17 +21,6 @@ namespace {
 
 constexpr std::string_view kSpaces = " \t\v\f";
 constexpr std::size_t kHeader = 80, kFirstFacet = 84, kFacet = 50;  // bytes
-
-void addObject(Mesh& mesh, const SourceText& source, std::string name, std::vector<Object>& objects) {
-    dropUnusedVertices(mesh);
-    mesh.file = meshFileOf(source);
-    if (mesh.polygonCount() > 0) {
-        Object& object = objects.emplace_back();
-        object.name = std::move(name);
-        object.mesh = makeMesh(std::move(mesh), source.progress.stop);
-    }
-    mesh = {};
-}
 
 Result<LoadedModel> readBinary(const SourceText& source) {
     ByteWindow bytes(source);
@@ -99,7 +88,7 @@ Result<LoadedModel> readBinary(const SourceText& source) {
                                       rest == 1 ? "byte" : groupedDigits(rest) + " bytes", groupedDigits(count),
                                       count == 1 ? "" : "s", rest == 1 ? "is" : "are")});
     vertices.clear(), giveBackFreedMemory();
-    addObject(mesh, source, stemOf(source.name), model.objects);
+    addObject(std::move(mesh), source, stemOf(source.name), model.objects);
     return model;
 }
 
@@ -216,7 +205,7 @@ Result<LoadedModel> readText(const SourceText& source) {
             finishLoop(false);
             readName(scanner, true);
             vertices.clear();
-            addObject(mesh, source, name, model.objects);
+            addObject(std::exchange(mesh, {}), source, name, model.objects);
             ended = true;
         } else if (!is("loop") && --ofNormal < 0) {
             scanner.refuse("solid, facet, outer loop, vertex, endloop, endfacet or endsolid");
