@@ -58,9 +58,12 @@ bool isForWantOfAThread(const std::runtime_error& error) {
            std::string_view(error.what()).starts_with("pthread_create");
 }
 
-// Where nothing can catch what was thrown, as in a thread of a library.
+// Where nothing can catch what was thrown, as in a thread of a library. Where a function of a library is noexcept, as
+// those of std::filesystem with an error_code are, GCC does not say what was thrown.
 [[noreturn]] void handleUncaught() {
-    if (const std::exception_ptr thrown = std::current_exception()) {
+    const std::exception_ptr thrown = std::current_exception();
+    if (!thrown && hasThrown) end();
+    if (thrown) {
         try {
             std::rethrow_exception(thrown);
         } catch (const std::bad_alloc&) {
