@@ -62,6 +62,16 @@ std::optional<StepTables::Fragments> StepTables::fragmentsAtStep(const Document&
     return fragments;
 }
 
+pipeline::ComparisonText StepTables::Fragments::comparison(std::size_t row) const {
+    return comparisonText(rows[row], {}, tested == row);
+}
+
+QString StepTables::Fragments::verdict(std::size_t row) const {
+    return tested == row                                              ? tr("◐ being tested")
+           : rows[row].verdict == pipeline::FragmentVerdict::WonStays ? tr("● in the buffer")
+                                                                      : toQString(name(rows[row].verdict));
+}
+
 void StepTables::showStep(const std::vector<pipeline::AlgorithmRow>& rows, const Document& document) {
     m_variables.clear();
     for (const pipeline::AlgorithmRow& row : rows)
@@ -84,10 +94,10 @@ void StepTables::showStep(const std::vector<pipeline::AlgorithmRow>& rows, const
         spoken += QStringLiteral("%1 = %2, %3").arg(toQString(one.shown), toQString(one.text), toQString(one.from));
     if (m_fragments) {
         spoken += m_fragments->title;
-        for (const pipeline::FragmentReport& row : m_fragments->rows)
+        for (std::size_t i = 0; i < m_fragments->rows.size(); ++i)
             spoken += tr("polygon %1, %2, %3")
-                          .arg(row.polygon)
-                          .arg(toQString(comparisonText(row).whole()), toQString(name(row.verdict)));
+                          .arg(m_fragments->rows[i].polygon)
+                          .arg(toQString(m_fragments->comparison(i).whole()), m_fragments->verdict(i));
     }
     setAccessibleName(tr("Variables and fragments"));
     setAccessibleDescription(spoken.join(QStringLiteral("; ")));
@@ -164,8 +174,8 @@ void StepTables::paintFragments(QPainter& painter, int y, double letters) const 
     const QFontMetrics numbers(theme.mono(letters)), words(theme.text(letters));
     int depth = numbers.horizontalAdvance('z'), stored = numbers.horizontalAdvance("zbuffer");
     const int relation = numbers.horizontalAdvance('<') + 2;
-    for (const pipeline::FragmentReport& one : m_fragments->rows) {
-        const pipeline::ComparisonText text = comparisonText(one);
+    for (std::size_t i = 0; i < m_fragments->rows.size(); ++i) {
+        const pipeline::ComparisonText text = m_fragments->comparison(i);
         depth = std::max(depth, numbers.horizontalAdvance(toQString(text.depth)));
         stored = std::max(stored, numbers.horizontalAdvance(toQString(text.stored)));
     }
@@ -182,7 +192,7 @@ void StepTables::paintFragments(QPainter& painter, int y, double letters) const 
     row.next();
     for (std::size_t i = 0; i < m_fragments->rows.size() && row.y + row.height <= height(); ++i) {
         const pipeline::FragmentReport& one = m_fragments->rows[i];
-        const pipeline::ComparisonText text = comparisonText(one);
+        const pipeline::ComparisonText text = m_fragments->comparison(i);
         const bool isTested = m_fragments->tested == i;
         if (isTested) painter.fillRect(QRect(side / 2, row.y, width() - side, row.height), c.tint);
         const QColor tone = came(one.verdict) || isTested ? c.text : c.text2;
@@ -190,14 +200,11 @@ void StepTables::paintFragments(QPainter& painter, int y, double letters) const 
         row.cell(lefts[1], depth, theme.mono(letters), tone, Qt::AlignRight, toQString(text.depth));
         row.cell(lefts[2], relation, theme.mono(letters), tone, Qt::AlignHCenter, toQString(text.relation));
         row.cell(lefts[3], stored, theme.mono(letters), tone, Qt::AlignRight, toQString(text.stored));
-        const QString verdict = isTested                                             ? tr("◐ being tested")
-                                : one.verdict == pipeline::FragmentVerdict::WonStays ? tr("● in the buffer")
-                                                                                     : toQString(name(one.verdict));
         row.cell(lefts[4], last, theme.text(letters),
                  isTested                                             ? c.accent
                  : one.verdict == pipeline::FragmentVerdict::WonStays ? c.run
                                                                       : c.text2,
-                 Qt::AlignLeft, verdict);
+                 Qt::AlignLeft, m_fragments->verdict(i));
         row.next();
     }
 }

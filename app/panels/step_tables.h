@@ -33,6 +33,8 @@ private:
         QString title;  // "Fragments at 250, 270"
         std::vector<pipeline::FragmentReport> rows;
         std::optional<std::size_t> tested;  // the row that the step is at
+        pipeline::ComparisonText comparison(std::size_t row) const;
+        QString verdict(std::size_t row) const;
     };
     static std::optional<Fragments> fragmentsAtStep(const Document& document);
     static int lineHeight(double letters);

@@ -41,13 +41,13 @@ std::string depthText(double depth, int digits) {
     return fmt::format("{:.{}f}", depth, std::clamp(digits - 1 - magnitude, 0, digits > 7 ? 340 : 17));
 }
 
-ComparisonText comparisonText(const FragmentReport& fragment, const NumberText& chosen) {
+ComparisonText comparisonText(const FragmentReport& fragment, const NumberText& chosen, bool isTested) {
     const auto text = [&chosen](double depth, int digits) {
         const auto own = chosen ? chosen(depth) : std::nullopt;
         return own ? *own : depthText(depth, digits);
     };
     constexpr int kMostDigits = 17;  // what tells any two doubles apart
-    if (fragment.relation.empty()) return {text(fragment.depth, 7), {}, {}};
+    if (fragment.relation.empty() || !(came(fragment.verdict) || isTested)) return {text(fragment.depth, 7), {}, {}};
     for (int digits = 7;; ++digits) {
         ComparisonText both{text(fragment.depth, digits), std::string(fragment.relation),
                             text(fragment.stored, digits)};

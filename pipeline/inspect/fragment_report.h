@@ -25,8 +25,8 @@ struct FragmentReport {
     int polygon;
     double depth, stored;  // compared: the new one, and what the z-buffer held before (+inf: nothing)
     FragmentVerdict verdict;
-    // That holds between the two: "<", "≥", or "=" of the first at the depth of the cleared buffer. Empty where they are
-    // not compared.
+    // That holds between the two: "<", "≥", or "=" of the first at the depth of the cleared buffer. Empty where nothing is
+    // tested.
     std::string_view relation;
     // What happens then to one that won, a line each: "light 0: z' 120.3 ≤ Z'[12][44] 120.3 + 0.02: lit".
     std::vector<std::string> shadows{};
@@ -43,6 +43,7 @@ struct ComparisonText {
     std::string depth, relation, stored;  // the last two are empty where none are compared
     std::string whole() const { return relation.empty() ? depth : depth + ' ' + relation + ' ' + stored; }
 };
-ComparisonText comparisonText(const FragmentReport& fragment, const NumberText& chosen = {});
+// A fragment that is still to come has its depth alone, unless the step is just at its test.
+ComparisonText comparisonText(const FragmentReport& fragment, const NumberText& chosen = {}, bool isTested = false);
 
 }  // namespace pipeline

@@ -206,19 +206,15 @@ void reportFragments(const FrameData<Real>& data, const Stop& stop, PixelReport&
     for (std::size_t i = 0; i < record.size(); ++i) {
         const FragmentRecord& f = record[i];
         const int polygon = int(data.transform->topology->polygonOf(f.triangle));
-        if (i >= arrived) {
-            report.fragments.push_back({polygon, f.depth, f.stored, FragmentVerdict::NotYet, {}});
-            continue;
-        }
         if (data.keys.zBuffer.visibility != Visibility::ZBuffer) {
-            report.fragments.push_back({polygon,
-                                        f.depth,
-                                        f.stored,
-                                        i == lastWon ? FragmentVerdict::PaintedLast : FragmentVerdict::PaintedOver,
-                                        {}});
+            const FragmentVerdict verdict = i >= arrived   ? FragmentVerdict::NotYet
+                                            : i == lastWon ? FragmentVerdict::PaintedLast
+                                                           : FragmentVerdict::PaintedOver;
+            report.fragments.push_back({polygon, f.depth, f.stored, verdict, {}});
             continue;
         }
-        const FragmentVerdict verdict = !f.won         ? FragmentVerdict::NotNearer
+        const FragmentVerdict verdict = i >= arrived   ? FragmentVerdict::NotYet
+                                        : !f.won       ? FragmentVerdict::NotNearer
                                         : i == lastWon ? FragmentVerdict::WonStays
                                                        : FragmentVerdict::Overwritten;
         const bool isNearer = reversed ? f.depth > f.stored : f.depth < f.stored;
