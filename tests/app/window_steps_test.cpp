@@ -95,6 +95,7 @@ TEST_F(WindowSteps, ViewsMarkThePixelOfTheAlgorithmsStepAndFollowIt) {
         EXPECT_FALSE(view->findChild<QPushButton*>("followStep")->isVisible());
     }
     EXPECT_TRUE(isFollowed(*views[0]));
+    EXPECT_FALSE(views[0]->state().zoom) << "nobody chose this part; a saved state must not keep it";
     EXPECT_LT(views[1]->canvas()->placing().zoom(), 68);
     EXPECT_TRUE(QRectF(views[1]->canvas()->rect()).contains(pixelIn(*views[1])));
     document().pointing().pick(std::nullopt);
@@ -110,6 +111,7 @@ TEST_F(WindowSteps, ViewsMarkThePixelOfTheAlgorithmsStepAndFollowIt) {
     EXPECT_EQ(placing.placement().origin, left);
     auto* follow = views[0]->findChild<QPushButton*>("followStep");
     ASSERT_TRUE(follow->isVisible());
+    EXPECT_TRUE(views[0]->state().zoom) << "a part that somebody dragged to is kept";
     follow->click();
     EXPECT_TRUE(isFollowed(*views[0]));
     EXPECT_FALSE(follow->isVisible());
