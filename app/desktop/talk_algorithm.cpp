@@ -17,7 +17,7 @@ TalkAlgorithm::TalkAlgorithm(const Document& document, QWidget* parent)
     : QWidget(parent),
       m_document(document),
       m_lines(new AlgorithmView(this)),
-      m_tables(new StepTables(this)),
+      m_tables(new StepTables(document, this)),
       m_leftOut(new QLabel(this)) {
     m_lines->setLetters(20.8, 17.6);  // 38 and 32 px in 1080 lines
     m_tables->setLetters(19.7);       // 36 px
@@ -46,7 +46,7 @@ void TalkAlgorithm::showStep(bool wanted) {
     m_leftOut->setText(why.join('\n'));
     m_leftOut->setVisible(!why.isEmpty());
     m_lines->setState(std::move(state));
-    m_tables->showStep(m_lines->rows(), m_document);
+    m_tables->showStep(m_lines->rows());
 }
 
 }  // namespace app

@@ -45,7 +45,7 @@ AlgorithmPanel::AlgorithmPanel(Document& document, QWidget* parent)
       m_last(new QLabel(m_loop)),
       m_note(new QLabel(this)),
       m_hint(new ElidedLabel(tr("Ctrl+click a line: run to it"), this)),
-      m_tables(new StepTables(this)),
+      m_tables(new StepTables(document, this)),
       m_slider(new QSlider(Qt::Horizontal, m_loop)),
       m_back(new QPushButton(tr("Back"), this)),
       m_next(new QPushButton(tr("Next line"), this)) {
@@ -154,7 +154,7 @@ void AlgorithmPanel::showStep() {
     m_view->setState(algorithmState(stepper, m_document.stage()));
     showList();
     showLoop();
-    m_tables->showStep(m_view->rows(), m_document);
+    m_tables->showStep(m_view->rows());
     const auto& state = m_view->state();
     QStringList sentences;
     if (state)

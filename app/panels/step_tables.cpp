@@ -40,16 +40,20 @@ Line beginTable(QPainter& painter, int y, int width, int height) {
 
 }  // namespace
 
-StepTables::StepTables(QWidget* parent) : QWidget(parent) {
+StepTables::StepTables(const Document& document, QWidget* parent) : QWidget(parent), m_document(document) {
     setObjectName("stepTables");
     setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Expanding);
     followTheme(this, [this] { update(); });
+    // The frame of a step may come after the step.
+    connect(&document.frames(), &FrameFeed::frameReady, this, [this] {
+        if (isVisible()) showFragments();
+    });
 }
 
 // Of the step's pixel in the z-buffer stage. In a large frame they take longer than a step may.
-std::optional<StepTables::Fragments> StepTables::fragmentsAtStep(const Document& document) {
-    const Stepper& stepper = document.stepper();
-    const pipeline::FramePtr& frame = document.frames().shown();
+std::optional<StepTables::Fragments> StepTables::fragmentsAtStep() const {
+    const Stepper& stepper = m_document.stepper();
+    const pipeline::FramePtr& frame = m_document.frames().shown();
     if (!stepper.isInside() || !stepper.steps() || !frame || isLarge(*frame)) return {};
     const pipeline::Moment at = *stepper.moment();
     const auto pixel = stepper.steps()->pixelOf(at);
@@ -72,7 +76,7 @@ QString StepTables::Fragments::verdict(std::size_t row) const {
                                                                       : toQString(name(rows[row].verdict));
 }
 
-void StepTables::showStep(const std::vector<pipeline::AlgorithmRow>& rows, const Document& document) {
+void StepTables::showStep(const std::vector<pipeline::AlgorithmRow>& rows) {
     m_variables.clear();
     for (const pipeline::AlgorithmRow& row : rows)
         for (pipeline::AlgorithmValue value : row.values) {
@@ -88,7 +92,11 @@ void StepTables::showStep(const std::vector<pipeline::AlgorithmRow>& rows, const
             else
                 *known = std::move(value);
         }
-    m_fragments = fragmentsAtStep(document);
+    showFragments();
+}
+
+void StepTables::showFragments() {
+    m_fragments = fragmentsAtStep();
     QStringList spoken;
     for (const pipeline::AlgorithmValue& one : m_variables)
         spoken += QStringLiteral("%1 = %2, %3").arg(toQString(one.shown), toQString(one.text), toQString(one.from));

@@ -15,10 +15,10 @@ class Document;
 class StepTables : public QWidget {
     Q_OBJECT
 public:
-    explicit StepTables(QWidget* parent);
+    StepTables(const Document& document, QWidget* parent);
 
     // rows: those of the algorithm on show.
-    void showStep(const std::vector<pipeline::AlgorithmRow>& rows, const Document& document);
+    void showStep(const std::vector<pipeline::AlgorithmRow>& rows);
 
     // The size of the letters where there is room for it, in the theme's units; 13 to begin with, and at least.
     void setLetters(double size);
@@ -36,7 +36,8 @@ private:
         pipeline::ComparisonText comparison(std::size_t row) const;
         QString verdict(std::size_t row) const;
     };
-    static std::optional<Fragments> fragmentsAtStep(const Document& document);
+    std::optional<Fragments> fragmentsAtStep() const;
+    void showFragments();
     static int lineHeight(double letters);
     static int tableHeight(std::size_t lines, double letters);
     int variablesHeight(double letters) const;
@@ -45,6 +46,7 @@ private:
     int paintVariables(QPainter& painter, int y, double letters) const;
     void paintFragments(QPainter& painter, int y, double letters) const;
 
+    const Document& m_document;
     std::vector<pipeline::AlgorithmValue> m_variables;
     std::optional<Fragments> m_fragments;
     double m_letters = 13;

@@ -59,15 +59,17 @@ TEST_F(AlgorithmPanelTest, NextLineAndBackGoThroughTheLinesOfAPixel) {
     EXPECT_EQ(document.stepper().level(), pipeline::StepLevel::Line);
 }
 
-// Both depths as `inspect pyramid --set cull=none --pixel 250,270` prints them when all is drawn. Before the test there is
-// nothing to compare.
+// Both depths as `inspect pyramid --set cull=none --pixel 250,270` prints them when all is drawn.
 TEST_F(AlgorithmPanelTest, FragmentsCompareTheOneThatIsBeingTested) {
-    const auto* const tables = panel.findChild<QWidget*>("stepTables");
-    goTo("z-buffer/polygon=1/row=270/x=250");
-    EXPECT_TRUE(tables->accessibleDescription().contains("polygon 1, 671.9340, not drawn yet"));
+    const auto says = [this](const char* text) {  // once the step's frame is there
+        const auto* const tables = panel.findChild<QWidget*>("stepTables");
+        return QTest::qWaitFor([&] { return tables->accessibleDescription().contains(text); }, 10000);
+    };
     goTo("z-buffer/polygon=1/row=270/x=250/line=5");
-    EXPECT_TRUE(tables->accessibleDescription().contains("polygon 0, 742.3430 < +∞, ● in the buffer"));
-    EXPECT_TRUE(tables->accessibleDescription().contains("polygon 1, 671.9340 < 742.3430, ◐ being tested"));
+    EXPECT_TRUE(says("polygon 0, 742.3430 < +∞, ● in the buffer"));
+    EXPECT_TRUE(says("polygon 1, 671.9340 < 742.3430, ◐ being tested"));
+    goTo("z-buffer/polygon=1/row=270/x=250");
+    EXPECT_TRUE(says("polygon 0, 742.3430 < +∞, overwritten; polygon 1, 671.9340 < 742.3430, ● in the buffer"));
 }
 
 // From the last row it is read as far as everything else: no letters below those of the theme's text. What is too long
