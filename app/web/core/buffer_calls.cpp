@@ -1,5 +1,6 @@
 #include "app/web/core/core.h"
 #include "pipeline/buffers/buffer_table.h"
+#include "pipeline/export/frame_json.h"
 #include "pipeline/inspect/term_mix.h"
 #include "pipeline/plan/needs.h"
 
@@ -11,14 +12,6 @@ using pipeline::AnyBuffer;
 using pipeline::BufferName;
 
 namespace {
-
-Json bufferJson(const BufferName& name, std::string_view stage, const std::string& useless) {
-    const pipeline::BufferInfo& info = pipeline::bufferInfo(name.id);
-    static constexpr std::array<const char*, 4> kDomains{"vertex", "polygon", "pixel", "texel"};
-    return {{"name", name.text()},       {"stage", stage},    {"domain", kDomains[std::size_t(info.domain)]},
-            {"channels", info.channels}, {"unit", info.unit}, {"meaning", info.meaning},
-            {"useless", useless}};
-}
 
 std::optional<AnyBuffer> derivedNamed(ShownScene& shown, const BufferName& name) {
     const pipeline::FramePtr& frame = shown.atMoment ? shown.atMoment : shown.frame;
@@ -58,10 +51,10 @@ WEB_CALL(buffers) int webBuffers() {
     const pipeline::Scene& scene = core().own.now().scene();
     Json list = Json::array();
     for (const BufferName& name : pipeline::allBuffers(scene.lights.size()))
-        list.push_back(bufferJson(name, pipeline::stageInfo(pipeline::bufferInfo(name.id).stage).label,
-                                  std::string(whyUseless(scene, name.id))));
+        list.push_back(bufferToJson(name, pipeline::stageInfo(pipeline::bufferInfo(name.id).stage).label,
+                                    whyUseless(scene, name.id)));
     for (const BufferName& name : pipeline::allDerived(scene.lights.size()))
-        list.push_back(bufferJson(name, "Derived", {}));
+        list.push_back(bufferToJson(name, "Derived", {}));
     return give(list);
 }
 

@@ -2,6 +2,8 @@
 
 #include <cstdlib>
 
+#include "pipeline/export/frame_json.h"
+
 namespace web {
 
 namespace {
@@ -28,16 +30,7 @@ int giveText(std::string text) {
 }
 
 int refuse(const pipeline::Errors& errors) {
-    Json list = Json::array();
-    for (const pipeline::Error& error : errors)
-        list.push_back({{"file", error.where.file},
-                        {"line", error.where.line},
-                        {"column", error.where.column},
-                        {"found", error.found},
-                        {"expected", error.expected},
-                        {"keys", error.keys},
-                        {"text", format(error)}});
-    give({{"errors", list}});
+    give(errorsToJson(errors));
     return 0;
 }
 int refuse(std::string found) { return refuse({pipeline::Error{{}, std::move(found), {}}}); }

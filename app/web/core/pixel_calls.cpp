@@ -1,7 +1,7 @@
 #include "app/web/core/core.h"
 #include "pipeline/export/algorithm_json.h"
 #include "pipeline/export/formula_mathml.h"
-#include "pipeline/scene/topology.h"
+#include "pipeline/export/frame_json.h"
 
 // Why a pixel has its colour; steps inside the frame; the mesh.
 
@@ -80,18 +80,6 @@ WEB_CALL(algorithm) int webAlgorithm(int stage) {
     return state ? give(toJson(*state)) : give(nullptr);
 }
 
-// The vertices of every polygon, over all objects, and the object of each.
-WEB_CALL(mesh) int webMesh() {
-    const pipeline::Topology& topology = core().own.frame->topology();
-    Json polygons = Json::array(), objects = Json::array();
-    for (std::size_t p = 0; p < topology.polygonCount(); ++p) {
-        const auto corners = topology.corners(p);
-        Json vertices = Json::array();
-        for (std::size_t i = 0; i < corners.size(); ++i) vertices.push_back(corners[i]);
-        polygons.push_back(std::move(vertices));
-        objects.push_back(topology.objectOfPolygon(p));
-    }
-    return give({{"polygons", polygons}, {"objects", objects}});
-}
+WEB_CALL(mesh) int webMesh() { return give(meshToJson(*core().own.frame)); }
 
 }  // namespace web

@@ -1,5 +1,6 @@
 #include "app/web/core/core.h"
 #include "app/web/core/scene_text.h"
+#include "pipeline/export/frame_json.h"
 #include "pipeline/formats/format_table.h"
 #include "pipeline/formats/text_scanner.h"
 #include "pipeline/formats/toml_writer.h"
@@ -22,29 +23,6 @@ Result<pipeline::NamedFile> fileOfPage(std::string_view name) {
     if (found == core().files.end())
         return pipeline::Error{{}, "\"" + std::string(name) + "\" is not in this page", {}};
     return pipeline::NamedFile{found->second, std::string(name)};
-}
-
-Json settingJson(const pipeline::SettingRef& ref, const Scene& scene) {
-    static constexpr std::array<const char*, 4> kKinds{"number", "integer", "switch", "choice"};
-    const pipeline::Setting& row = *ref.setting;
-    Json choices = Json::array();
-    for (const std::string_view choice : row.choices) choices.push_back(choice);
-    const double value = ref.get(scene);
-    return {{"key", ref.key()},
-            {"label", row.label},
-            {"unit", row.unit},
-            {"meaning", row.meaning},
-            {"group", name(row.group)},
-            {"index", ref.setting->key.find('#') == std::string_view::npos ? Json() : Json(ref.index)},
-            {"kind", kKinds[std::size_t(row.kind)]},
-            {"low", row.low},
-            {"high", row.high},
-            {"min", row.min},
-            {"max", row.max},
-            {"choices", choices},
-            {"value", value},
-            {"text", formatSetting(ref, value)},
-            {"idle", row.idle ? row.idle(scene) : std::string_view()}};
 }
 
 }  // namespace
@@ -116,26 +94,12 @@ WEB_CALL(frame) double webFrame(int fresh) {
     return core().own.frame->milliseconds();
 }
 
-WEB_CALL(plan) int webPlan() {
-    const pipeline::Frame& frame = *core().own.frame;
-    Json stages = toJson(frame.plan());
-    std::size_t i = 0;
-    for (Json& stage : stages) {
-        const pipeline::StageId id = frame.plan()[i++].stage;
-        stage["label"] = pipeline::stageInfo(id).label;
-        stage["milliseconds"] = frame.run(id).milliseconds;
-        stage["counts"] = frame.run(id).counts;
-    }
-    return give({{"stages", stages},
-                 {"number", frame.number()},
-                 {"milliseconds", frame.milliseconds()},
-                 {"remarks", remarksToJson(frame)}});
-}
+WEB_CALL(plan) int webPlan() { return give(planToJson(*core().own.frame)); }
 
 WEB_CALL(settings) int webSettings() {
     const Scene& scene = *core().own.scene;
     Json list = Json::array();
-    for (const pipeline::SettingRef& ref : settingsOf(scene)) list.push_back(settingJson(ref, scene));
+    for (const pipeline::SettingRef& ref : settingsOf(scene)) list.push_back(settingToJson(ref, scene));
     return give(list);
 }
 
