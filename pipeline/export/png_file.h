@@ -14,8 +14,10 @@ namespace pipeline {
 std::uint64_t pngEstimate(const AnyBuffer& buffer);
 Result<std::uint64_t> writePng(const ExportItem& item, const std::filesystem::path& file);
 
+// Small is for files. Fast takes a fifth of the time for four tenths more bytes: for pictures that are looked at once.
+enum class Packing : std::uint8_t { Small, Fast };
 // A picture in sRGB as the bytes of a PNG file; empty where it is too large for the format.
-std::string pngOf(const Buffer2D<Color8>& picture);
+std::string pngOf(const Buffer2D<Color8>& picture, Packing packing = Packing::Small);
 
 // The same with transparency: rgba row by row, 4 bytes a pixel, not premultiplied. texts: in UTF-8, packed.
 struct PngText {
