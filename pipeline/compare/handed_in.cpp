@@ -94,13 +94,15 @@ class Gathering {
 public:
     Gathering(const Frame& reference, HandedIn& in) : m_reference(reference), m_in(in) {}
 
-    void add(const std::filesystem::path& path, bool asked) {
+    // read() gives the bytes, where the name says that they are of use.
+    template <class Read>
+    void add(const std::filesystem::path& path, bool asked, const Read& read) {
         const std::string file = path.filename().string();
         const auto dot = file.rfind('.');
         if (dot == file.npos || dot == 0) return;
         const std::string stem = file.substr(0, dot), ending = file.substr(dot + 1);
         if (file == "mine.toml") {
-            auto text = readFile(path, 1u << 16);
+            auto text = read(1u << 16);
             if (!text) return report(text.errors());
             m_in.conventions = std::move(text).value(), m_in.conventionsName = path.string();
             return;
@@ -117,7 +119,7 @@ public:
             m_in.others.push_back(fmt::format("{} is not known; {}", inQuotes(file), insteadOfHanded(stem)));
             return;
         }
-        auto bytes = readFile(path);
+        auto bytes = read(kMaxFileBytes);
         if (!bytes) return report(bytes.errors());
         auto numbers = readNumbers(*bytes, path.string(), mostNumbersOf(*name));
         if (!numbers) return report(numbers.errors());
@@ -151,6 +153,10 @@ private:
     const Frame& m_reference;
     HandedIn& m_in;
 };
+
+void sortByStage(HandedIn& in) {
+    std::ranges::stable_sort(in.files, {}, [](const HandedFile& file) { return index(file.name.buffer.id); });
+}
 
 }  // namespace
 
@@ -193,7 +199,7 @@ HandedIn readHandedIn(const std::vector<std::string>& paths, const Frame& refere
             continue;
         }
         if (!std::filesystem::is_directory(path, failed)) {
-            gathering.add(path, true);
+            gathering.add(path, true, [&](std::size_t most) { return readFile(path, most); });
             continue;
         }
         constexpr std::size_t kMostEntries = 10000;
@@ -204,9 +210,19 @@ HandedIn readHandedIn(const std::vector<std::string>& paths, const Frame& refere
         if (failed) in.errors.push_back({{given}, "the folder cannot be read: " + failed.message(), {}});
         std::ranges::sort(entries);
         for (const auto& entry : entries)
-            if (!stop.stop_requested()) gathering.add(entry, false);
+            if (!stop.stop_requested())
+                gathering.add(entry, false, [&](std::size_t most) { return readFile(entry, most); });
     }
-    std::ranges::stable_sort(in.files, {}, [](const HandedFile& file) { return index(file.name.buffer.id); });
+    sortByStage(in);
+    return in;
+}
+
+HandedIn readHandedIn(const std::map<std::string, std::string_view>& files, const Frame& reference) {
+    HandedIn in;
+    Gathering gathering(reference, in);
+    for (const auto& [name, bytes] : files)
+        gathering.add(name, true, [&](std::size_t) -> Result<std::string> { return std::string(bytes); });
+    sortByStage(in);
     return in;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -45,5 +46,7 @@ struct HandedIn {
 // A folder's files, or files by themselves. Of two files of a buffer the one with more digits is taken, and the other
 // told among `others`. Sizes are checked against those of the reference's buffers.
 HandedIn readHandedIn(const std::vector<std::string>& paths, const Frame& reference, const Stop& stop);
+// The same of files in memory, each with the bytes of its name: "depth.npy".
+HandedIn readHandedIn(const std::map<std::string, std::string_view>& files, const Frame& reference);
 
 }  // namespace pipeline::foreign
