@@ -63,9 +63,14 @@ constexpr auto kScenes = std::to_array<Row>({
     {"gl_cube", ".toml", {}, {}, StageId::Shading, {"color", "intensity"}},
 });
 
+fs::path s_resources;  // empty: looked for
+
 }  // namespace
 
+void setResourceFolder(fs::path folder) { s_resources = std::move(folder); }
+
 fs::path resourceFolder() {
+    if (!s_resources.empty()) return s_resources;
     std::error_code failed;
     const fs::path program = fs::read_symlink("/proc/self/exe", failed);
     if (!failed) {

@@ -25,7 +25,9 @@ std::optional<BuiltInScene> builtInScene(std::string_view name);
 // The one whose file this is; nothing for any other.
 std::optional<BuiltInScene> builtInSceneOf(const std::filesystem::path& file);
 
-// Where resources/ is: ../share/shadescope from an installed program, else the source tree.
+// Where resources/ is: the folder that was set, else ../share/shadescope from an installed program, else the source tree.
 std::filesystem::path resourceFolder();
+// For a library, beside whose program no resources are. Once, before anything is read.
+void setResourceFolder(std::filesystem::path folder);
 
 }  // namespace pipeline
