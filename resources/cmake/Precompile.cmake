@@ -30,6 +30,7 @@ precompiled(precompiled_library
   HEADERS [["pipeline/scene/scene.h"]]
   OPTIONS project_options
   USED_BY pipeline pipeline_io pipeline_check pipeline_compare lessons lessons_state)
+position_independent(precompiled_library)
 precompiled(precompiled_cli
   HEADERS [["pipeline/run/frame.h"]] <filesystem> <CLI/CLI.hpp>
   OPTIONS app_options CLI11::CLI11
@@ -69,6 +70,7 @@ if(SHADESCOPE_TESTS)
   endfunction()
   find_package(GTest REQUIRED)
   target_precompile_headers(test_support REUSE_FROM precompiled_library)
+  position_independent(test_support)
   precompiled(precompiled_tests
     HEADERS <filesystem> <random> <gtest/gtest.h> [["pipeline/run/frame.h"]]
     OPTIONS test_options GTest::gtest
