@@ -12,6 +12,18 @@ install(DIRECTORY lessons/ DESTINATION ${CMAKE_INSTALL_DATADIR}/shadescope/lesso
 install(DIRECTORY app/web/page/ DESTINATION ${CMAKE_INSTALL_DATADIR}/shadescope/web
   FILES_MATCHING PATTERN "*.html" PATTERN "*.css" PATTERN "*.js")
 install(FILES ${PROJECT_SOURCE_DIR}/build/web/shadescope_core.wasm.gz DESTINATION ${CMAKE_INSTALL_DATADIR}/shadescope/web OPTIONAL)
+# The Python package, by itself: resources/packaging makes a wheel and a Debian package of it. It has its own scenes and
+# parts of a live page, because neither program need be there.
+if(TARGET shadescope_python)
+  install(TARGETS shadescope_python LIBRARY DESTINATION shadescope COMPONENT python EXCLUDE_FROM_ALL)
+  install(DIRECTORY app/python/shadescope DESTINATION . COMPONENT python EXCLUDE_FROM_ALL
+    FILES_MATCHING PATTERN "*.py" PATTERN py.typed)
+  install(DIRECTORY resources/scenes DESTINATION shadescope/share COMPONENT python EXCLUDE_FROM_ALL)
+  install(DIRECTORY app/web/page/ DESTINATION shadescope/share/web COMPONENT python EXCLUDE_FROM_ALL
+    FILES_MATCHING PATTERN "*.html" PATTERN "*.css" PATTERN "*.js")
+  install(FILES ${PROJECT_SOURCE_DIR}/build/web/shadescope_core.wasm.gz DESTINATION shadescope/share/web
+    COMPONENT python EXCLUDE_FROM_ALL OPTIONAL)
+endif()
 set(commands ${PROJECT_BINARY_DIR}/resources/manual)
 install(FILES ${commands}/shadescope.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME shadescope)
 install(FILES ${commands}/_shadescope DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions)
