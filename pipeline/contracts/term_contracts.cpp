@@ -28,7 +28,8 @@ std::string notAboveZero(const Scene& scene, std::size_t k) {
     return negative ? "A coefficient or an intensity is below 0." : whyNotLit(scene);
 }
 std::string noHighlightBelowZero(const Scene& scene, std::size_t k) {
-    if (scene.settings.shading == Shading::Gouraud && scene.settings.model == Model::CookTorrance)
+    // Only a power of a cosine is at most 1.
+    if (scene.settings.shading == Shading::Gouraud && modelFacts(scene.settings.model).lobe == Lobe::None)
         return "Gouraud shading interpolates highlights of any size, with weights that rounding may bring below 0.";
     return notAboveZero(scene, k);
 }
