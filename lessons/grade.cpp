@@ -9,7 +9,7 @@
 #include "lessons/misconceptions.h"
 #include "pipeline/core/printable.h"
 #include "pipeline/core/text.h"
-#include "pipeline/export/json.h"
+#include "pipeline/export/json_value.h"
 #include "pipeline/formats/scene_folder.h"
 #include "pipeline/scene/key_places.h"
 
@@ -38,10 +38,10 @@ Result<std::optional<SheetAnswers>> sheetAnswersIn(const std::string& text, cons
     SheetAnswers answers;
     try {
         const Json json = Json::parse(text);
-        if (!json.is_object() || !json.contains("sheet")) return std::optional<SheetAnswers>();
+        if (!json.find("sheet")) return std::optional<SheetAnswers>();
         if (json.at("version") != 1) return Error{{file, 0, 0}, "found answers of another version", "version 1"};
         answers.sheet = json.at("sheet").get<std::size_t>();
-        if (json.contains("draw"))
+        if (json.find("draw"))
             answers.draw = pipeline::escapedControls(json["draw"].get<std::string>().substr(0, kMostName));
         for (const auto& [question, given] : json.at("answers").items()) {
             const auto number = numberIn(question);
@@ -49,13 +49,14 @@ Result<std::optional<SheetAnswers>> sheetAnswersIn(const std::string& text, cons
                 return Error{{file, 0, 0},
                              "found the answer " + pipeline::inQuotes(question),
                              "the number of a question, from 1"};
-            if (!given.is_primitive() || given.is_null())  // a list may be nested deeper than anybody can print
+            if (given.is(Json::kStructured) ||
+                given.is(Json::kNull))  // a list may be nested deeper than anybody can print
                 return Error{{file, 0, 0},
                              "found no text and no number as the answer " + pipeline::inQuotes(question),
                              "\"0.77\" or 0.77"};
             answers.given[std::size_t(*number)] =
-                given.is_string() ? pipeline::escapedControls(given.get<std::string>().substr(0, kMostGiven))
-                                  : given.dump();
+                given.is(Json::kString) ? pipeline::escapedControls(given.get<std::string>().substr(0, kMostGiven))
+                                        : given.dump();
         }
     } catch (const std::exception& error) {
         return Error{

@@ -11,7 +11,7 @@
 #include "pipeline/core/text.h"
 #include "pipeline/core/version.h"
 #include "pipeline/export/html_text.h"
-#include "pipeline/export/json.h"
+#include "pipeline/export/json_value.h"
 #include "pipeline/export/staging.h"
 
 namespace lessons {
@@ -171,7 +171,7 @@ std::string toJson(const Graded& graded) {
                                           {"treated_by", one.treatedBy}});
     for (const pipeline::Error& one : graded.refused)
         json["refused"].push_back({{"file", pipeline::escaped(one.where.file)}, {"why", pipeline::escaped(one.found)}});
-    return json.dump(1, ' ', false, Json::error_handler_t::replace) + '\n';
+    return json.dump(1) + '\n';
 }
 
 std::string toHtml(const Graded& graded) {

@@ -18,7 +18,7 @@
 #include "pipeline/core/version.h"
 #include "pipeline/export/file_hash.h"
 #include "pipeline/export/html_text.h"
-#include "pipeline/export/json.h"
+#include "pipeline/export/json_value.h"
 #include "pipeline/formats/scene_folder.h"
 #include "pipeline/formats/toml_writer.h"
 #include "pipeline/run/runner.h"
@@ -38,7 +38,7 @@ constexpr std::string_view kCoreName = "shadescope_core.wasm.gz";
 
 // JSON for a data block: no "<" in it begins or ends an element or a comment.
 std::string blockText(const Json& json) {
-    std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace), out;
+    std::string text = json.dump(), out;
     for (const char c : text) {
         if (c == '<')
             out += "\\u003c";

@@ -6,7 +6,7 @@
 
 #include "lessons/misconceptions.h"
 #include "pipeline/core/printable.h"
-#include "pipeline/export/json.h"
+#include "pipeline/export/json_value.h"
 #include "pipeline/export/staging.h"
 #include "pipeline/formats/scene_folder.h"
 #include "pipeline/scene/key_places.h"
@@ -51,7 +51,7 @@ Result<Results> parseResults(std::string_view text, const std::string& file) {
         for (const auto& [lesson, pages] : json.at("lessons").items())
             for (const auto& [heading, progress] : pages.items())
                 results.m_lessons[lesson][heading] = progressFrom(progress);
-        for (const Json& lesson : json.value("done", Json::array()))
+        for (const Json& lesson : json["done"])
             results.m_done.push_back(pipeline::escapedControls(lesson.get<std::string>()));
     } catch (const std::exception& error) {
         return Error{

@@ -3,7 +3,7 @@
 #include <array>
 
 #include "lessons/results.h"
-#include "pipeline/export/json.h"
+#include "pipeline/export/json_value.h"
 
 namespace lessons {
 
@@ -47,7 +47,7 @@ std::string toText(const Results& results) {
     for (const auto& [lesson, pages] : results.lessons())
         for (const auto& [heading, progress] : pages) json["lessons"][lesson][heading] = toJson(progress);
     if (!results.done().empty()) json["done"] = results.done();
-    return json.dump(1, ' ', false, Json::error_handler_t::replace) + '\n';
+    return json.dump(1) + '\n';
 }
 
 }  // namespace lessons

@@ -9,7 +9,7 @@
 #include "pipeline/core/printable.h"
 #include "pipeline/export/contents.h"
 #include "pipeline/export/file_hash.h"
-#include "pipeline/export/json.h"
+#include "pipeline/export/json_value.h"
 #include "pipeline/export/publish.h"
 #include "pipeline/formats/scene_folder.h"
 #include "pipeline/scene/key_places.h"
@@ -63,7 +63,7 @@ std::string jsonOf(const Sheets& sheets, const SheetTemplate& made, const SheetO
                                   {"answers", sheet.answers},
                                   {"text", sheet.text}});
     }
-    return json.dump(1, ' ', false, Json::error_handler_t::replace) + '\n';
+    return json.dump(1) + '\n';
 }
 
 // What a student fills in and hands in.
@@ -151,8 +151,7 @@ Result<SheetKeys> readSheetKeys(const std::filesystem::path& file) {
         for (const Json& sheet : json.at("sheets")) {
             const auto number = sheet.at("sheet").get<std::size_t>();
             keys.texts[number] = sheet.at("text").get<std::string>();
-            if (sheet.contains("draw"))
-                keys.draws[number] = pipeline::escapedControls(sheet["draw"].get<std::string>());
+            if (sheet.find("draw")) keys.draws[number] = pipeline::escapedControls(sheet["draw"].get<std::string>());
         }
     } catch (const std::exception& error) {
         return Error{{file.string(), 0, 0},

@@ -151,7 +151,7 @@ void printJson(const Times& times, const BenchOptions& options) {
                               {"buffer_bytes", pipeline::bufferBytes(*times.last)},
                               {"memset_bytes_per_second", times.bandwidth},
                               {"share_of_memset", shareOfMemset(times)}};
-    say("{}\n", json.dump(2, ' ', false, pipeline::Json::error_handler_t::replace));
+    say("{}\n", json.dump(2));
 }
 
 // The scene that is named, or every built-in one.
@@ -196,7 +196,7 @@ int runLeaveOutBench(const BenchOptions& options) {
         else
             printLeaveOutRow(*times, nameWidth);
     }
-    if (options.json) say("{}\n", rows.dump(2, ' ', false, pipeline::Json::error_handler_t::replace));
+    if (options.json) say("{}\n", rows.dump(2));
     return kDone;
 }
 

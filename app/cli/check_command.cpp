@@ -80,9 +80,7 @@ void printList(const pipeline::check::Filter& filter) {
     printRows(rows);
 }
 
-void print(const pipeline::Json& json) {
-    say("{}\n", json.dump(2, ' ', false, pipeline::Json::error_handler_t::replace));
-}
+void print(const pipeline::Json& json) { say("{}\n", json.dump(2)); }
 
 void printResults(std::vector<CaseResult> results, double seconds) {
     std::ranges::stable_sort(results, {}, &CaseResult::holds);

@@ -168,7 +168,7 @@ int compareOnce(const CompareArguments& arguments, const pipeline::Scene& scene,
         }
     }
     if (arguments.json)
-        say("{}\n", reportJson(*report, status).dump(2, ' ', false, pipeline::Json::error_handler_t::replace));
+        say("{}\n", reportJson(*report, status).dump(2));
     else
         sayReport(*report);
     return status;

@@ -110,7 +110,7 @@ int printWhere(const std::shared_ptr<const pipeline::Scene>& scene, const Inspec
         for (const glm::ivec2 pixel : pixels) list.push_back({pixel.x, pixel.y});
         const pipeline::Json all{
             {"condition", condition->text}, {"count", mask->count}, {"drawn", mask->drawn}, {"pixels", list}};
-        say("{}\n", all.dump(2, ' ', false, pipeline::Json::error_handler_t::replace));
+        say("{}\n", all.dump(2));
         return kDone;
     }
     say("{} of {} pixels where something was drawn\n", mask->count, mask->drawn);
@@ -189,7 +189,7 @@ int printContracts(const std::shared_ptr<const pipeline::Scene>& scene, const In
     const auto results = checkContracts(input, pipeline::Stop(options.stop));
     if (options.stop.stop_requested()) return cancelled();
     if (options.json)
-        say("{}\n", toJson(results, input, true).dump(2, ' ', false, pipeline::Json::error_handler_t::replace));
+        say("{}\n", toJson(results, input, true).dump(2));
     else
         say("{}", contractsText(results, input));
     const bool hold = std::ranges::all_of(results, [](const auto& result) { return result.holds(); });
@@ -218,8 +218,8 @@ int printStep(const std::shared_ptr<const pipeline::Scene>& scene, const Inspect
     }
     if (options.json) {
         pipeline::Json json{{"place", there}, {"words", steps.words(moment, pipeline::StepLevel::Line)}};
-        json.update(toJson(*state));
-        say("{}\n", json.dump(2, ' ', false, pipeline::Json::error_handler_t::replace));
+        update(json, toJson(*state));
+        say("{}\n", json.dump(2));
         return kDone;
     }
     const auto format = std::ranges::find(pipeline::kAlgorithmFormats, options.format);
@@ -259,7 +259,7 @@ int runInspect(InspectOptions options) {
         return kDone;
     }
     if (options.json)
-        say("{}\n", toJson(*frame, report).dump(2, ' ', false, pipeline::Json::error_handler_t::replace));
+        say("{}\n", toJson(*frame, report).dump(2));
     else
         say("{}", toText(*frame, report));
     return kDone;

@@ -16,7 +16,7 @@
 #include "lessons/library.h"
 #include "lessons/results.h"
 #include "pipeline/core/text.h"
-#include "pipeline/export/json.h"
+#include "pipeline/export/json_value.h"
 
 namespace app {
 
@@ -24,7 +24,7 @@ namespace {
 
 using pipeline::Json;
 
-void printJson(const Json& json) { say("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace)); }
+void printJson(const Json& json) { say("{}\n", json.dump(2)); }
 
 int listLessons(bool json) {
     const lessons::Library library = lessons::allLessons();
@@ -86,14 +86,13 @@ Json pageJson(const lessons::Page& page, const lessons::PageFrames& frames, pipe
 void printPages(const lessons::Lesson& lesson, const Json& pages, bool answers) {
     say("# {}\n\n{}\n", lesson.title, lesson.summary);
     for (const Json& page : pages) {
-        say("\n## {}\n\n{}\n", page["heading"].get<std::string>(), page["text"].get<std::string>());
+        say("\n## {}\n\n{}\n", page["heading"].text(), page["text"].text());
         const Json& question = page["question"];
-        if (!question.is_null()) say("\n{}\n", question["text"].get<std::string>());
-        if (question.contains("options"))
-            for (const Json& option : question["options"]) say("\n- {}\n", option.get<std::string>());
+        if (!question.is(Json::kNull)) say("\n{}\n", question["text"].text());
+        for (const Json& option : question["options"]) say("\n- {}\n", option.text());
         if (!answers) continue;
-        if (!question.is_null()) say("\n**Answer**\n\n{}\n", question["works"].get<std::string>());
-        if (!page["then"].is_null()) say("\n{}\n", page["then"]["text"].get<std::string>());
+        if (!question.is(Json::kNull)) say("\n**Answer**\n\n{}\n", question["works"].text());
+        if (!page["then"].is(Json::kNull)) say("\n{}\n", page["then"]["text"].text());
     }
 }
 

@@ -108,7 +108,7 @@ void printPlanAsJson(const pipeline::Scene& scene, const pipeline::Plan& plan, c
             json["plan"][index(stage)]["counts"] = frame->run(stage).counts;
             json["plan"][index(stage)]["tallies"] = toJson(frame->run(stage).tallies);
         }
-    say("{}\n", json.dump(2, ' ', false, pipeline::Json::error_handler_t::replace));
+    say("{}\n", json.dump(2));
 }
 
 // The frame up to its polygons' verdicts, which say why nothing would be seen; null where it does not fit into memory.

@@ -67,7 +67,7 @@ QString CheckPanel::report() const {
     for (const auto& result : m_results)
         if (result) results.push_back(*result);
     const pipeline::Json json = toJson(results, m_seconds);
-    return toQString(json.dump(2, ' ', false, pipeline::Json::error_handler_t::replace));
+    return toQString(json.dump(2));
 }
 
 }  // namespace app

@@ -71,9 +71,7 @@ void MathView::setBaseSize(double logicalPixels) {
 QString MathView::asText() const { return written(m_lines, pipeline::EquationFormat::Text).trimmed(); }
 QString MathView::asMarkdown() const { return written(m_lines, pipeline::EquationFormat::Markdown); }
 QString MathView::asLatex() const { return written(m_lines, pipeline::EquationFormat::Latex); }
-QString MathView::asJson() const {
-    return toQString(pipeline::toJson(m_lines).dump(2, ' ', false, pipeline::Json::error_handler_t::replace));
-}
+QString MathView::asJson() const { return toQString(pipeline::toJson(m_lines).dump(2)); }
 
 int MathView::heightForWidth(int width) const { return int(std::ceil(pageAt(width).height)); }
 

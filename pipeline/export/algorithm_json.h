@@ -1,5 +1,5 @@
 #pragma once
-#include "pipeline/export/json.h"
+#include "pipeline/export/json_value.h"
 #include "pipeline/steps/algorithm.h"
 
 namespace pipeline {

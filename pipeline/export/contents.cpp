@@ -21,11 +21,9 @@ constexpr const char* kContents = "contents";
 // Calls visit(name, entry) for each file that the index lists by a plain name.
 template <class Visit>
 void forEachFile(const Json& index, Visit visit) {
-    if (!index.is_object() || !index.contains(kContents) || !index[kContents].is_array()) return;
+    if (!index[kContents].is(Json::kArray)) return;
     for (const Json& entry : index[kContents]) {
-        const Json name = entry.is_object() ? entry.value("file", Json()) : Json();
-        if (!name.is_string()) continue;
-        const fs::path file = name.get<std::string>();
+        const fs::path file = entry["file"].text();
         if (file.has_filename() && file == file.filename()) visit(file.string(), entry);
     }
 }
@@ -34,15 +32,13 @@ void forEachFile(const Json& index, Visit visit) {
 std::string hashIn(const Json& index, const std::string& name) {
     std::string hash;
     forEachFile(index, [&](const std::string& listed, const Json& entry) {
-        if (listed == name && entry.value("sha256", Json()).is_string()) hash = entry["sha256"].get<std::string>();
+        if (listed == name && entry["sha256"].is(Json::kString)) hash = entry["sha256"].text();
     });
     return hash;
 }
 
 // A name with bytes that are no UTF-8 is listed as it can be.
-std::string listed(const std::string& name) {
-    return Json::parse(Json(name).dump(-1, ' ', false, Json::error_handler_t::replace)).get<std::string>();
-}
+std::string listed(const std::string& name) { return Json::parse(Json(name).dump()).text(); }
 
 Json fileEntry(const std::string& name, std::uintmax_t bytes, const std::optional<std::string>& hash) {
     return {{"file", listed(name)}, {"bytes", bytes}, {"sha256", hash.value_or("")}};
@@ -66,14 +62,10 @@ Json contentsOf(const std::vector<std::pair<std::string, std::string>>& files) {
 }
 
 Json readIndex(const fs::path& folder, const std::string& index) {
-    constexpr int kLevels = 16;
+    constexpr std::size_t kLevels = 16;
     const Result<std::string> text = readOwnFile(folder / index);
     if (!text) return {};
-    const auto keep = [](int depth, Json::parse_event_t event, const Json& parsed) {
-        return depth < kLevels && !(event == Json::parse_event_t::key && depth == 1 && parsed == "settings");
-    };
-    Json found = Json::parse(*text, keep, false);
-    return found.is_discarded() ? Json() : found;
+    return Json::read(*text, {kLevels, "settings"}).value_or(Json());
 }
 
 std::vector<std::string> namesIn(const Json& index) {
@@ -84,19 +76,18 @@ std::vector<std::string> namesIn(const Json& index) {
 
 std::string whyInDoubt(const fs::path& folder, const std::string& index, const Json& found) {
     std::error_code ignored;
-    if (found.is_null()) {
+    if (found.is(Json::kNull)) {
         if (fs::exists(folder / unfinishedName(index), ignored))
             return fmt::format("{} is missing: the run before was ended by force", index);
         return fs::exists(folder / index, ignored) ? index + " cannot be read" : std::string();
     }
-    if (!found.is_object() || !found.contains(kContents)) return index + " does not list what its files hold";
+    if (!found.find(kContents)) return index + " does not list what its files hold";
     std::string why;
     forEachFile(found, [&](const std::string& name, const Json& entry) {
         if (!why.empty() || !fs::exists(folder / name, ignored)) return;
         // A stranger's folder may hold a pipe, which is never read to its end.
-        if (!fs::is_regular_file(folder / name, ignored) ||
-            entry.value("bytes", Json()) != fs::file_size(folder / name, ignored) ||
-            entry.value("sha256", Json()) != sha256(folder / name).value_or("-"))
+        if (!fs::is_regular_file(folder / name, ignored) || entry["bytes"] != fs::file_size(folder / name, ignored) ||
+            entry["sha256"] != sha256(folder / name).value_or("-"))
             why = fmt::format("{} is not as {} has it", name, index);
     });
     return why;
@@ -118,9 +109,7 @@ bool isMarkedPage(const fs::path& page) {
 }
 
 bool isMarkedIndex(const Json& index) {
-    const Json::json_pointer program("/program/name"), format("/format");
-    return index.is_object() && ((index.contains(program) && index[program] == "Shadescope") ||
-                                 (index.contains(format) && index[format] == "shadescope study"));
+    return index["program"]["name"] == "Shadescope" || index["format"] == "shadescope study";
 }
 
 }  // namespace
@@ -132,7 +121,7 @@ Errors whyNotReplaced(const fs::path& folder, const std::vector<std::string>& na
     const bool isOurs = isPage ? isMarkedPage(folder / index) : isMarkedIndex(found);
     std::vector<std::string> onTheirWay = namesIn(readIndex(folder, unfinishedName(index)));
     const std::vector<std::string> listed = namesIn(found);
-    const bool lists = found.is_object() && found.contains(kContents);
+    const bool lists = found.find(kContents) != nullptr;
     const auto has = [](const std::vector<std::string>& all, const std::string& name) {
         return std::ranges::find(all, name) != all.end();
     };

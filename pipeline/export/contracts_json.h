@@ -2,7 +2,7 @@
 #include <span>
 
 #include "pipeline/contracts/contract.h"
-#include "pipeline/export/json.h"
+#include "pipeline/export/json_value.h"
 
 namespace pipeline {
 

@@ -203,7 +203,7 @@ Result<ExportSummary> exportFrame(const Frame& frame, const ExportRequest& reque
         summary.removed = old;
     ByteFile out(staging.folder() / kManifest);
     // Replacing what is not UTF-8: a file's name may hold any bytes.
-    out.write(all.dump(2, ' ', false, Json::error_handler_t::replace) + '\n');
+    out.write(all.dump(2) + '\n');
     const auto bytes = out.close();
     if (!bytes) return inFolder(bytes.errors(), request.folder);
     summary.files.push_back(kManifest);

@@ -124,7 +124,7 @@ std::string filmText(const Steps& steps, const FilmRequest& request, const std::
                     {"by", name(request.level)},
                     {"places", places},
                     {"contents", contentsOf(folder, names)}};
-    return film.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+    return film.dump(2) + '\n';
 }
 
 // The pictures of the film before that the new one does not write.

@@ -103,11 +103,8 @@ Json toJson(const std::vector<Tally>& tallies) {
 
 Json settingsToJson(const Scene& scene) {
     Json settings = Json::object();
-    auto& members =
-        settings.get_ref<Json::object_t&>();  // each key once: to look for it takes as long as there are keys
     for (const SettingRef& ref : settingsOf(scene)) {
-        members.push_back({ref.key(), Json()});
-        Json& value = members.back().second;
+        Json& value = settings.add(ref.key(), {});  // each key once: to look for it takes as long as there are keys
         switch (ref.setting->kind) {
             case SettingKind::Number: value = ref.get(scene); break;
             case SettingKind::Integer: value = static_cast<long>(ref.get(scene)); break;
@@ -162,29 +159,29 @@ Json toJson(const Frame& frame, const PixelReport& report) {
         Json evaluations = Json::array(), weights = Json::array();
         for (const auto& [vertex, weight] : report.weights) weights.push_back({{"vertex", vertex}, {"weight", weight}});
         for (const Evaluation& evaluation : report.evaluations) evaluations.push_back(evaluationToJson(evaluation));
-        json.update({{"object", report.object},
-                     {"polygon", report.polygon},
-                     {"defined_at", placeToJson(definedAt(frame, report.polygon))},
-                     {"vertices", report.vertices},
-                     {"barycentric", toJson(report.barycentric)},
-                     {"interpolation", report.interpolation},
-                     {"weights", weights},
-                     {"position", toJson(report.position)},
-                     {"z_view", report.zView},
-                     {"depth", report.depth},
-                     {"shadow", report.shadow},
-                     {"shadow_places", report.shadowPlaces},
-                     {"ambient", toJson(report.ambient)},
-                     {"diffuse", vectorsToJson(report.diffuse)},
-                     {"specular", vectorsToJson(report.specular)},
-                     {"emission", toJson(report.emission)},
-                     {"opaque", toJson(report.intensity)},
-                     {"i_max", report.iMax},
-                     {"evaluations", evaluations},
-                     {"equation",
-                      {{"r", toJson(equation(frame.scene(), report, 0))},
-                       {"g", toJson(equation(frame.scene(), report, 1))},
-                       {"b", toJson(equation(frame.scene(), report, 2))}}}});
+        update(json, {{"object", report.object},
+                      {"polygon", report.polygon},
+                      {"defined_at", placeToJson(definedAt(frame, report.polygon))},
+                      {"vertices", report.vertices},
+                      {"barycentric", toJson(report.barycentric)},
+                      {"interpolation", report.interpolation},
+                      {"weights", weights},
+                      {"position", toJson(report.position)},
+                      {"z_view", report.zView},
+                      {"depth", report.depth},
+                      {"shadow", report.shadow},
+                      {"shadow_places", report.shadowPlaces},
+                      {"ambient", toJson(report.ambient)},
+                      {"diffuse", vectorsToJson(report.diffuse)},
+                      {"specular", vectorsToJson(report.specular)},
+                      {"emission", toJson(report.emission)},
+                      {"opaque", toJson(report.intensity)},
+                      {"i_max", report.iMax},
+                      {"evaluations", evaluations},
+                      {"equation",
+                       {{"r", toJson(equation(frame.scene(), report, 0))},
+                        {"g", toJson(equation(frame.scene(), report, 1))},
+                        {"b", toJson(equation(frame.scene(), report, 2))}}}});
     }
     Json layers = Json::array();
     for (const LayerReport& layer : report.layers)

@@ -1,15 +1,10 @@
 #pragma once
-#include <nlohmann/json.hpp>
-
+#include "pipeline/export/json_value.h"
 #include "pipeline/inspect/pixel_report.h"
 #include "pipeline/inspect/scanline.h"
 #include "pipeline/run/frame.h"
 
 namespace pipeline {
-
-// Members stand in the order in which they are written. Numbers that JSON has no text for
-// (infinities, NaN) become null.
-using Json = nlohmann::ordered_json;
 
 // One object a stage: stage, action, why, rule, and its parts: part, action, why, saves, rule.
 Json toJson(const Plan& plan);

@@ -103,10 +103,10 @@ Json manifest(const Frame& frame, const std::vector<BufferName>& asked, const st
              {"absent", absent(frame, asked)},
              {"files", files},
              {"views", views}};
-    if (!derived.empty()) all["derived"] = std::move(derived);
+    if (!derived.elements().empty()) all["derived"] = std::move(derived);
     if (!at.empty()) all["at"] = at;
     const Json ofFrame{all["program"], all["scene"], all["settings"], at};
-    all["frame"] = sha256Of(ofFrame.dump(-1, ' ', false, Json::error_handler_t::replace));
+    all["frame"] = sha256Of(ofFrame.dump());
     return all;
 }
 
@@ -115,15 +115,11 @@ namespace {
 // Whatever is not as a manifest has it is passed over.
 template <class Visit>
 void forEach(const Json& json, const char* key, Visit visit) {
-    if (json.is_object() && json.contains(key) && json[key].is_array()) std::ranges::for_each(json[key], visit);
-}
-std::string textAt(const Json& json, const char* key) {
-    return json.is_object() && json.contains(key) && json[key].is_string() ? json[key].get<std::string>()
-                                                                           : std::string();
+    if (json[key].is(Json::kArray)) std::ranges::for_each(json[key], visit);
 }
 Json* entryOf(Json& buffers, const std::string& name) {
-    const auto found = std::ranges::find(buffers, name, [](const Json& one) { return textAt(one, "name"); });
-    return found == buffers.end() ? nullptr : &*found;
+    const auto found = std::ranges::find(buffers, name, [](const Json& one) { return one["name"].text(); });
+    return found == end(buffers) ? nullptr : found;
 }
 
 constexpr std::array kBufferLists{"buffers", "derived"};
@@ -132,9 +128,9 @@ constexpr std::array kBufferLists{"buffers", "derived"};
 bool tellsChanges(const Json& scene) {
     bool tells = true;
     forEach(scene, "objects", [&](const Json& object) {
-        if (!object.is_object() || !object.contains("file")) return;
-        const std::string file = textAt(object, "file");
-        tells = tells && object.value("sha256", Json()).is_string() &&
+        if (!object.find("file")) return;
+        const std::string file = object["file"].text();
+        tells = tells && object["sha256"].is(Json::kString) &&
                 !sameLetters(file.substr(file.find_last_of('.') + 1), "gltf");
     });
     return tells;
@@ -156,49 +152,50 @@ std::vector<std::string> filesNamedBy(const Json& manifest) {
         if (file.has_filename() && file == file.filename() && isWritten(name)) names.insert(name);
     };
     const auto addFiles = [&](const Json& json) {
-        forEach(json, "files", [&](const Json& file) { add(textAt(file, "file")); });
+        forEach(json, "files", [&](const Json& file) { add(file["file"].text()); });
     };
-    const Json::json_pointer program("/program/name");
-    if (!manifest.contains(program) || manifest[program] != "Shadescope") return {};
+    if (manifest["program"]["name"] != "Shadescope") return {};
     for (const char* buffers : kBufferLists) forEach(manifest, buffers, addFiles);
     addFiles(manifest);
-    forEach(manifest, "views", [&](const Json& view) { add(view.is_string() ? view.get<std::string>() : ""); });
+    forEach(manifest, "views", [&](const Json& view) { add(view.text()); });
     return {names.begin(), names.end()};
 }
 
 bool areOfOneFrame(const Json& a, const Json& b) {
-    const std::string frame = textAt(a, "frame");
-    return !frame.empty() && frame == textAt(b, "frame") && tellsChanges(b.at("scene"));
+    const std::string frame = a["frame"].text();
+    return !frame.empty() && frame == b["frame"].text() && tellsChanges(b["scene"]);
 }
 
 void addEarlier(const Json& earlier, const std::vector<std::string>& staying, Json& manifest) {
     const auto stays = [&](const std::string& file) { return std::ranges::find(staying, file) != staying.end(); };
     const auto addFiles = [&](const Json& from, Json& to) {
         forEach(from, "files", [&](const Json& file) {
-            if (stays(textAt(file, "file"))) to.push_back(file);
+            if (stays(file["file"].text())) to.push_back(file);
         });
     };
     for (const char* list : kBufferLists)
         forEach(earlier, list, [&](const Json& buffer) {
             Json files = Json::array();
             addFiles(buffer, files);
-            if (files.empty()) return;
-            Json* entry = manifest.contains(list) ? entryOf(manifest[list], textAt(buffer, "name")) : nullptr;
+            if (files.elements().empty()) return;
+            Json* entry = manifest.find(list) ? entryOf(manifest[list], buffer["name"].text()) : nullptr;
             if (!entry) {
-                entry = &manifest[list].emplace_back(buffer);
+                entry = &manifest[list].push_back(buffer);
                 (*entry)["files"] = Json::array();
             }
             for (Json& file : files) (*entry)["files"].push_back(std::move(file));
         });
     addFiles(earlier, manifest["files"]);
     forEach(earlier, "contents", [&](const Json& file) {
-        if (stays(textAt(file, "file"))) manifest["contents"].push_back(file);
+        if (stays(file["file"].text())) manifest["contents"].push_back(file);
     });
     forEach(earlier, "views", [&](const Json& view) {
-        if (view.is_string() && stays(view.get<std::string>())) manifest["views"].push_back(view);
+        if (view.is(Json::kString) && stays(view.text())) manifest["views"].push_back(view);
     });
-    std::erase_if(manifest["absent"].get_ref<Json::array_t&>(),
-                  [&](const Json& one) { return entryOf(manifest["buffers"], textAt(one, "name")) != nullptr; });
+    Json absent = Json::array();
+    for (const Json& one : manifest["absent"])
+        if (!entryOf(manifest["buffers"], one["name"].text())) absent.push_back(one);
+    manifest["absent"] = std::move(absent);
 }
 
 }  // namespace pipeline

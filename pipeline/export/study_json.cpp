@@ -80,9 +80,9 @@ Json toJson(const StudyReport& report) {
 std::string studyFileText(const StudyReport& report, const Json& contents) {
     std::string text = "{\n";
     Json head = headJson(report);
-    if (!contents.is_null()) head["contents"] = contents;
+    if (!contents.is(Json::kNull)) head["contents"] = contents;
     // Replacing what is not UTF-8: a file's name may hold any bytes.
-    const auto dumped = [](const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); };
+    const auto dumped = [](const Json& json) { return json.dump(); };
     for (const auto& [key, value] : head.items()) text += dumped(Json(key)) + ": " + dumped(value) + ",\n";
     text += "\"points\": [";
     for (const StudyPoint& point : report.points) {

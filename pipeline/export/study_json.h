@@ -4,7 +4,7 @@
 
 #include "pipeline/core/result.h"
 #include "pipeline/core/stop.h"
-#include "pipeline/export/json.h"
+#include "pipeline/export/json_value.h"
 #include "pipeline/study/study.h"
 
 namespace pipeline {

@@ -8,7 +8,6 @@
 #include "pipeline/export/study_json.h"
 #include "pipeline/formats/json_error.h"
 #include "pipeline/formats/read_progress.h"
-#include "pipeline/formats/stoppable_text.h"
 #include "pipeline/study/sweep.h"
 
 namespace pipeline {
@@ -27,50 +26,49 @@ public:
 
     Value operator[](std::string_view key) const {
         if (!m_json) return inner(nullptr, key);
-        if (!m_json->is_object()) {
+        if (!m_json->is(Json::kObject)) {
             refuse("an object");
             return inner(nullptr, key);
         }
-        const auto member = m_json->find(std::string(key));
-        if (member != m_json->end()) return inner(&*member, key);
+        if (const Json* const member = m_json->find(key)) return inner(member, key);
         report(fmt::format("{}/{} is missing", m_pointer, key), {});
         return inner(nullptr, key);
     }
 
-    bool has(std::string_view key) const { return m_json && m_json->is_object() && m_json->contains(key); }
+    bool has(std::string_view key) const { return m_json && m_json->find(key); }
 
     void eachElement(const auto& visit) const {
         if (!m_json) return;
-        if (!m_json->is_array()) return refuse("an array");
-        for (std::size_t i = 0; i < m_json->size(); ++i) visit(inner(&(*m_json)[i], std::to_string(i)));
+        if (!m_json->is(Json::kArray)) return refuse("an array");
+        for (std::size_t i = 0; i < m_json->elements().size(); ++i) visit(inner(&(*m_json)[i], std::to_string(i)));
     }
 
     void eachMember(const auto& visit) const {
         if (!m_json) return;
-        if (!m_json->is_object()) return refuse("an object");
+        if (!m_json->is(Json::kObject)) return refuse("an object");
         for (const auto& [key, member] : m_json->items()) visit(escaped(key), inner(&member, key));
     }
 
     // Tables, plots and pages show it: what cannot be shown is escaped.
     std::string text() const {
-        if (m_json && m_json->is_string()) return escaped(m_json->get_ref<const std::string&>());
+        if (m_json && m_json->is(Json::kString)) return escaped(m_json->text());
         refuse("a text");
         return {};
     }
 
     double number(double min = std::numeric_limits<double>::lowest()) const {
-        if (m_json && m_json->is_number() && m_json->get<double>() >= min) return m_json->get<double>();
+        if (m_json && m_json->is(Json::kNumber) && m_json->get<double>() >= min) return m_json->get<double>();
         refuse(min >= 0 ? fmt::format("a number from {}", min) : "a number");
         return 0;
     }
 
     std::optional<double> numberOrNull(double min = std::numeric_limits<double>::lowest()) const {
-        if (m_json && m_json->is_null()) return std::nullopt;
+        if (m_json && m_json->is(Json::kNull)) return std::nullopt;
         return number(min);
     }
 
     long long whole(long long min, double max = kMost) const {
-        if (m_json && m_json->is_number_integer()) {
+        if (m_json && m_json->is(Json::kWhole)) {
             const auto value = m_json->get<double>();  // whatever its sign and size
             if (value >= static_cast<double>(min) && value <= max) return m_json->get<long long>();
         }
@@ -86,16 +84,17 @@ public:
 
     StageId stage() const {
         const std::optional<StageId> found = findStage(text());
-        if (!found && m_json && m_json->is_string()) refuse("the name of a stage");
+        if (!found && m_json && m_json->is(Json::kString)) refuse("the name of a stage");
         return found.value_or(StageId::Transform);
     }
 
     // "POINTER is VALUE, expected …". Nothing of a value that is not there: that has been said.
     void refuse(std::string expected) const {
         if (!m_json) return;
-        const std::string shown = m_json->is_structured() ? std::string(m_json->is_array() ? "an array" : "an object")
-                                  : m_json->is_string()   ? inQuotes(m_json->get_ref<const std::string&>())
-                                                          : m_json->dump();
+        const std::string shown = m_json->is(Json::kStructured)
+                                      ? std::string(m_json->is(Json::kArray) ? "an array" : "an object")
+                                  : m_json->is(Json::kString) ? inQuotes(m_json->text())
+                                                              : m_json->dump();
         report(fmt::format("{} is {}", m_pointer.empty() ? "the file" : m_pointer, shown), std::move(expected));
     }
 
@@ -220,16 +219,15 @@ void checkPoint(const Value& value, const StudyReport& report) {
 
 Result<StudyReport> studyFromJson(std::string_view text, const std::string& file, const Stop& stop) {
     StopCheck check(stop);
-    const Json json = Json::parse(StoppableIterator(text.data(), &check),
-                                  StoppableIterator(text.data() + text.size(), &check), nullptr, false);
+    const std::optional<Json> json = Json::read(text, {}, stop);
     if (stop.stop_requested()) return readingStopped(file);
-    if (json.is_discarded()) {
+    if (!json) {
         const TextPosition place = positionOf(text, jsonErrorAt(text, stop));
         return Error{{file, place.line, place.column}, "this is not JSON", "a study that the program wrote"};
     }
     Errors errors;
-    const Value root(&json, {}, file, errors);
-    if (!json.is_object() || root["format"].text() != "shadescope study")
+    const Value root(&*json, {}, file, errors);
+    if (!json->is(Json::kObject) || root["format"].text() != "shadescope study")
         return Error{{file}, "this is no study", "a study that the program wrote"};
     if (const Value version = root["format_version"]; version.whole(0) != 1) version.refuse("1");
     if (!errors.empty()) return errors;

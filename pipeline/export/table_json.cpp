@@ -5,12 +5,12 @@
 #include <cmath>
 #include <type_traits>
 
-#include "pipeline/export/json.h"
+#include "pipeline/export/json_value.h"
 
 namespace pipeline {
 namespace {
 
-std::string textOf(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+std::string textOf(const Json& json) { return json.dump(); }
 
 // A float keeps its own few digits: as a double it would get those of its error.
 std::string textOf(const Cell& cell) {

@@ -44,6 +44,7 @@ function(compiled_together files)
 endfunction()
 compiled_together(8 pipeline pipeline_check pipeline_compare lessons_state)
 compiled_together(10 pipeline_io app_cli)
+compiled_together(11 lessons)
 # But not what a frame's time goes into: how much of a function is put into another depends on what stands beside it.
 # Nor tables, whose columns have names of a letter, and rays.
 get_target_property(alone pipeline SOURCES)

@@ -20,7 +20,7 @@
 #include "app/panels/check_plot.h"
 #include "app/panels/folding_panes.h"
 #include "app/panels/value_slider.h"
-#include "pipeline/export/json.h"
+#include "pipeline/export/json_value.h"
 #include "pipeline/scene/settings_table.h"
 #include "tests/app/small_screen.h"
 
@@ -146,7 +146,7 @@ TEST_F(CheckPanelTest, RunsOneCase) {
     EXPECT_TRUE(part<QLabel>("checkVerdict").text().startsWith("● holds"));
     part<QPushButton>("checkCopy").click();
     const auto json = pipeline::Json::parse(QApplication::clipboard()->text().toStdString());
-    ASSERT_EQ(json["results"].size(), 1u);
+    ASSERT_EQ(json["results"].elements().size(), 1u);
     EXPECT_EQ(json["results"][0]["case"], "G1");
     EXPECT_EQ(json["results"][0]["holds"], true);
     EXPECT_EQ(json["hold"], 1);

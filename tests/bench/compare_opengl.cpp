@@ -12,7 +12,7 @@
 
 #include "pipeline/core/memory.h"
 #include "pipeline/core/text.h"
-#include "pipeline/export/json.h"
+#include "pipeline/export/json_value.h"
 #include "pipeline/run/runner.h"
 #include "pipeline/study/memory_share.h"
 #include "tests/bench/gl_scene.h"
@@ -200,9 +200,7 @@ Json inChild(const Point& point, const Options& options) {
     for (ssize_t n; (n = read(ends[0], buffer.data(), buffer.size())) > 0;) text.append(buffer.data(), std::size_t(n));
     close(ends[0]);
     waitpid(child, nullptr, 0);
-    Json json = Json::parse(text, nullptr, false);
-    if (json.is_discarded()) return {{"error", "the process that measures ended early"}};
-    return json;
+    return Json::read(text).value_or(Json{{"error", "the process that measures ended early"}});
 }
 
 std::string ratioText(const Json& ratio) {
@@ -261,7 +259,7 @@ int run(const Options& options) {
             for (const int threads : {1, 2}) {
                 if (options.threads != 0 && options.threads != threads) continue;
                 const Json row = inChild({workload, part, threads}, options);
-                if (row.contains("error")) {
+                if (row.find("error")) {
                     fmt::print(stderr, "{}, {}, {}: {}\n", workload.name, name(part, workload),
                                pipeline::plural(threads, "thread"), row["error"].get<std::string>());
                     if (!options.model.empty()) return 1;  // nothing else can be drawn of it either

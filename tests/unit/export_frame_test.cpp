@@ -32,7 +32,7 @@ std::vector<std::string> filesOf(const Json& manifest, const std::string& buffer
     std::vector<std::string> names;
     for (const Json& one : manifest["buffers"])
         if (one["name"] == buffer)
-            for (const Json& file : one["files"]) names.push_back(file["file"]);
+            for (const Json& file : one["files"]) names.push_back(file["file"].text());
     return names;
 }
 
@@ -50,10 +50,10 @@ TEST(ExportFrame, AddsToAnExportOfTheSameFrame) {
     exported(BufferId::Color, {"npy"});
     exported(BufferId::Depth, {"csv"});
     const Json manifest = manifestIn(out);
-    EXPECT_EQ(manifest["buffers"].size(), 2u);
+    EXPECT_EQ(manifest["buffers"].elements().size(), 2u);
     EXPECT_EQ(filesOf(manifest, "depth"), (std::vector<std::string>{"depth.csv", "depth.npy"}));
     EXPECT_EQ(filesOf(manifest, "color"), std::vector<std::string>{"color.npy"});
-    EXPECT_EQ(manifest["files"].size(), 1u);
+    EXPECT_EQ(manifest["files"].elements().size(), 1u);
     // One that somebody has taken away is not spoken of any more.
     fs::remove(out / "color.npy");
     exported(BufferId::Depth, {"npy"});
@@ -94,8 +94,10 @@ TEST(ExportFrame, ReplacesAnExportWhoseFilesAreNotThoseOfItsManifestAndSaysSo) {
               "color.npy is not as manifest.json has it");
     // One of an earlier version.
     EXPECT_EQ(changed([&](const fs::path& out) {
-                  Json manifest = manifestIn(out);
-                  manifest.erase("contents");
+                  const Json whole = manifestIn(out);
+                  Json manifest = Json::object();
+                  for (const auto& [key, value] : whole.items())
+                      if (key != "contents") manifest[key] = value;
                   test::writeText(out / "manifest.json", manifest.dump());
               }),
               "manifest.json does not list what its files hold");
@@ -289,10 +291,10 @@ TEST(ExportFrame, ManifestDescribesEveryBuffer) {
     EXPECT_EQ(manifest["settings"]["width"], 64);
     EXPECT_EQ(manifest["settings"]["shading"], "flat");
     EXPECT_EQ(manifest["settings"]["light.0.shadow"], true);
-    EXPECT_EQ(manifest["plan"].size(), kStageCount);
+    EXPECT_EQ(manifest["plan"].elements().size(), kStageCount);
     EXPECT_EQ(manifest["plan"][3]["action"], "left out");
     EXPECT_EQ(manifest["plan"][3]["why"], "The only object is convex: it cannot shadow itself.");
-    EXPECT_EQ(manifest["stages"].size(), kStageCount);
+    EXPECT_EQ(manifest["stages"].elements().size(), kStageCount);
     EXPECT_EQ(manifest["verdicts"][1]["verdict"], "back-facing");
 
     const test::Npy verdicts = test::readNpy(folder / "out/polygons.verdict.npy");
@@ -393,7 +395,7 @@ TEST(Json, HoldsAWholePixelReport) {
     EXPECT_EQ(Json::parse(json.dump())["fragments"][0]["stored"], nullptr);
     const Json background = toJson(*frame, inspectPixel(*frame, {0, 0}));
     EXPECT_EQ(background["covered"], false);
-    EXPECT_FALSE(background.contains("polygon"));
+    EXPECT_FALSE(background.find("polygon"));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <sstream>
 
 #include "tests/support/studies.h"
 
@@ -19,7 +20,11 @@ std::string errorsOf(std::string_view text) {
 // The sphere's study with one value replaced, given by its JSON pointer.
 std::string errorsWith(const char* pointer, const Json& value) {
     Json json = toJson(sphereStudy());
-    json[Json::json_pointer(pointer)] = value;
+    Json* at = &json;
+    std::istringstream tokens(pointer + 1);  // behind the first slash
+    for (std::string token; std::getline(tokens, token, '/');)
+        at = &(at->is(Json::kArray) ? (*at)[std::stoul(token)] : (*at)[token]);
+    *at = value;
     return errorsOf(json.dump());
 }
 
@@ -65,7 +70,7 @@ TEST(StudyJson, WhatIsNotFiniteBecomesNull) {
     report.points[0].errors[0].value[0] = std::numeric_limits<double>::infinity();
     report.errorBars[0].value[0] = std::numeric_limits<double>::infinity();
     const Json json = toJson(report);
-    EXPECT_TRUE(json["points"][0]["errors"][0]["model"].is_null());
+    EXPECT_TRUE(json["points"][0]["errors"][0]["model"].is(Json::kNull));
     const Result<StudyReport> read = studyFromJson(json.dump(), "study.json");
     ASSERT_TRUE(read) << format(read.errors());
     EXPECT_FALSE(read->points[0].errors[0].value[0]);
@@ -96,7 +101,10 @@ TEST(StudyJson, NamesTheValueThatIsWrong) {
 
 TEST(StudyJson, NamesWhatIsMissingOnce) {
     Json json = toJson(sphereStudy());
-    json["points"][2].erase("frame");
+    Json point = Json::object();
+    for (const auto& [key, value] : json["points"][2].items())
+        if (key != "frame") point[key] = value;
+    json["points"][2] = point;
     EXPECT_EQ(errorsOf(json.dump()), "study.json: /points/2/frame is missing");
 }
 

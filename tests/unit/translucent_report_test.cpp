@@ -54,7 +54,7 @@ TEST(LayerReport, TellsEachLayerFromTheFarthest) {
     EXPECT_NE(text.find("= 0.3750·80.000 + 15.000 = 45.000"), std::string::npos) << text;
     EXPECT_NE(text.find("FB_r = round(255·C_r/I_max) = round(255·45.000/80) = 143"), std::string::npos) << text;
     const Json json = toJson(*frame, r);
-    EXPECT_EQ(json["layers"].size(), 2u);
+    EXPECT_EQ(json["layers"].elements().size(), 2u);
     EXPECT_EQ(json["layers"][0]["alpha"], 0.25);
     EXPECT_NEAR(json["intensity"][0].get<double>(), 45, 1e-12) << "as its buffer";
     EXPECT_NEAR(json["opaque"][0].get<double>(), 80, 1e-12);

@@ -20,7 +20,7 @@ LiveCore& core() {
 std::string_view textAt(const char* start, int size) { return {start, std::size_t(size)}; }
 
 int give(const Json& json) {
-    s_answer = json.dump(-1, ' ', false, Json::error_handler_t::replace);
+    s_answer = json.dump();
     return 1;
 }
 

@@ -123,10 +123,10 @@ Json viewsJson(const lessons::WindowState& window) {
                   {"zoom", view.zoom ? Json{view.zoom->factor, view.zoom->center[0], view.zoom->center[1]} : Json()},
                   {"against", ""}};
         if (view.compared && view.compared->with.starts_with(kSetting))
-            json.update({{"against", view.compared->with.substr(kSetting.size())},
-                         {"mode", view.compared->mode},
-                         {"wipe", view.compared->wipe},
-                         {"metric", view.compared->metric}});
+            update(json, {{"against", view.compared->with.substr(kSetting.size())},
+                          {"mode", view.compared->mode},
+                          {"wipe", view.compared->wipe},
+                          {"metric", view.compared->metric}});
         views.push_back(std::move(json));
     }
     return views;
@@ -200,20 +200,20 @@ int givePage() {
 }
 
 std::optional<double> numberAt(const Json& json, const char* key) {
-    return json.contains(key) && json[key].is_number() ? std::optional(json[key].get<double>()) : std::nullopt;
+    return json[key].is(Json::kNumber) ? std::optional(json[key].get<double>()) : std::nullopt;
 }
 
 lessons::Given givenIn(const Json& json) {
-    if (json.contains("typed") && json["typed"].is_string()) return lessons::Typed{json["typed"].get<std::string>()};
+    if (json["typed"].is(Json::kString)) return lessons::Typed{json["typed"].text()};
     const auto indicesIn = [](const Json& list) {
         std::vector<std::size_t> indices;
         for (const Json& one : list)
-            if (one.is_number_unsigned()) indices.push_back(one.get<std::size_t>());
+            if (one.is(Json::kUnsigned)) indices.push_back(one.get<std::size_t>());
         return indices;
     };
-    if (json.contains("chosen") && json["chosen"].is_array()) return lessons::Chosen{indicesIn(json["chosen"])};
-    if (json.contains("order") && json["order"].is_array()) return lessons::Ordered{indicesIn(json["order"])};
-    if (json.contains("pick")) {
+    if (json["chosen"].is(Json::kArray)) return lessons::Chosen{indicesIn(json["chosen"])};
+    if (json["order"].is(Json::kArray)) return lessons::Ordered{indicesIn(json["order"])};
+    if (json.find("pick")) {
         const Json& from = json["pick"];
         return lessons::Pick{numberAt(from, "x"),      numberAt(from, "y"),      numberAt(from, "polygon"),
                              numberAt(from, "vertex"), numberAt(from, "object"), numberAt(from, "light")};
@@ -228,7 +228,7 @@ pipeline::Result<pipeline::Scene> sceneOfPage(std::string_view name) {
     return sceneFromText(found->first, found->second);
 }
 
-Json parsed(const char* text, int size) { return Json::parse(textAt(text, size), nullptr, false); }
+Json parsed(const char* text, int size) { return Json::read(textAt(text, size)).value_or(Json()); }
 
 }  // namespace
 
@@ -253,9 +253,10 @@ WEB_CALL(lesson) int webLesson(const char* text, int size, const char* html, int
     open.progress.resize(open.lesson.pages.size());
     const Json texts = parsed(html, htmlSize);
     const std::vector<lessons::Prose*> prose = lessons::liveTexts(open.lesson);
-    if (!texts.is_array() || texts.size() != prose.size()) return refuse("the texts of this page are not its lesson's");
+    if (!texts.is(Json::kArray) || texts.elements().size() != prose.size())
+        return refuse("the texts of this page are not its lesson's");
     for (std::size_t i = 0; i < prose.size(); ++i)
-        if (!texts[i].is_string() || !lessons::dress(*prose[i], texts[i].get<std::string>()))
+        if (!texts[i].is(Json::kString) || !lessons::dress(*prose[i], texts[i].text()))
             return refuse("the texts of this page are not its lesson's");
     double points = 0;
     for (const Page& page : open.lesson.pages) points += page.question ? page.question->points : 0;

@@ -37,7 +37,7 @@ WEB_CALL(inspect) int webInspect(int x, int y, int channel) {
         return refuse("no such pixel");
     const pipeline::PixelReport report = inspectPixel(frame, {x, y});
     Json json = toJson(frame, report);
-    if (json.contains("equation")) {
+    if (json.find("equation")) {
         const auto lines = equation(frame.scene(), report, channel);
         json["equation"] = toJson(lines);
         for (std::size_t i = 0; i < lines.size(); ++i) json["equation"][i]["mathml"] = mathmlParts(lines[i].formula);
