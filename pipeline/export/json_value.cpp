@@ -114,7 +114,8 @@ Json::Json(std::initializer_list<Json> list) {
     m_value = Object();
     for (const Json& one : list) {
         Array& pair = std::get<Array>(one.m_value);
-        (*this)[std::get<std::string>(pair[0].m_value)] = std::move(pair[1]);
+        std::string& key = std::get<std::string>(pair[0].m_value);
+        if (!find(key)) add(std::move(key), std::move(pair[1]));
     }
 }
 

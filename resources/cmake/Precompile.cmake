@@ -37,7 +37,7 @@ precompiled(precompiled_cli
   USED_BY app_cli)
 
 # Beyond that most files compile for longer before their own first line than behind it: CLI11 alone takes 3.5 s,
-# nlohmann's JSON, toml++, Qt and VTK no less. So many files together pay that once; what is a file's own has to have a
+# toml++, Qt and VTK no less. So many files together pay that once; what is a file's own has to have a
 # name of its own among them.
 function(compiled_together files)
   set_target_properties(${ARGN} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${files})

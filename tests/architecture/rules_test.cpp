@@ -93,6 +93,7 @@ TEST(Architecture, ToolkitsStayInTheirFolders) {
     expectOne(misplacedToolkits({{"app/cli/plan.cpp", {"#include <QImage>"}}}), "app/cli/plan.cpp:1:");
     expectOne(misplacedToolkits({{"app/panels/plan_panel.h", {"#include <QWidget>", "#include <vtkActor.h>"}}}),
               "app/panels/plan_panel.h:2:");
+    expectOne(misplacedToolkits({{"lessons/grade.cpp", {"#include <nlohmann/json.hpp>"}}}), "lessons/grade.cpp:1:");
     expectKept(
         misplacedToolkits({{"app/view3d/scene_view.cpp", {"#include <QOpenGLWidget>", "#include <vtkActor.h>"}}}));
     expectKept(misplacedToolkits(project()));
