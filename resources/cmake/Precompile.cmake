@@ -37,8 +37,8 @@ precompiled(precompiled_cli
   USED_BY app_cli)
 
 # Beyond that most files compile for longer before their own first line than behind it: CLI11 alone takes 3.5 s,
-# toml++, Qt and VTK no less. So many files together pay that once; what is a file's own has to have a
-# name of its own among them.
+# toml++, Qt and VTK no less. So many files together pay that once; what is a file's own has to have a name of its own
+# among them.
 function(compiled_together files)
   set_target_properties(${ARGN} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${files})
 endfunction()
@@ -49,6 +49,9 @@ compiled_together(11 lessons)
 # Nor tables, whose columns have names of a letter, and rays.
 get_target_property(alone pipeline SOURCES)
 list(FILTER alone INCLUDE REGEX "^(buffers|core|illumination|run|scene|simd|stages)/|/ray_")
+if(SHADESCOPE_FUZZ)  # no frame is timed
+  list(FILTER alone INCLUDE REGEX "^(simd|run)/|_table|model_facts|scene_check|settings_|buffers/|/ray_")
+endif()
 list(TRANSFORM alone PREPEND ${PROJECT_SOURCE_DIR}/pipeline/)
 set_source_files_properties(${alone} TARGET_DIRECTORY pipeline PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 if(SHADESCOPE_WINDOW)
