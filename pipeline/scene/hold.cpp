@@ -12,6 +12,7 @@
 #include "pipeline/core/elementary.h"
 #include "pipeline/core/numerics.h"
 #include "pipeline/core/text.h"
+#include "pipeline/scene/hold_kinds.h"
 #include "pipeline/scene/object_matrix.h"
 #include "pipeline/scene/view.h"
 
@@ -25,20 +26,6 @@ constexpr double kFarthestLamp = 178;  // degrees from the line of sight
 constexpr double kLeastMotion = 24;    // pixels over the whole range: less has no direction in the picture
 constexpr double kTurnOfEye = 180;     // degrees for a drag over the whole width
 constexpr double kLeastRadius = 24, kMostRadius = 0.45;  // of a lamp's 90°: pixels, and of the picture's height
-
-// The power of ten at or below it; to a multiple of a power of ten.
-double powerBelow(double unit) {
-    if (!(unit > 0 && std::isfinite(unit))) return 1;
-    double power = std::floor(log(unit) / log(10.0));
-    while (pow(10.0, power) > unit) --power;
-    while (pow(10.0, power + 1) <= unit) ++power;
-    return pow(10.0, power);
-}
-double roundedTo(double value, double step) {
-    // Below 1 the inverse is whole: 3 · 0.1 is not 0.3, and 3 / 10 is.
-    const double parts = step < 1 ? std::round(1 / step) : 1 / step;
-    return std::round(value * parts) / parts;
-}
 
 double valueOf(const Scene& scene, const std::string& key) {
     const auto ref = findSetting(scene, key);
@@ -166,19 +153,6 @@ Assignments alongAt(const Hold& hold, double t, double step) {
     return values;
 }
 
-double shareOf(const Hold& hold, double value) {
-    const double share = isLogarithmic(hold) ? log(value / hold.low) / log(hold.high / hold.low)
-                                             : (value - hold.low) / (hold.high - hold.low);
-    return std::clamp(share, 0.0, 1.0);
-}
-// To two digits where the track has equal factors, else to a two hundredth of it; whole where the setting is.
-double numberNear(const Scene& scene, const Hold& hold, double value, bool coarse) {
-    const auto ref = findSetting(scene, hold.keys[0]);
-    double step = isLogarithmic(hold) ? powerBelow(std::abs(value)) / (coarse ? 1 : 10)
-                                      : powerBelow((hold.high - hold.low) / (coarse ? 10 : 100));
-    if (ref && ref->setting->kind == SettingKind::Integer) step = std::max(step, 1.0);
-    return std::clamp(roundedTo(value, step), hold.low, hold.high);
-}
 Assignments numberAt(const Scene& scene, const Hold& hold, double share, bool coarse) {
     share = std::clamp(share, 0.0, 1.0);
     const double value =
@@ -299,6 +273,11 @@ std::optional<HoldPlace> placeOf(const Scene& scene, const Hold& hold) {
             return place;
         }
         case Kind::Along: return inPicture(middleOf(scene, hold.index));
+        case Kind::Vertex: return inPicture(vertexInWorld(scene, hold));
+        case Kind::Rim: {
+            const auto at = rimPlace(scene, hold);
+            return at ? std::optional(HoldPlace{*at}) : std::nullopt;
+        }
         case Kind::Number: return HoldPlace{glm::dvec2(shareOf(hold, valueOf(scene, hold.keys[0])))};
     }
     return {};
@@ -326,6 +305,8 @@ Assignments valuesAt(const Scene& start, const Hold& hold, glm::dvec2 from, glm:
                             coarse ? 10 : 1);
         }
         case Kind::Along: return pushedTo(start, hold, from, to, coarse);
+        case Kind::Vertex: return vertexAt(start, hold, place->at + moved, coarse);
+        case Kind::Rim: return rimAt(start, hold, place->at + moved, coarse);
         case Kind::Number: return numberAt(start, hold, place->at.x + moved.x, coarse);
     }
     return {};
@@ -358,6 +339,16 @@ Assignments nudged(const Scene& scene, const Hold& hold, glm::ivec2 by, bool coa
         case Kind::Turn: return turnedTo(hold, valueOf(scene, hold.keys[0]) + onward * (coarse ? 10 : 1), 1);
         case Kind::Along:
             return alongAt(hold, alongOf(scene, hold) + onward * stepAlong(hold) * (coarse ? 10 : 1), stepAlong(hold));
+        case Kind::Vertex: {
+            const auto place = placeOf(scene, hold);
+            const double half = radiusAround(scene, makeView(scene), middleOf(scene, hold.index), hold.index);
+            return place ? vertexAt(scene, hold, place->at + glm::dvec2(by) * (coarse ? 0.4 : 0.1) * half, false)
+                         : valuesOf(scene, hold);
+        }
+        case Kind::Rim: {  // outwards n falls
+            const double n = valueOf(scene, hold.keys[0]), next = coarse ? n * pow(0.5, onward) : n - onward;
+            return {{hold.keys[0], exponentNear(hold, next, false)}};
+        }
         case Kind::Number: break;
     }
     const double now = valueOf(scene, hold.keys[0]);
@@ -387,6 +378,13 @@ std::string wordsOf(const Scene& scene, const Hold& hold) {
             words = fmt::format("{} {}", hold.symbol.empty() ? hold.name : hold.symbol,
                                 shortestText(roundedTo(alongOf(scene, hold), stepAlong(hold))));
             break;
+        case Kind::Vertex:
+            if (hold.axis == Vec3d(0)) words = fmt::format("{}: ", hold.vertex);
+            for (std::size_t i = 0; i < 3; ++i)
+                if (hold.axis[int(i)] == 0) words += value(i) + ", ";
+            words.resize(words.size() - 2);
+            break;
+        case Kind::Rim:
         case Kind::Number: {
             std::string lower = hold.name;
             if (!lower.empty() && lower[0] >= 'A' && lower[0] <= 'Z') lower[0] = char(lower[0] + 32);

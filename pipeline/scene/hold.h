@@ -21,19 +21,23 @@ struct Hold {
         Eye,             // around what the camera looks at, at an equal distance
         Turn,            // an object about `axis` through `point`, by its surface
         Along,           // an object along `axis`
-        Number           // any number, on a track
+        Vertex,  // of an object, in a plane through it: the picture's, or where `axis` is not 0 one of the object's own
+        Rim,     // of the highlight of a ball, where the cosine to the power of n has fallen to a half
+        Number   // any number, on a track
     };
     Kind kind = Kind::Number;
     std::size_t index = 0;          // of the light or the object
     std::vector<std::string> keys;  // of the settings that it sets, one to three
-    Vec3d point{0.0};               // world space; of Along the translation at 0
-    Vec3d axis{0, 0, 1};            // world space, unit
-    double low = 0, high = 0;       // of Along, world units along `axis`; of Number inclusive
-    std::string name;               // "Lamp"
-    std::string symbol;             // "n", for "n = 0.05"; may be empty
+    Vec3d point{0.0};     // world space; of Along the translation at 0, of Vertex its object's middle, object space
+    Vec3d axis{0, 0, 1};  // world space, unit; of Vertex object space
+    double low = 0, high = 0;  // of Along, world units along `axis`; of Vertex the most off `point`; else inclusive
+    std::string name;          // "Lamp"
+    std::string symbol;        // "n", for "n = 0.05"; may be empty
+    std::size_t vertex = 0;    // of Vertex, its number in its mesh
+    bool turnsOver = false;    // of Vertex: its polygons may turn over in the picture
     bool operator==(const Hold&) const = default;
 };
-std::string_view name(Hold::Kind kind);  // "lamp", "foot", "top", "eye", "turn", "along", "number"
+std::string_view name(Hold::Kind kind);  // "lamp", "foot", "top", "eye", "turn", "along", "vertex", "rim", "number"
 // A number that spans a factor of 50 and more has a track of equal factors.
 bool isLogarithmic(const Hold& hold);
 

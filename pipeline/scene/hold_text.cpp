@@ -1,8 +1,10 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "pipeline/core/elementary.h"
 #include "pipeline/core/text.h"
-#include "pipeline/scene/hold.h"
+#include "pipeline/scene/hold_kinds.h"
 #include "pipeline/scene/view.h"
 
 // Values of a hold as settings take them, and places as pictures have them.
@@ -10,12 +12,39 @@
 namespace pipeline {
 
 std::string_view name(Hold::Kind kind) {
-    static constexpr std::array<std::string_view, 7> kNames{"lamp", "foot", "top", "eye", "turn", "along", "number"};
+    static constexpr std::array<std::string_view, 9> kNames{"lamp",  "foot",   "top", "eye",   "turn",
+                                                            "along", "vertex", "rim", "number"};
     return kNames[std::size_t(kind)];
+}
+
+double powerBelow(double unit) {
+    if (!(unit > 0 && std::isfinite(unit))) return 1;
+    double power = std::floor(log(unit) / log(10.0));
+    while (pow(10.0, power) > unit) --power;
+    while (pow(10.0, power + 1) <= unit) ++power;
+    return pow(10.0, power);
+}
+double roundedTo(double value, double step) {
+    // Below 1 the inverse is whole: 3 · 0.1 is not 0.3, and 3 / 10 is.
+    const double parts = step < 1 ? std::round(1 / step) : 1 / step;
+    return std::round(value * parts) / parts;
 }
 
 constexpr double kLogarithmicFrom = 50;  // high / low
 bool isLogarithmic(const Hold& hold) { return hold.low > 0 && hold.high / hold.low >= kLogarithmicFrom; }
+
+double shareOf(const Hold& hold, double value) {
+    const double share = isLogarithmic(hold) ? log(value / hold.low) / log(hold.high / hold.low)
+                                             : (value - hold.low) / (hold.high - hold.low);
+    return std::clamp(share, 0.0, 1.0);
+}
+double numberNear(const Scene& scene, const Hold& hold, double value, bool coarse) {
+    const auto ref = findSetting(scene, hold.keys[0]);
+    double step = isLogarithmic(hold) ? powerBelow(std::abs(value)) / (coarse ? 1 : 10)
+                                      : powerBelow((hold.high - hold.low) / (coarse ? 10 : 100));
+    if (ref && ref->setting->kind == SettingKind::Integer) step = std::max(step, 1.0);
+    return std::clamp(roundedTo(value, step), hold.low, hold.high);
+}
 
 std::string toText(const Assignments& assignments) {
     std::string text;

@@ -11,6 +11,7 @@
 #include "pipeline/core/number.h"
 #include "pipeline/core/text.h"
 #include "pipeline/scene/settings_table.h"
+#include "pipeline/scene/vertex_settings.h"
 
 namespace pipeline {
 
@@ -61,11 +62,15 @@ std::string_view trimmed(std::string_view text) {
 
 std::string SettingRef::key() const {
     std::string text(setting->key);
-    if (const auto hash = text.find('#'); hash != text.npos) text.replace(hash, 1, std::to_string(index));
+    if (const auto of = vertexOf(*this))
+        text.replace(text.find('#'), 1, fmt::format("{}.{}", of->object, of->vertex));
+    else if (const auto hash = text.find('#'); hash != text.npos)
+        text.replace(hash, 1, std::to_string(index));
     return text;
 }
 
 Result<SettingRef> findSetting(const Scene& scene, std::string_view key) {
+    if (key.starts_with(kVertexPrefix)) return findVertexSetting(scene, key);
     const SplitKey wanted = split(key);
     const auto rows = settingsTable();
     const auto found = std::ranges::find(rows, std::string_view(wanted.pattern), &Setting::key);
