@@ -72,13 +72,15 @@ Attempt::State Attempt::state() const {
 
 pipeline::Result<Verdict> Attempt::check(const Given& given, const Context& context, double seconds) {
     assert(!isSettled());
-    auto verdict = judge(*m_question, given, context, m_progress.hints > 0);
-    if (!verdict || verdict->mark == Mark::Again) return verdict;
-    const bool right = verdict->mark == Mark::Right;
+    auto judged = judge(*m_question, given, context, m_progress.hints > 0);
+    if (!judged || judged->mark == Mark::Again) return judged;
+    Verdict verdict = std::move(judged).value();
+    const bool right = verdict.mark == Mark::Right;
     std::string text = textOf(*m_question, given);
     if (!right && wasTried(*m_question, m_progress.tries, text))
-        return Verdict{Mark::Again, {}, {}, "You tried this answer already. It costs nothing.\n\n" + verdict->said};
-    m_progress.tries.push_back({std::move(text), right, verdict->mistake, m_progress.hints, seconds});
+        return Verdict{Mark::Again, {}, {}, "You tried this answer already. It costs nothing.\n\n" + verdict.said};
+    if (!right && isFree()) verdict.said += "\n\nA wrong prediction costs nothing.";
+    m_progress.tries.push_back({std::move(text), right, verdict.mistake, m_progress.hints, seconds});
     if (right)
         m_progress.outcome = Progress::Outcome::Right;
     else if (triesLeft() == 0)
@@ -125,7 +127,8 @@ double Attempt::worth() const {
 
 std::size_t Attempt::wrongTries() const {
     if (isUntil(*m_question)) return 0;  // each step of a slider is a try
-    return std::size_t(std::ranges::count(m_progress.tries, false, &Try::right));
+    const auto wrong = std::size_t(std::ranges::count(m_progress.tries, false, &Try::right));
+    return wrong - (m_question->isPrediction && wrong > 0);
 }
 
 std::optional<std::size_t> Attempt::triesLeft() const {

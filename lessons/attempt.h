@@ -67,7 +67,8 @@ public:
     double points() const;  // got: 0 while it is open
     double worth() const;   // what a right answer gives now
     double full() const { return m_question->points; }
-    std::size_t wrongTries() const;
+    std::size_t wrongTries() const;  // those that cost: not the first of a prediction
+    bool isFree() const { return m_question->isPrediction && m_progress.tries.empty(); }  // the next answer
     // How many more answers are taken; nothing: as many as one likes (until).
     std::optional<std::size_t> triesLeft() const;
     // Whether an option of a choice was tried and is off.

@@ -269,10 +269,12 @@ private:
             answer.note = "not counted: " + verdict->said;
         answer.progress = attempt.progress();
         answer.points = attempt.points();
+        if (!verdict || verdict->mark == Mark::Right || verdict->mark == Mark::Again) return;
         const auto* const order = std::get_if<OrderQuestion>(&question.kind);
-        if (!order || !verdict || verdict->mark == Mark::Right || verdict->mark == Mark::Again) return;
-        if (const auto right = rightOrder(*order, context))
+        if (const auto right = order ? rightOrder(*order, context) : Error())
             answer.points = question.points * shareInOrder(*right, std::get<Ordered>(*given).items);
+        // It is handed in once: a prediction that is all wrong counts neither way.
+        if (question.isPrediction && answer.points == 0) answer.full = 0;
     }
 
     const SheetKeys* m_sheets;

@@ -88,8 +88,10 @@ std::string equationHtml(const PageState& state, const pipeline::Frame& frame, c
                        pixel.y, kChannels[state.window.channel], html);
 }
 
-std::string pointsText(double points) {
-    return fmt::format("{} {}", pipeline::shortestText(points), points == 1 ? "point" : "points");
+std::string worthText(const Question& question) {
+    return fmt::format("{}{} {}{}", question.isPrediction ? "Prediction: " : "",
+                       pipeline::shortestText(question.points), question.points == 1 ? "point" : "points",
+                       question.isPrediction ? ", a wrong answer costs nothing" : "");
 }
 
 // Takes up the pages, and what could not be filled in.
@@ -206,7 +208,7 @@ private:
             m_pages += places(*order);
         else if (optionsOf(question).empty())
             m_pages += "<p>" + blank("Answer") + (typed ? ' ' + escapedHtml(typed->unit) : std::string()) + "</p>";
-        m_pages += element("p class=remark", pointsText(question.points)) + "</div>\n";
+        m_pages += element("p class=remark", worthText(question)) + "</div>\n";
         std::string hints;
         for (const Prose& hint : question.hints) hints += html(hint, context);
         if (!hints.empty())
@@ -224,7 +226,7 @@ private:
         pipeline::Errors none;
         std::string answer = proseHtml(*text, m_answerPictures, none);
         answer = answer.starts_with("<p>") ? "<p class=answer>" + answer.substr(3) : answer;
-        m_answers += answer + element("p class=remark", pointsText(question.points)) + '\n';
+        m_answers += answer + element("p class=remark", worthText(question)) + '\n';
         std::string works;
         const std::string steps = filled(question.works, context, m_errors);
         for (const Line& line : linesOf(steps, {}))

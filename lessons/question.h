@@ -104,11 +104,12 @@ struct OrderQuestion {
 
 struct Question {
     Prose text;
-    Prose paper;               // the question as paper asks it; empty: as text
-    std::vector<Prose> hints;  // each says more; the last one has all operands
-    Prose works;               // the way of working, a step a line; may be empty
-    Prose right, wrong;        // may be empty
-    double points = 1;         // of a right first answer without a hint
+    Prose paper;                // the question as paper asks it; empty: as text
+    std::vector<Prose> hints;   // each says more; the last one has all operands
+    Prose works;                // the way of working, a step a line; may be empty
+    Prose right, wrong;         // may be empty
+    double points = 1;          // of a right first answer without a hint
+    bool isPrediction = false;  // a wrong first answer costs nothing
     std::variant<NumberQuestion, ChoiceQuestion, SeveralQuestion, ClickQuestion, UntilQuestion, OrderQuestion> kind;
     pipeline::SourceLocation where;
 };

@@ -38,11 +38,13 @@ public:
     std::optional<Question> read() {
         Question question;
         question.where = m_entries.front().where;
-        if (!find("question"))
-            return m_complaints.add(question.where, "no \"question\" here", "both a question and its answer"),
+        const Entry *plain = find("question"), *asked = plain ? plain : find("prediction");
+        if (!asked || (plain && find("prediction")))
+            return m_complaints.add(question.where, asked ? "found two questions" : "no \"question\" here",
+                                    "both a question and its answer"),
                    std::nullopt;
-        question.where = find("question")->where;
-        question.text = textOf("question");
+        question.isPrediction = !plain;
+        question.text = prose(asked->value);
         for (const Entry& entry : m_entries)
             if (entry.key == "hint") question.hints.push_back(prose(entry.value));
         if (question.hints.size() > kMostHints)
@@ -342,8 +344,7 @@ private:
         ChoiceQuestion choice{{}, true};
         for (const pipeline::StageId stage : pipeline::kStages) {
             Option option{{}, {}, {}, {}, {}, differs.where};
-            const Line label{stageInfo(stage).label, differs.line().where};
-            option.text = prose(std::span(&label, 1));
+            option.text = prose(std::array{Line{stageInfo(stage).label, differs.line().where}});
             const std::string holds = fmt::format("{}{}) = {}", kCall, differs.line().text, stageInfo(stage).name);
             auto read = parseExpression(holds, where, scope());
             if (!read) return m_complaints.add(where, read.errors());
@@ -353,11 +354,10 @@ private:
         for (const Entry& entry : m_entries) {
             if (entry.key != "mistake") continue;
             const Mistake known = mistake(entry, {});
-            const auto stage = pipeline::findStage(entry.line().text);
-            if (!stage)
-                refuseStage(entry.line());
-            else
+            if (const auto stage = pipeline::findStage(entry.line().text))
                 choice.options[index(*stage)].mistake = known.id, choice.options[index(*stage)].said = known.said;
+            else
+                refuseStage(entry.line());
         }
         question.kind = std::move(choice);
     }

@@ -6,9 +6,9 @@
 
 namespace lessons {
 
-inline constexpr std::array<std::string_view, 20> kQuestionKeys{
-    "question", "answer", "tolerance", "hint",    "unit",    "near",  "choice", "several", "click",  "until",
-    "free",     "order",  "ends",      "differs", "mistake", "works", "right",  "wrong",   "points", "paper"};
+inline constexpr std::array<std::string_view, 21> kQuestionKeys{
+    "question", "prediction", "answer", "tolerance", "hint",    "unit",  "near",  "choice", "several", "click", "until",
+    "free",     "order",      "ends",   "differs",   "mistake", "works", "right", "wrong",  "points",  "paper"};
 
 // Whether the lines after an entry with this key carry it on.
 bool goesOn(std::string_view key);

@@ -67,6 +67,7 @@ Json questionJson(const lessons::Question& question, const lessons::Context& con
     Json json{{"kind", kindName(question)}, {"text", filled(question.text, context, errors)},
               {"answer", answer},           {"points", question.points},
               {"hints", Json::array()},     {"works", filled(question.works, context, errors)}};
+    if (question.isPrediction) json["prediction"] = true;
     for (const lessons::Prose& hint : question.hints) json["hints"].push_back(filled(hint, context, errors));
     for (const lessons::Prose* row : rowsOf(question)) json["options"].push_back(filled(*row, context, errors));
     return json;

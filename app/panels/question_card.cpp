@@ -192,14 +192,16 @@ void QuestionCard::arrange() {
     if (m_run.isSettled())
         m_worth->setText(tr("Question · %1 of %2").arg(pointsText(attempt.points()), points));
     else
-        m_worth->setText(attempt.worth() == attempt.full()
+        m_worth->setText(attempt.isFree() ? tr("Prediction · %1").arg(points)
+                         : attempt.worth() == attempt.full()
                              ? tr("Question · %1").arg(points)
                              : tr("Question · now worth %1 of %2").arg(pointsText(attempt.worth()), points));
     const auto left = attempt.triesLeft();
-    m_tries->setText(m_run.isSettled() ? QString()
-                     : !left           ? tr("no limit of tries")
-                     : *left == 1      ? tr("1 try left")
-                                       : tr("%1 tries left").arg(*left));
+    m_tries->setText(m_run.isSettled()  ? QString()
+                     : attempt.isFree() ? tr("a wrong answer is free")
+                     : !left            ? tr("no limit of tries")
+                     : *left == 1       ? tr("1 try left")
+                                        : tr("%1 tries left").arg(*left));
     setAccessibleName(m_worth->text());
     const bool ready = isOpen() && m_body->given().has_value();
     m_check->setEnabled(ready);

@@ -175,6 +175,31 @@ TEST_F(AttemptTest, PointsFallByAQuarterForEachWrongTryAndHint) {
     EXPECT_EQ(Attempt(*m_page.question, m_attempt->progress()).points(), 0.5);
 }
 
+TEST_F(AttemptTest, AWrongFirstAnswerToAPredictionCostsNothing) {
+    std::string asked = kAngle;
+    asked.replace(0, asked.find(':'), "prediction");
+    ask(asked);
+    EXPECT_TRUE(m_attempt->isFree());
+    EXPECT_NE(type("50").said.find("A wrong prediction costs nothing."), std::string::npos);
+    EXPECT_FALSE(m_attempt->isFree());
+    EXPECT_EQ(m_attempt->worth(), 2) << "no points";
+    EXPECT_EQ(m_attempt->triesLeft(), 3u) << "and no try";
+    EXPECT_EQ(type("51").said.find("costs nothing"), std::string::npos);
+    EXPECT_EQ(m_attempt->worth(), 1.5) << "the second one does";
+    EXPECT_EQ(type("35.4").mark, Mark::Right);
+    EXPECT_EQ(m_attempt->points(), 1.5);
+    EXPECT_EQ(first("50").mark, Mark::NotYet);
+    EXPECT_EQ(type("35.4").mark, Mark::Right);
+    EXPECT_EQ(m_attempt->points(), 2);
+
+    // Of two options the other one is left over.
+    ask("prediction: Which?\nchoice: Kept. | if verdict(1) = kept\nchoice: Dropped. | if verdict(1) = back-facing\n");
+    EXPECT_EQ(check(Chosen{{1}}).mark, Mark::NotYet);
+    EXPECT_FALSE(m_attempt->isSettled());
+    EXPECT_EQ(check(Chosen{{0}}).mark, Mark::Right);
+    EXPECT_EQ(m_attempt->points(), 1);
+}
+
 TEST_F(AttemptTest, ThreeWrongTriesOrShowMeSettleItWithoutPoints) {
     ask(kAngle);
     for (const char* wrong : {"50", "51", "52"}) type(wrong);

@@ -122,6 +122,15 @@ TEST_F(HandoutOfThePyramid, IsTwoFilesOrNone) {
     EXPECT_FALSE(std::filesystem::exists(folder / "no" / "pyramid.html"));
 }
 
+TEST(Handout, SaysThatAWrongPredictionCostsNothing) {
+    const auto lesson = parseLesson(
+        "title: T\nlecture: L\nsummary: S\nscene: pyramid\n# One\nText.\nprediction: Q?\nanswer: 1\n", "lesson.md",
+        [](std::string_view) -> pipeline::Result<pipeline::Scene> { return pyramidScene(); });
+    const auto handout = makeHandout(lesson.value());
+    ASSERT_TRUE(handout);
+    EXPECT_TRUE(has(handout->pages, "Prediction: 1 point, a wrong answer costs nothing"));
+}
+
 TEST(Handout, IsNotMadeWhenItIsStopped) {
     std::stop_source source;
     int pages = 0;

@@ -67,6 +67,7 @@ Json questionJson(Errors& errors) {
               {"worth", attempt.worth()},
               {"full", attempt.full()},
               {"points", attempt.points()},
+              {"free", attempt.isFree()},
               {"tries_left", attempt.triesLeft() ? Json(*attempt.triesLeft()) : Json()},
               {"hint_count", attempt.hintCount()},
               {"hints", Json::array()},

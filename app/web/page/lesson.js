@@ -66,6 +66,7 @@ function drawQuestion() {
   one('#hint').hidden = question.settled || left === 0, one('#hint').textContent = `Hint (${left} left)`;
   one('#giveup').hidden = question.settled;
   one('#worth').textContent = question.settled ? `${points(question.points)} of ${shortNumber(question.full)}`
+    : question.free ? `worth ${shortNumber(question.worth)}, a wrong prediction is free`
     : `worth ${shortNumber(question.worth)}` + (question.tries_left === null ? '' : `, ${question.tries_left} ${question.tries_left === 1 ? 'try' : 'tries'} left`);
   const solution = one('#solution');
   solution.hidden = !question.solution, solution.open = question.state === 'shown';
