@@ -7,6 +7,7 @@
 #include "lessons/lesson.h"
 #include "lessons/lesson_text.h"
 #include "lessons/question_reader.h"
+#include "lessons/returning.h"
 #include "lessons/window_keys.h"
 #include "pipeline/core/printable.h"
 #include "pipeline/core/text.h"
@@ -28,9 +29,10 @@ using Keys = std::span<const std::string_view>;
 
 constexpr std::array<std::string_view, 11> kHeaderKeys{"title", "lecture", "minutes", "notions", "summary", "can",
                                                        "next",  "returns", "scene",   "set",     "let"};
-constexpr std::array<std::string_view, 5> kFirstKeys{"set", "let", "scene", "hides", "panels"};
-constexpr std::array<std::string_view, 2> kSecondKeys{"set", "let"};
-constexpr std::array<std::string_view, 4> kRepeatedKeys{"set", "let", "can", "hold"};
+constexpr std::array<std::string_view, 6> kFirstKeys{"set", "let", "scene", "hides", "panels", "again"};
+constexpr std::array<std::string_view, 3> kSecondKeys{"set", "let", "again"};
+constexpr std::array<std::string_view, 5> kRepeatedKeys{"set", "let", "can", "hold", "again"};
+constexpr std::array<std::string_view, 4> kAgainKeys{"set", "let", "pixel", "against"};
 // Paragraphs for the window or for paper alone; the first one is no key.
 constexpr std::string_view kScreenMark = "screen: ", kPaperMark = "paper: ";
 constexpr std::array<std::string_view, 2> kMarkWords{"screen", "paper"};
@@ -53,9 +55,10 @@ public:
     Reader(std::string_view text, const std::string& file, const SceneSource& sceneNamed)
         : m_lines(linesOf(text, file)), m_file(file), m_sceneNamed(sceneNamed) {}
 
-    // wanted: the numbers of the pages, from 1, that are read; none: all of them.
+    // wanted: the numbers of the pages, from 1, that are read, as they return; none: all of them.
     Result<Lesson> read(const std::set<std::size_t>& wanted = {}) {
         Lesson lesson;
+        m_returns = !wanted.empty();
         header(lesson);
         if (m_at == m_lines.size())
             m_complaints.add({m_file, int(m_lines.size()), 0}, "the file has no page", "a line \"# HEADING\"");
@@ -174,7 +177,7 @@ private:
         page.where = m_lines[m_at].where;
         page.heading = trimmed({m_lines[m_at].text.substr(2), {}}).text;
         ++m_at;
-        const std::vector<Entry> settings = entries(withWindowKeys(kFirstKeys), kQuestionKeys);
+        const std::vector<Entry> settings = asAsked(entries(withWindowKeys(kFirstKeys), kQuestionKeys));
         const std::vector<Line> text = textLines();
         const std::vector<Entry> question = questionEntries();
         const std::optional<SourceLocation> then =
@@ -183,7 +186,7 @@ private:
         std::vector<Line> thenText;
         if (then) {
             ++m_at;
-            thenSettings = entries(withWindowKeys(kSecondKeys));
+            thenSettings = asAsked(entries(withWindowKeys(kSecondKeys)));
             thenText = textLines();
             for (; m_at < m_lines.size() && !isHeading(m_lines[m_at]); ++m_at)
                 if (!isBlank(m_lines[m_at]))
@@ -226,6 +229,30 @@ private:
             if (entry.key == "set") half.sets.emplace_back(pipeline::assignedKey(entry.line().text));
         page.then = std::move(half);
         return page;
+    }
+
+    // "again: KEY: VALUE" comes in the place of KEY where the page returns, and is passed over where it does not.
+    std::vector<Entry> asAsked(const std::vector<Entry>& all) {
+        std::vector<Entry> asked;
+        for (const Entry& entry : all)
+            if (entry.key != "again") asked.push_back(entry);
+        for (const Entry& entry : all) {
+            if (entry.key != "again") continue;
+            const auto other = entryIn(entry.line());
+            if (!other || !has(kAgainKeys, other->key))
+                m_complaints.add(entry.line().where, "found " + inQuotes(entry.line().text),
+                                 "\"set\", \"let\", \"pixel\" or \"against\" with its value");
+            else if (m_returns) {
+                const auto nameOf = [](const Entry& one) { return splitAt(one.line(), "="); };
+                const auto same = std::ranges::find_if(asked, [&](const Entry& one) {
+                    const auto name = nameOf(one), otherName = nameOf(*other);
+                    return one.key == other->key &&
+                           (name ? otherName && name->first.text == otherName->first.text : true);
+                });
+                same == asked.end() ? asked.push_back(*other) : void(*same = *other);
+            }
+        }
+        return asked;
     }
 
     // What these entries let names stand for; each may use those before it.
@@ -336,48 +363,10 @@ private:
     std::size_t m_at = 0;  // the next line
     std::vector<Entry> m_header;
     bool m_headerChecked = false;
+    bool m_returns = false;  // the pages are read as they return
     std::map<std::string, std::optional<pipeline::Scene>> m_scenes;
     Complaints m_complaints;
 };
-
-// A page whose question returns, as it begins another lesson.
-Page again(Page page, const Lesson& lesson, const Lesson::Return& from, const LessonText& text) {
-    page.heading = "Again: " + page.heading;
-    page.from = {from.lesson, from.page, text.folder};
-    const std::string words = "*From \"" + lesson.title + "\", page " + std::to_string(from.page) + ".*\n\n";
-    for (Prose* prose : {&page.first.text, &page.first.paper})
-        if (!prose->pieces.empty()) prose->pieces.front().insert(0, words);
-    return page;
-}
-
-Result<std::vector<Page>> readReturning(const Lesson& lesson, const LessonSource& lessonNamed) {
-    Complaints complaints;
-    std::map<std::string, std::set<std::size_t>> wanted;
-    for (const Lesson::Return& one : lesson.returns)
-        if (!wanted[one.lesson].insert(one.page).second) complaints.add(one.where, "this page returns a second time");
-    std::map<std::string, std::optional<std::pair<LessonText, Lesson>>> sources;
-    std::vector<Page> pages;
-    for (const Lesson::Return& one : lesson.returns) {
-        const auto [source, isNew] = sources.try_emplace(one.lesson);
-        if (isNew) {
-            auto text = lessonNamed ? lessonNamed(one.lesson) : Error{{}, "no page of another lesson returns here"};
-            auto read =
-                text ? Reader(text->text, text->file, text->sceneNamed).read(wanted[one.lesson]) : text.errors();
-            if (!read) complaints.add(one.where, read.errors());
-            if (read) source->second.emplace(std::move(text).value(), std::move(read).value());
-        }
-        if (!source->second) continue;
-        const auto& [text, from] = *source->second;
-        if (one.page > from.pages.size())
-            complaints.add(one.where, "found page " + std::to_string(one.page),
-                           "a page from 1 to " + std::to_string(from.pages.size()));
-        else if (!from.pages[one.page - 1].question)
-            complaints.add(one.where, "this page asks nothing", "a page with a question");
-        else
-            pages.push_back(again(from.pages[one.page - 1], from, one, text));
-    }
-    return complaints.empty() ? Result<std::vector<Page>>(std::move(pages)) : complaints.take();
-}
 
 }  // namespace
 
@@ -385,15 +374,8 @@ Result<Lesson> parseOwnPages(std::string_view text, const std::string& file, con
     return Reader(text, file, sceneNamed).read();
 }
 
-Result<Lesson> parseLesson(std::string_view text, const std::string& file, const SceneSource& sceneNamed,
-                           const LessonSource& lessonNamed) {
-    auto lesson = parseOwnPages(text, file, sceneNamed);
-    if (!lesson || lesson->returns.empty()) return lesson;
-    auto returning = readReturning(*lesson, lessonNamed);
-    if (!returning) return returning.errors();
-    Lesson whole = std::move(lesson).value();
-    whole.pages.insert(whole.pages.begin(), returning->begin(), returning->end());
-    return whole;
+Result<Lesson> parseReturning(const LessonText& text, const std::set<std::size_t>& wanted) {
+    return Reader(text.text, text.file, text.sceneNamed).read(wanted);
 }
 
 }  // namespace lessons

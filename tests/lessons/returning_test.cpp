@@ -3,7 +3,9 @@
 
 #include "lessons/grade.h"
 #include "lessons/handout.h"
+#include "lessons/judge.h"
 #include "lessons/library.h"
+#include "pipeline/scene/settings_table.h"
 #include "tests/lessons/html_of.h"
 #include "tests/lessons/pyramid_scene.h"
 #include "tests/support/files.h"
@@ -86,6 +88,78 @@ TEST(ReturningQuestions, AreRefusedWithTheirPlace) {
                                    "lesson.md", [](std::string_view) { return Result(pyramidScene()); });
     ASSERT_FALSE(sheet);
     EXPECT_EQ(format(sheet.errors()), "lesson.md:5:10: no page of another lesson returns here\n");
+}
+
+// A page with "again" in both halves: read in its own lesson, and where it returns.
+TEST(ReturningQuestions, ReturnWithTheNumbersOfTheirLinesAgain) {
+    const std::string text =
+        "title: T\nlecture: L\nsummary: S\nscene: pyramid\nset: material.0.n = 2\n# One\nset: camera.rho = 900\n"
+        "let: two = 2\nlet: three = two + 1\npixel: 10, 10\nagain: set: camera.rho = 950\nagain: set: material.0.n = "
+        "5\n"
+        "again: let: two = 20\nagain: pixel: 30, 30\n\nText.\nquestion: Q?\nanswer: three\n"
+        "## then\nset: width = 320\nagain: set: width = 480\n\nMore.\n";
+    const SceneSource scene = [](std::string_view) -> Result<pipeline::Scene> { return pyramidScene(); };
+    const auto own = parseLesson(text, "lesson.md", scene);
+    ASSERT_TRUE(own) << format(own.errors());
+    const auto other = parseLesson("title: T\nlecture: L\nsummary: S\nscene: pyramid\nreturns: other/1\n# Own\nText.\n",
+                                   "other.md", scene, [&](std::string_view) -> Result<LessonText> {
+                                       return LessonText{text, "lesson.md", {}, scene};
+                                   });
+    ASSERT_TRUE(other) << format(other.errors());
+    const auto numbers = [](const Page& page) {
+        const pipeline::Scene& first = page.first.state.scene;
+        const auto frame = frameOf(first, requestFor(page));
+        const auto answer = evaluate(std::get<NumberQuestion>(page.question->kind).answer, {.frame = *frame});
+        return std::vector<double>{pipeline::findSetting(first, "camera.rho")->get(first),
+                                   pipeline::findSetting(first, "material.0.n")->get(first), answer->numbers[0],
+                                   double(pickedPixel(page.first.state)->x),
+                                   pipeline::findSetting(first, "width")->get(page.then->state.scene)};
+    };
+    EXPECT_EQ(numbers(own->pages[0]), (std::vector<double>{900, 2, 3, 10, 320}));
+    EXPECT_EQ(numbers(other->pages[0]), (std::vector<double>{950, 5, 21, 30, 480}));
+    for (const char* wrong : {"again: pixel", "again: buffers: color", "again: 3"}) {
+        const auto bad = parseLesson(
+            "title: T\nlecture: L\nsummary: S\nscene: pyramid\n# One\n" + std::string(wrong) + "\n\nText.\n",
+            "lesson.md", scene);
+        ASSERT_FALSE(bad) << wrong;
+        EXPECT_NE(format(bad.errors()).find("\"against\" with its value"), std::string::npos) << format(bad.errors());
+    }
+}
+
+// Who has kept a number in mind does not have the answer. A choice has other numbers in its scene.
+TEST(ReturningQuestions, HaveOtherNumbersThanTheFirstTime) {
+    const std::vector<Lesson> lessons = allLessons().lessons;
+    const auto answerOf = [](const Page& page) {
+        const auto& number = std::get<NumberQuestion>(page.question->kind);
+        const auto frame = frameOf(page.first.state.scene, requestFor(page));
+        const double answer = evaluate(number.answer, {.frame = *frame})->numbers[0];
+        return std::pair(answer, toleranceOf(number, answer));
+    };
+    std::size_t numbers = 0;
+    for (const Lesson& lesson : lessons)
+        for (std::size_t i = 0; i < lesson.returns.size(); ++i) {
+            const Lesson::Return& from = lesson.returns[i];
+            SCOPED_TRACE(from.lesson + '/' + std::to_string(from.page));
+            const Lesson& source = *std::ranges::find(lessons, from.lesson, &Lesson::name);
+            const Page &again = lesson.pages[i], &first = source.pages[returningPages(source) + from.page - 1];
+            if (std::holds_alternative<NumberQuestion>(first.question->kind)) {
+                ++numbers;
+                const auto [was, tolerance] = answerOf(first);
+                EXPECT_GT(std::abs(answerOf(again).first - was), 2 * tolerance) << was;
+            } else if (const auto* until = std::get_if<UntilQuestion>(&first.question->kind)) {
+                const auto valuesOf = [](const UntilQuestion& until, const Page& page) {
+                    const auto frame = frameOf(page.first.state.scene, requestFor(page));
+                    std::vector<double> values;
+                    for (const UntilQuestion::Setting& one : until.answer)
+                        values.push_back(evaluate(*one.number, {.frame = *frame})->numbers[0]);
+                    return values;
+                };
+                EXPECT_NE(valuesOf(*until, first), valuesOf(std::get<UntilQuestion>(again.question->kind), again));
+            } else {
+                EXPECT_NE(again.first.state.scene, first.first.state.scene);
+            }
+        }
+    EXPECT_GE(numbers, 14u);
 }
 
 TEST(ReturningQuestions, TwoOfEachLessonReturnInTheNextButOne) {
