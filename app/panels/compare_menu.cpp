@@ -47,8 +47,11 @@ void fillCompareMenu(QMenu& menu, BufferCompare& compare, Document& document, co
         });
         action->setCheckable(true);
         action->setChecked(compare.source() == choice.source);
-        action->setEnabled(choice.whyNot.isEmpty());
-        action->setToolTip(choice.whyNot);
+        // Another setting, buffer or stage may be what a page asks for.
+        const bool isHidden = document.hidden().count() != 0 && choice.source.kind != OtherSource::Kind::Before;
+        const QString whyNot = isHidden ? BufferCompare::tr("After your answer.") : choice.whyNot;
+        action->setEnabled(whyNot.isEmpty());
+        action->setToolTip(whyNot);
     }
     QAction* mine = menu.addAction(BufferCompare::tr("My renderer"), &compare, [&compare] {
         compare.compareWith(OtherSource{.kind = OtherSource::Kind::Mine});

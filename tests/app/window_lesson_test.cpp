@@ -2,6 +2,7 @@
 #include <QFile>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QPushButton>
 #include <QTest>
 #include <QToolBar>
@@ -9,8 +10,11 @@
 
 #include "app/desktop/panel_dock.h"
 #include "app/desktop/view_area.h"
+#include "app/panels/buffer_compare.h"
 #include "app/panels/buffer_view.h"
+#include "app/panels/compare_menu.h"
 #include "app/panels/lesson_panel.h"
+#include "lessons/library.h"
 #include "tests/app/window_fixture.h"
 
 namespace app {
@@ -139,6 +143,45 @@ TEST_F(WindowLesson, WhatAPageHidesIsHiddenUntilTheAnswer) {
     EXPECT_TRUE(QTest::qWaitFor([&] { return normalView()->shown().has_value(); }, 10000));
     EXPECT_TRUE(find<QAbstractButton>("inspectorTab")->isEnabled());
     EXPECT_EQ(find<QLabel>("statusHidden")->text(), "");
+}
+
+// Each enabled row of a menu and of the menus in it.
+QStringList offered(QMenu& menu) {
+    QStringList rows;
+    emit menu.aboutToShow();
+    for (QAction* action : menu.actions())
+        if (action->menu())
+            rows += offered(*action->menu());
+        else if (action->isEnabled() && !action->isSeparator())
+            rows += action->text();
+    return rows;
+}
+
+// Another setting, buffer or stage may be the answer: this page asks for what Phong shading shows.
+TEST_F(WindowLesson, NoMenuOfAViewOffersTheAnswerOfAPage) {
+    const auto path = lessons::lessonFolder() / "smooth";
+    ASSERT_TRUE(window.openFile(QString::fromStdString(path.string())));
+    ASSERT_TRUE(waitForFrame());
+    const std::vector<lessons::Page>& pages = panel().run().lesson()->pages;
+    const auto page = std::ranges::find(pages, "Where is the lost highlight?", &lessons::Page::heading);
+    ASSERT_NE(page, pages.end());
+    panel().goTo(int(page - pages.begin()));
+    ASSERT_TRUE(waitForFrame());
+    ASSERT_GT(document().hidden().count(), 0u);
+    BufferView* view = window.views().shownBuffers().front();
+    QMenu menu;
+    const auto others = [&] {
+        fillCompareMenu(menu, view->compare(), document(), view->buffer());
+        return offered(menu);
+    };
+    EXPECT_EQ(others(), QStringList({"A file…"}));
+    for (QMenu* each : view->findChildren<QMenu*>())
+        for (const QString& row : offered(*each))
+            EXPECT_FALSE(row.contains("phong", Qt::CaseInsensitive)) << row.toStdString();
+    find<QAbstractButton>("showMe")->click();
+    find<QAbstractButton>("showSure")->click();
+    ASSERT_TRUE(waitForFrame());
+    EXPECT_TRUE(others().contains("phong"));
 }
 
 TEST_F(WindowLesson, OnlyThisHidesTheOtherPanelsAndIsRemembered) {
