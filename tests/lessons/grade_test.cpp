@@ -1,7 +1,14 @@
 #include "lessons/grade.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
 #include "lessons/csv_text.h"
+#include "lessons/expression/changed_frames.h"
 #include "lessons/library.h"
 #include "tests/support/files.h"
 
@@ -142,6 +149,108 @@ TEST_F(GradeTest, AnOrderOnASheetHasTheShareOfItsPairs) {
     ASSERT_EQ(all.students.size(), cases.size());
     for (std::size_t i = 0; i < cases.size(); ++i) EXPECT_EQ(all.students[i].points, cases[i].second) << cases[i].first;
     EXPECT_EQ(all.answers[2].progress.tries.at(0).mistake, "draw-order") << "and the mistake has its name all the same";
+}
+
+// A sheet is handed in once: who predicts wrongly loses nothing, who leaves it out does.
+TEST_F(GradeTest, AWrongPredictionOnASheetCountsNeitherWay) {
+    SheetKeys keys;
+    keys.texts[1] =
+        "title: T\nlecture: L\nsummary: S\nscene: pyramid\n# One\nText.\nprediction: 2 + 3?\nanswer: 5\n"
+        "# Two\nText.\nquestion: 2 + 2?\nanswer: 4\n";
+    const std::pair<const char*, std::pair<double, double>> cases[]{{"5", {2, 2}}, {"9", {1, 1}}, {"", {1, 2}}};
+    for (const auto& [given, points] : cases)
+        handIn("with" + std::string(given) + ".json",
+               R"({"version": 1, "sheet": 1, "answers": {"1": ")" + std::string(given) + R"(", "2": "4"}})");
+    const Graded all = graded(&keys);
+    ASSERT_EQ(all.students.size(), 3u);
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_EQ(all.students[i].points, cases[i].second.first) << cases[i].first;
+        EXPECT_EQ(all.students[i].full, cases[i].second.second) << cases[i].first;
+    }
+}
+
+// What somebody answers who has a misconception and otherwise knows everything. Nothing where the question has no answer
+// of that misconception, or is answered by a hand in the picture.
+std::optional<Given> answerOf(const Question& question, const std::string& id, const Context& context) {
+    const auto typed = [&](const Expression& value) {
+        return Given(Typed{fmt::format("{}", evaluate(value, context)->numbers[0])});
+    };
+    if (const auto* number = std::get_if<NumberQuestion>(&question.kind)) {
+        if (id.empty()) return typed(number->answer);
+        const auto mistake = std::ranges::find(number->mistakes, id, &Mistake::id);
+        return mistake == number->mistakes.end() ? std::nullopt : std::optional(typed(mistake->value));
+    }
+    if (const auto* order = std::get_if<OrderQuestion>(&question.kind)) {
+        const std::vector<std::size_t> right = *rightOrder(*order, context);
+        if (id.empty()) return Ordered{right};
+        for (const OrderQuestion::Wrong& wrong : order->mistakes)
+            if (wrong.mistake.id == id)
+                return Ordered{wrong.order.empty() ? decltype(right)(right.rbegin(), right.rend()) : wrong.order};
+    }
+    if (optionsOf(question).empty()) return {};
+    const std::vector<std::size_t> right = *holdingOptions(optionsOf(question), context);
+    if (id.empty()) return Chosen{right};
+    const auto* several = std::get_if<SeveralQuestion>(&question.kind);
+    std::vector<std::size_t> others;
+    for (std::size_t i = 0; i < optionsOf(question).size(); ++i) {
+        if (std::ranges::find(right, i) != right.end()) continue;
+        others.push_back(i);
+        if (optionsOf(question)[i].mistake != id) continue;
+        std::vector<std::size_t> chosen = several ? right : std::vector<std::size_t>();
+        chosen.push_back(i);
+        return Chosen{chosen};
+    }
+    return several && several->opposite && several->opposite->id == id ? std::optional<Given>(Chosen{others})
+                                                                       : std::nullopt;
+}
+
+// Thirty students. Number k has two misconceptions of those that four lessons know, drawn by a rule, and answers every
+// question as they make one answer, then rightly; every tenth has none. The teacher's list is what they were given.
+TEST_F(GradeTest, OfAClassOfThirtyTheMisconceptionsAreNamedAndNoOthers) {
+    constexpr std::size_t kStudents = 30;
+    std::vector<Lesson> lessons;
+    std::set<std::string> known;
+    for (const char* name : {"pyramid", "diffuse", "back-faces", "painter"}) {
+        lessons.push_back(findLesson(name).value());
+        for (const Page& page : lessons.back().pages)
+            if (page.question) known.merge(mistakeIds(*page.question));
+    }
+    const std::vector<std::string> ids(known.begin(), known.end());
+    ASSERT_GT(ids.size(), 30u);
+    std::vector<Results> results(kStudents);
+    std::map<std::string, std::set<std::size_t>> made;  // who made it
+    for (const Lesson& lesson : lessons)
+        runPages(lesson, {}, [&](const Page& page, std::size_t, const PageFrames& frames) {
+            if (!page.question) return;
+            ChangedFrames changed;
+            const Context context{.frame = *frames.first, .changed = &changed};
+            const auto right = answerOf(*page.question, "", context);
+            for (std::size_t k = 0; right && k < kStudents; ++k) {
+                Attempt attempt(*page.question);
+                for (const std::size_t drawn : {7 * k, 11 * k + 5}) {
+                    const std::string& id = ids[drawn % ids.size()];
+                    const auto wrong = k % 10 == 0 ? std::nullopt : answerOf(*page.question, id, context);
+                    if (!wrong || !attempt.progress().tries.empty()) continue;
+                    ASSERT_TRUE(attempt.check(*wrong, context));
+                    made[id].insert(k);
+                }
+                if (!attempt.isSettled()) {
+                    const auto verdict = attempt.check(*right, context);
+                    ASSERT_TRUE(verdict) << page.heading;
+                    EXPECT_EQ(verdict->mark, Mark::Right) << page.heading << ": " << verdict->said;
+                }
+                results[k].put(lesson, page, attempt.progress());
+            }
+        });
+    for (std::size_t k = 0; k < kStudents; ++k) handIn(fmt::format("student-{:02}.json", k), toText(results[k]));
+    const Graded all = graded();
+    ASSERT_EQ(all.students.size(), kStudents);
+    std::map<std::string, std::size_t> expected, found;
+    for (const auto& [id, students] : made) expected[id] = students.size();
+    for (const SharedMistake& mistake : mistakesOf(all)) found[mistake.id] = mistake.students;
+    EXPECT_EQ(found, expected);
+    EXPECT_GT(expected.size(), 20u);
+    for (const std::size_t k : {0, 10, 20}) EXPECT_EQ(all.students[k].points, all.students[k].full);
 }
 
 // Each of these lost the hand-ins of the whole class, or led out of the folder that they came in.
