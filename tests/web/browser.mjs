@@ -31,8 +31,8 @@ export async function launch(program = process.env.CHROMIUM || 'chromium') {
     to.write(JSON.stringify({ id: count, method, params, sessionId }) + '\0');
   });
 
-  /** A page at an address, when it is ready. */
-  async function open(url, { width = 1280, height = 800, dark = false, mobile = false, scale = 1, scripts = true, ready = kReady } = {}) {
+  /** A page at an address, when it is ready. kept: with the answers that the browser has kept of it. */
+  async function open(url, { width = 1280, height = 800, dark = false, mobile = false, scale = 1, scripts = true, ready = kReady, kept = false } = {}) {
     const { targetId } = await send('Target.createTarget', { url: 'about:blank' });
     const { sessionId } = await send('Target.attachToTarget', { targetId, flatten: true });
     const ask = (method, params = {}) => send(method, params, sessionId);
@@ -48,6 +48,7 @@ export async function launch(program = process.env.CHROMIUM || 'chromium') {
     await ask('Emulation.setDeviceMetricsOverride', { width, height, deviceScaleFactor: scale, mobile });
     await ask('Emulation.setEmulatedMedia', { features: [{ name: 'prefers-color-scheme', value: dark ? 'dark' : 'light' }] });
     if (!scripts) await ask('Emulation.setScriptExecutionDisabled', { value: true });
+    if (!kept) await ask('Page.addScriptToEvaluateOnNewDocument', { source: 'try { localStorage.clear(); } catch {}' });
     await ask('Page.navigate', { url });
     const run = async expression => {
       const result = await ask('Runtime.evaluate', { expression, awaitPromise: true, returnByValue: true, allowUnsafeEvalBlockedByCSP: false });

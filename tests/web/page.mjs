@@ -224,6 +224,40 @@ try {
   const { answers: [graded] } = JSON.parse(fs.readFileSync(path.join(folder, 'class', 'class.json'), 'utf8'));
   expect('grade reads it', graded.student === 'anna' && graded.lesson === 'pyramid' && graded.outcome === 'shown' && graded.tries[0].given === '123456' && graded.hints === 1, graded);
 
+  // A reload finds the answers, and forgets them when it is told to. Whatever else is stored there costs nothing.
+  const again = await browser.open('file://' + pyramid, { kept: true });
+  expect('answers survive a reload', await again.run(`openPage(${number}), page.question.state === 'shown' && page.question.hints.length === 1 && ${number} in data.made.points`), await again.run('page.question'));
+  expect('and it is told', /keeps your answers/.test(await again.run('document.querySelector("#kept").textContent')));
+  const whole = 'core.ask("answers", data.name)';
+  expect('the hand-in is the same', (await again.run(whole)) === saved[0]);
+  await again.run('window.old = 1, document.querySelector("#forget").click()');
+  await again.until('!window.old && document.documentElement.dataset.ready === "1"');
+  expect('answers are forgotten', await again.run(`openPage(${number}), page.question.state === 'open' && !page.answered`));
+  for (const text of ['', '{', '[]', '7', '{"lessons": 1}', '{"lessons": {"pyramid": {"Where one vertex goes": {"outcome": "right", "hints": -1, "tries": [3, {"right": 1, "hints": "x"}]}}}}']) {
+    await again.run(`localStorage.setItem(keptAs(), ${JSON.stringify(text)})`);
+    const odd = await browser.open('file://' + pyramid, { kept: true });
+    expect(`it starts with ${text} in its storage`, await odd.run('document.querySelector("#wrong").hidden'), await odd.run('document.querySelector("#wrong").textContent'));
+    await odd.close();
+  }
+  await again.close();
+
+  // On a phone the arrows of an order are in their own rows.
+  const painter = write('painter.html', 'lesson', 'export', 'painter');
+  const order = await browser.open('file://' + painter, { width: 390, height: 844, mobile: true });
+  await order.run('(() => { for (let i = 0; i < data.pages && page.question?.kind !== "order"; ++i) openPage(i); })()');
+  const outside = await order.run(`[...document.querySelectorAll('.ordered')].flatMap(row => [...row.querySelectorAll('.icon')].filter(arrow => { const a = arrow.getBoundingClientRect(), r = row.getBoundingClientRect(); return a.top < r.top || a.bottom > r.bottom; }).map(arrow => row.textContent))`);
+  expect('arrows of an order stay in their rows at 390', (await order.run('document.querySelectorAll(".ordered").length')) > 1 && outside.length === 0, outside);
+  await order.close();
+
+  // A wrong prediction costs nothing.
+  const translucency = await browser.open('file://' + write('translucency.html', 'lesson', 'export', 'translucency'));
+  const worth = () => translucency.run('document.querySelector("#worth").textContent');
+  await translucency.run('(() => { for (let i = 0; i < data.pages && !page.question?.free; ++i) openPage(i); })()');
+  expect('a prediction says that it is free', /a wrong prediction is free/.test(await worth()), await worth());
+  await translucency.run('document.querySelector("#answer input").click(), document.querySelector("#answer").requestSubmit()');
+  expect('a wrong prediction costs nothing', (await translucency.run('verdict.mark')) === 'known' && /^worth 1, 3 tries left$/.test(await worth()), await worth());
+  await translucency.close();
+
   // No question of another lesson returns: the page does not know whether its reader has done that.
   const c = await browser.open('file://' + write('camera.html', 'lesson', 'export', 'camera'));
   expect('the first page is page 1', /^page 1 of 9$/.test(await c.run('document.querySelector("#count").textContent')));

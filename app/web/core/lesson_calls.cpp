@@ -4,6 +4,7 @@
 #include "app/web/core/scene_text.h"
 #include "lessons/hidden.h"
 #include "lessons/live_text.h"
+#include "lessons/misconceptions.h"
 #include "lessons/results.h"
 #include "lessons/state/view_tree.h"
 #include "pipeline/core/text.h"
@@ -222,6 +223,26 @@ lessons::Given givenIn(const Json& json) {
     return lessons::Reached{};
 }
 
+// What is no number or text there is left as it begins: a browser's storage may hold anything.
+lessons::Progress progressIn(const Json& json) {
+    const auto textIn = [](const Json& of, const char* key) {
+        return of.contains(key) && of[key].is_string() ? of[key].get<std::string>() : std::string();
+    };
+    const auto countIn = [](const Json& of) {
+        return of.contains("hints") && of["hints"].is_number_unsigned() ? of["hints"].get<std::size_t>() : 0;
+    };
+    lessons::Progress progress;
+    const auto outcome = std::ranges::find(lessons::kOutcomeNames, textIn(json, "outcome"));
+    if (outcome == lessons::kOutcomeNames.end()) return progress;
+    progress.outcome = lessons::Progress::Outcome(outcome - lessons::kOutcomeNames.begin());
+    progress.hints = countIn(json);
+    if (json.contains("tries") && json["tries"].is_array())
+        for (const Json& one : json["tries"])
+            progress.tries.push_back({textIn(one, "given"), one.contains("right") && one["right"] == true,
+                                      textIn(one, "mistake"), countIn(one), numberAt(one, "seconds").value_or(0)});
+    return progress;
+}
+
 // A scene of the lesson among the files of the page.
 pipeline::Result<pipeline::Scene> sceneOfPage(std::string_view name) {
     const auto found = core().files.find(std::string(name) + ".toml");
@@ -328,6 +349,29 @@ WEB_CALL(answers) int webAnswers(const char* name, int size) {
     for (std::size_t i = 0; i < open.lesson.pages.size(); ++i)
         if (open.progress[i] != lessons::Progress()) results.put(named, open.lesson.pages[i], open.progress[i]);
     return give(toText(results));
+}
+
+// What answers() gave before the page was loaded again, for pages that are still there.
+WEB_CALL(remember) int webRemember(const char* name, int size, const char* text, int textSize) {
+    OpenLesson& open = opened();
+    const Json json = parsed(text, textSize), none = Json::object();
+    const auto in = [&](const Json& of, std::string_view key) -> const Json& {
+        const auto found = of.is_object() ? of.find(std::string(key)) : of.end();
+        return found == of.end() ? none : *found;
+    };
+    const Json& pages = in(in(json, "lessons"), textAt(name, size));
+    Json points = Json::array(), mistakes = Json::array();
+    for (std::size_t i = 0; i < open.lesson.pages.size(); ++i) {
+        const Page& page = open.lesson.pages[i];
+        if (!page.question) continue;
+        open.progress[i] = progressIn(in(pages, page.heading));
+        const Attempt attempt(*page.question, open.progress[i]);
+        if (attempt.isSettled()) points.push_back({i, attempt.points()});
+        for (const lessons::Try& one : attempt.progress().tries)
+            if (const auto* known = lessons::findMisconception(one.mistake))
+                mistakes.push_back({known->name, pageName(open.lesson, i)});
+    }
+    return give({{"points", points}, {"mistakes", mistakes}});
 }
 
 // Gives up.

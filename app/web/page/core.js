@@ -17,7 +17,7 @@ async function unpackedCore() {
 
 class Core {
   // Calls that change more than a setting, and what is wanted of a frame.
-  static changing = new Set(['file', 'open', 'lesson', 'page', 'check', 'hint', 'show', 'step', 'compare']);
+  static changing = new Set(['file', 'open', 'lesson', 'page', 'check', 'hint', 'show', 'remember', 'step', 'compare']);
 
   /** @param {WebAssembly.Module} module @param {Record<string, any>} calls */
   constructor(module, calls) {

@@ -33,6 +33,8 @@ function drawDots() {
 function drawQuestion() {
   const box = one('#question'), question = page.question;
   one('#saveanswers').hidden = !page.answered;
+  one('#kept').hidden = !page.answered, one('#forget').hidden = !data.isKept;
+  one('#kept span').textContent = data.isKept ? 'This browser keeps your answers.' : 'This browser keeps no answers. Save them before you leave.';
   one('#look').hidden = data.isScene || !mayLookInside() || !one('#end').hidden;
   one('#look').setAttribute('aria-pressed', String(view.inside));
   box.hidden = !question;
@@ -219,8 +221,29 @@ function check() {
   say(all('#said > *').map(part => part.textContent.replace(/^[●△○] /, '')).join('. '));
 }
 
+const keptAs = () => `shadescope ${data.name}`;
+
+/** For the next time that the page is loaded; a browser may refuse. */
+function keepAnswers() {
+  try {
+    localStorage.setItem(keptAs(), core.ask('answers', data.name));
+    data.isKept = true;
+  } catch { data.isKept = false; }
+}
+
+function rememberAnswers() {
+  let kept = null;
+  try {
+    kept = localStorage.getItem(keptAs());
+  } catch { /* it keeps nothing */ }
+  if (!kept) return;
+  const { points, mistakes } = core.ask('remember', data.name, kept);
+  Object.assign(data, { isKept: true, made: { ...data.made, points: Object.fromEntries(points), mistakes } });
+}
+
 /** Reads the page again after its question has changed: what was hidden may be there now. */
 function readAgain() {
+  keepAnswers();
   page = core.ask('read');
   if (page.question?.settled && view.pixel === null && page.pixel) view.pixel = page.pixel;
   draw();
@@ -245,6 +268,10 @@ function startLesson() {
     say('The answer: ' + one('#solved').textContent);
     for (const assignment of page.question.answer || []) setSetting(...splitAssignment(assignment));
     if (!page.question.answer && page.has_then) showThen();
+  });
+  does('#forget', () => {
+    localStorage.removeItem(keptAs());
+    location.reload();
   });
   does('#goon', showThen);
   does('#goback', () => openPage(view.page, false));

@@ -149,6 +149,7 @@ async function start() {
   for (const [name, text] of Object.entries(data.files)) core.ask('file', name, text);
   const lesson = core.ask('lesson', data.lesson, JSON.stringify(data.texts));
   data.pages = lesson.pages, data.points = lesson.points, data.isScene = data.name === '';
+  if (!data.isScene) rememberAnswers();
   view.inside = data.isScene;
   document.documentElement.classList.toggle('scene', data.isScene);
   one('#title').textContent = lesson.title;
