@@ -44,7 +44,7 @@ section { margin-top: 2rem; padding-top: 1.25rem; border-top: 1px solid #D0D5DC;
 .box { display: inline-block; width: .9rem; height: .9rem; border: 1.5px solid #171A1F; vertical-align: -.1rem; }
 .hint { display: flex; gap: 1rem; margin: .5rem 0; } .hint b { min-width: 1.5rem; text-align: right; } .hint p { margin: 0; }
 footer { margin-top: 3rem; }
-@media print { main { max-width: none; padding: 0; } body { font-size: 11pt; }
+@media print { .first { break-after: page; } main { max-width: none; padding: 0; } body { font-size: 11pt; }
   h2 { break-after: avoid; } .question { break-before: avoid; } figure, table, .equation, .hint, .options li { break-inside: avoid; }
   footer { margin-top: 1rem; break-before: avoid; } }
 )";
@@ -94,6 +94,18 @@ std::string worthText(const Question& question) {
                        question.isPrediction ? ", a wrong answer costs nothing" : "");
 }
 
+// Whether a mark in the picture answers the page, and another page shows the same view: printed after that one, it would
+// be read off there.
+bool isFirstOnPaper(const Lesson& lesson, const Page& page) {
+    const auto* click = page.question ? std::get_if<ClickQuestion>(&page.question->kind) : nullptr;
+    const PageState& own = page.first.state;
+    return click && click->kind == ThingKind::Pixel && std::ranges::any_of(lesson.pages, [&](const Page& other) {
+               const PageState& state = other.first.state;
+               return &other != &page && state.window.scene == own.window.scene &&
+                      state.scene.camera == own.scene.camera;
+           });
+}
+
 // Takes up the pages, and what could not be filled in.
 class Writer {
 public:
@@ -104,10 +116,10 @@ public:
         m_page = &page;
         for (Pictures* pictures : {&m_pictures, &m_answerPictures}) pictures->readFrom(folderOf(m_lesson, page));
         const Hidden hidden = hiddenOn(page, false);
-        m_pages += "<section>\n" + headingOf(m_lesson, number) + '\n';
-        m_pages += half(page.first, frames.first, hidden, m_pictures);
-        if (page.question) ask(*page.question, number, {.frame = *frames.first, .stop = m_stop});
-        m_pages += "</section>\n";
+        std::string section = "<section>\n" + headingOf(m_lesson, number) + '\n';
+        section += half(page.first, frames.first, hidden, m_pictures);
+        if (page.question) section += ask(*page.question, number, {.frame = *frames.first, .stop = m_stop});
+        (isFirstOnPaper(m_lesson, page) ? m_first : m_pages) += section + "</section>\n";
         if (!page.question) return;
         m_answers += "<section>\n" + headingOf(m_lesson, number) + '\n';
         answer(*page.question, {.frame = *frames.first, .stop = m_stop});
@@ -121,7 +133,11 @@ public:
             element("p", m_lesson.summary) + "\n<p>" + blank("Name") + ' ' + blank("Date") + "</p>\n";
         const std::string hints =
             m_hints.empty() ? std::string() : "<section>\n<h2>Hints</h2>\n" + m_hints + "</section>\n";
-        const std::string pages = document(m_lesson, "", head + m_pages + hints);
+        const std::string first =
+            m_first.empty() ? std::string()
+                            : "<div class=first>\n<p>Mark these first. Later pages show what is asked here.</p>\n" +
+                                  m_first + "</div>\n";
+        const std::string pages = document(m_lesson, "", head + first + m_pages + hints);
         const std::string answers =
             document(m_lesson, ": answers", m_answers.empty() ? "<p>This lesson asks nothing.</p>\n" : m_answers);
         return Handout{pages,
@@ -198,21 +214,22 @@ private:
         return "<p class=places>" + line + ' ' + escapedHtml(order.last.empty() ? "last" : order.last) + "</p>";
     }
 
-    void ask(const Question& question, std::size_t number, const Context& context) {
-        m_pages += "<div class=question>" + asked(question, context) + options(question, context, "&nbsp;");
+    std::string ask(const Question& question, std::size_t number, const Context& context) {
+        std::string box = "<div class=question>" + asked(question, context) + options(question, context, "&nbsp;");
         const auto* click = std::get_if<ClickQuestion>(&question.kind);
         const auto* typed = std::get_if<NumberQuestion>(&question.kind);
         if (click && click->kind == ThingKind::Pixel)
-            m_pages += "<p>Mark the place with a cross in the picture.</p>";
+            box += "<p>Mark the place with a cross in the picture.</p>";
         else if (const auto* order = std::get_if<OrderQuestion>(&question.kind))
-            m_pages += places(*order);
+            box += places(*order);
         else if (optionsOf(question).empty())
-            m_pages += "<p>" + blank("Answer") + (typed ? ' ' + escapedHtml(typed->unit) : std::string()) + "</p>";
-        m_pages += element("p class=remark", worthText(question)) + "</div>\n";
+            box += "<p>" + blank("Answer") + (typed ? ' ' + escapedHtml(typed->unit) : std::string()) + "</p>";
+        box += element("p class=remark", worthText(question)) + "</div>\n";
         std::string hints;
         for (const Prose& hint : question.hints) hints += html(hint, context);
         if (!hints.empty())
             m_hints += fmt::format("<div class=hint><b>{}</b><div>{}</div></div>\n", pageName(m_lesson, number), hints);
+        return box;
     }
 
     void answer(const Question& question, const Context& context) {
@@ -273,9 +290,9 @@ private:
 
     const Lesson& m_lesson;
     const pipeline::Stop& m_stop;
-    const Page* m_page = nullptr;           // the one that is being written
-    Pictures m_pictures, m_answerPictures;  // one budget for each file
-    std::string m_pages, m_hints, m_answers;
+    const Page* m_page = nullptr;                      // the one that is being written
+    Pictures m_pictures, m_answerPictures;             // one budget for each file
+    std::string m_first, m_pages, m_hints, m_answers;  // m_first: pages before all others
     pipeline::Errors m_errors, m_leftOut;
     std::size_t m_leftOutCount = 0;
 };

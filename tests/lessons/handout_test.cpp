@@ -122,10 +122,29 @@ TEST_F(HandoutOfThePyramid, IsTwoFilesOrNone) {
     EXPECT_FALSE(std::filesystem::exists(folder / "no" / "pyramid.html"));
 }
 
+// Where a mark in a picture is asked for, no page before it shows that view: shadows 3 to 5 ring a point in shadow.
+TEST(Handout, AsksForMarksBeforeOtherPagesShowTheirPlace) {
+    const auto lesson = findLesson("shadows");
+    ASSERT_TRUE(lesson);
+    const auto handout = makeHandout(*lesson);
+    ASSERT_TRUE(handout);
+    std::vector<std::string> order;
+    for (std::size_t at = 0; (at = handout->pages.find("<section>\n<h2>", at)) != std::string::npos; ++at)
+        order.push_back(handout->pages.substr(at + 14, handout->pages.find("</h2>", at) - at - 14));
+    ASSERT_FALSE(order.empty());
+    EXPECT_EQ(order.front(), "1 Where does the shadow fall?");
+    EXPECT_EQ(order.back(), "Hints");
+    EXPECT_TRUE(order[1].starts_with("Again: ")) << "what returns, and then the others in their order: " << order[1];
+    const std::size_t first = handout->pages.find("<div class=first>"),
+                      end = handout->pages.find("</div>\n<section>", first);
+    ASSERT_NE(end, std::string::npos);
+    EXPECT_EQ(count(std::string_view(handout->pages).substr(first, end - first), "<section>"), 1u);
+}
+
 TEST(Handout, SaysThatAWrongPredictionCostsNothing) {
-    const auto lesson = parseLesson(
-        "title: T\nlecture: L\nsummary: S\nscene: pyramid\n# One\nText.\nprediction: Q?\nanswer: 1\n", "lesson.md",
-        [](std::string_view) -> pipeline::Result<pipeline::Scene> { return pyramidScene(); });
+    const auto lesson =
+        parseLesson("title: T\nlecture: L\nsummary: S\nscene: pyramid\n# One\nText.\nprediction: Q?\nanswer: 1\n",
+                    "lesson.md", [](std::string_view) -> pipeline::Result<pipeline::Scene> { return pyramidScene(); });
     const auto handout = makeHandout(lesson.value());
     ASSERT_TRUE(handout);
     EXPECT_TRUE(has(handout->pages, "Prediction: 1 point, a wrong answer costs nothing"));

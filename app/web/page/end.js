@@ -64,7 +64,9 @@ function drawPaper() {
   fillHtml(paper, one('#handout').textContent);
   one('.banner', paper)?.remove();
   const before = core.memory.slice(0), drawn = canvas => Object.assign(element('canvas', { width: canvas.width, height: canvas.height }), { className: 'printed' });
-  all('section', paper).slice(0, data.pages).forEach((section, i) => {
+  all('section', paper).forEach(section => {
+    const i = parseInt(one('h2', section).textContent, 10) - 1;  // on paper some pages come before others
+    if (!(i >= 0)) return;
     const shown = core.ask('page', i, 0), figures = element('div', { className: 'printed-row' });
     const values = shown.held.strip.length ? shown.held.strip : [''];
     for (const value of values) {
