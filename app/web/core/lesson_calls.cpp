@@ -225,21 +225,18 @@ lessons::Given givenIn(const Json& json) {
 
 // What is no number or text there is left as it begins: a browser's storage may hold anything.
 lessons::Progress progressIn(const Json& json) {
-    const auto textIn = [](const Json& of, const char* key) {
-        return of.contains(key) && of[key].is_string() ? of[key].get<std::string>() : std::string();
-    };
-    const auto countIn = [](const Json& of) {
-        return of.contains("hints") && of["hints"].is_number_unsigned() ? of["hints"].get<std::size_t>() : 0;
+    const auto hintsIn = [](const Json& of) {
+        return of["hints"].is(Json::kUnsigned) ? of["hints"].get<std::size_t>() : 0;
     };
     lessons::Progress progress;
-    const auto outcome = std::ranges::find(lessons::kOutcomeNames, textIn(json, "outcome"));
+    const auto outcome = std::ranges::find(lessons::kOutcomeNames, json["outcome"].text());
     if (outcome == lessons::kOutcomeNames.end()) return progress;
     progress.outcome = lessons::Progress::Outcome(outcome - lessons::kOutcomeNames.begin());
-    progress.hints = countIn(json);
-    if (json.contains("tries") && json["tries"].is_array())
+    progress.hints = hintsIn(json);
+    if (json["tries"].is(Json::kArray))
         for (const Json& one : json["tries"])
-            progress.tries.push_back({textIn(one, "given"), one.contains("right") && one["right"] == true,
-                                      textIn(one, "mistake"), countIn(one), numberAt(one, "seconds").value_or(0)});
+            progress.tries.push_back({one["given"].text(), one["right"] == true, one["mistake"].text(), hintsIn(one),
+                                      numberAt(one, "seconds").value_or(0)});
     return progress;
 }
 
@@ -354,17 +351,13 @@ WEB_CALL(answers) int webAnswers(const char* name, int size) {
 // What answers() gave before the page was loaded again, for pages that are still there.
 WEB_CALL(remember) int webRemember(const char* name, int size, const char* text, int textSize) {
     OpenLesson& open = opened();
-    const Json json = parsed(text, textSize), none = Json::object();
-    const auto in = [&](const Json& of, std::string_view key) -> const Json& {
-        const auto found = of.is_object() ? of.find(std::string(key)) : of.end();
-        return found == of.end() ? none : *found;
-    };
-    const Json& pages = in(in(json, "lessons"), textAt(name, size));
+    const Json json = parsed(text, textSize);
+    const Json& pages = json["lessons"][textAt(name, size)];
     Json points = Json::array(), mistakes = Json::array();
     for (std::size_t i = 0; i < open.lesson.pages.size(); ++i) {
         const Page& page = open.lesson.pages[i];
         if (!page.question) continue;
-        open.progress[i] = progressIn(in(pages, page.heading));
+        open.progress[i] = progressIn(pages[page.heading]);
         const Attempt attempt(*page.question, open.progress[i]);
         if (attempt.isSettled()) points.push_back({i, attempt.points()});
         for (const lessons::Try& one : attempt.progress().tries)
