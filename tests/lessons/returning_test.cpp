@@ -147,10 +147,10 @@ TEST(ReturningQuestions, HaveOtherNumbersThanTheFirstTime) {
                 const auto [was, tolerance] = answerOf(first);
                 EXPECT_GT(std::abs(answerOf(again).first - was), 2 * tolerance) << was;
             } else if (const auto* until = std::get_if<UntilQuestion>(&first.question->kind)) {
-                const auto valuesOf = [](const UntilQuestion& until, const Page& page) {
+                const auto valuesOf = [](const UntilQuestion& asked, const Page& page) {
                     const auto frame = frameOf(page.first.state.scene, requestFor(page));
                     std::vector<double> values;
-                    for (const UntilQuestion::Setting& one : until.answer)
+                    for (const UntilQuestion::Setting& one : asked.answer)
                         values.push_back(evaluate(*one.number, {.frame = *frame})->numbers[0]);
                     return values;
                 };
