@@ -4,10 +4,8 @@
 
 #include <CLI/CLI.hpp>
 #include <array>
-#include <chrono>
 #include <cstdlib>
 #include <filesystem>
-#include <thread>
 
 #include "app/cli/commands.h"
 #include "app/cli/interrupt.h"
@@ -15,6 +13,7 @@
 #include "app/cli/output_argument.h"
 #include "app/cli/progress_printer.h"
 #include "app/cli/scene_argument.h"
+#include "app/cli/watch.h"
 #include "pipeline/compare/compare_html.h"
 #include "pipeline/compare/compare_text.h"
 #include "pipeline/core/text.h"
@@ -174,46 +173,16 @@ int compareOnce(const CompareArguments& arguments, const pipeline::Scene& scene,
     return status;
 }
 
-// What tells that a renderer has written anew: names, sizes and times of the files, but for the report's own.
-std::string stateOf(const CompareArguments& arguments) {
-    std::string state;
-    std::error_code failed;
-    const auto add = [&](const std::filesystem::path& file) {
-        if (!arguments.output.empty() && std::filesystem::equivalent(file, arguments.output, failed)) return;
-        const auto time = std::filesystem::last_write_time(file, failed);
-        state += fmt::format("{} {} {}\n", file.string(), std::filesystem::file_size(file, failed),
-                             time.time_since_epoch().count());
+// Stages at once, names follow.
+int watchRenderer(const CompareArguments& arguments, const pipeline::Scene& scene,
+                  const foreign::CompareOptions& options, const Interrupt& interrupt) {
+    const auto again = [&] {
+        foreign::CompareOptions stages = options;
+        stages.known = false;
+        const int status = compareOnce(arguments, scene, stages, interrupt);
+        if (status == kAnswerIsNo && options.known) compareOnce(arguments, scene, options, interrupt);
     };
-    for (const std::string& path : arguments.paths) {
-        if (!std::filesystem::is_directory(path, failed)) {
-            add(path);
-            continue;
-        }
-        for (std::filesystem::directory_iterator at(path, failed), end; !failed && at != end; at.increment(failed))
-            if (at->is_regular_file(failed)) add(at->path());
-    }
-    return state;
-}
-
-// Stages at once, names follow; again whenever the files have changed and stay as they are for a moment.
-int watch(const CompareArguments& arguments, const pipeline::Scene& scene, const foreign::CompareOptions& options,
-          const Interrupt& interrupt) {
-    using namespace std::chrono_literals;
-    std::string seen, before;
-    while (!interrupt.asked()) {
-        const std::string now = stateOf(arguments);
-        if (now != seen && now == before) {
-            seen = now;
-            foreign::CompareOptions stages = options;
-            stages.known = false;
-            const int status = compareOnce(arguments, scene, stages, interrupt);
-            if (status == kAnswerIsNo && options.known) compareOnce(arguments, scene, options, interrupt);
-            std::fflush(stdout);
-        }
-        before = now;
-        std::this_thread::sleep_for(200ms);
-    }
-    return kInterrupted;
+    return watch([&] { return stateOfFiles(arguments.paths, arguments.output); }, again, interrupt);
 }
 
 int runCompare(const CompareArguments& arguments) {
@@ -240,7 +209,7 @@ int runCompare(const CompareArguments& arguments) {
     pipeline::FrameRequest request;
     for (const foreign::Tolerance& row : foreign::toleranceTable()) request.wanted.set(index(row.buffer));
     if (!fits(*scene, request, arguments.scene, status)) return status;
-    return arguments.watch ? watch(arguments, *scene, options, interrupt)
+    return arguments.watch ? watchRenderer(arguments, *scene, options, interrupt)
                            : compareOnce(arguments, *scene, options, interrupt);
 }
 

@@ -10,6 +10,7 @@
 #include "app/cli/output_argument.h"
 #include "app/cli/progress_printer.h"
 #include "app/cli/scene_argument.h"
+#include "app/cli/watch.h"
 #include "lessons/check.h"
 #include "lessons/handout.h"
 #include "lessons/judge.h"
@@ -174,14 +175,23 @@ int exportLesson(const std::string& name, const std::string& folder) {
     return kDone;
 }
 
-int exportLive(const std::string& name, const std::string& file) {
+int exportLive(const std::string& name, const std::string& file, bool watches) {
     const auto parts = livePartsOrTell(file, "lesson export");
     if (!parts) return parts.status;
     const Interrupt interrupt;
     int status = kDone;
     const auto lesson = foundLesson(name, interrupt, status);
     if (!lesson) return status;
-    return writeLivePage(makeLivePage(*lesson, *parts.parts, interrupt.token()), file, interrupt);
+    const auto write = [&](const lessons::Lesson& from) {
+        return writeLivePage(makeLivePage(from, *parts.parts, interrupt.token()), file, interrupt);
+    };
+    if (!watches) return write(*lesson);
+    const std::string folder = lesson->folder.string();
+    const auto again = [&] {
+        // A lesson that is being written has errors, which are told; the page before stays.
+        if (const auto now = foundLesson(name, interrupt, status)) write(*now);
+    };
+    return watch([&] { return stateOfFiles({folder}, file); }, again, interrupt);
 }
 
 int checkOne(const std::string& name) {
@@ -253,7 +263,7 @@ void declareLesson(CLI::App& program, const CliHost&, int& status) {
     command->require_subcommand(1);
     struct Options {
         std::string name, folder;
-        bool json = false, answers = false, forget = false, live = false;
+        bool json = false, answers = false, forget = false, live = false, watch = false;
     };
     const auto options = std::make_shared<Options>();
     const auto addName = [&](CLI::App& to) {
@@ -289,10 +299,12 @@ void declareLesson(CLI::App& program, const CliHost&, int& status) {
                      "The folder to write into, made when it is missing; with --live the file")
         ->required()
         ->type_name("DIR");
-    write->add_flag("--live", options->live, "Write one HTML file with the lesson and the pipeline in it");
+    auto* live = write->add_flag("--live", options->live, "Write one HTML file with the lesson and the pipeline in it");
+    write->add_flag("--watch", options->watch, "Write it again whenever the lesson's files change, until Ctrl+C")
+        ->needs(live);
     write->callback([options, &status] {
-        status =
-            options->live ? exportLive(options->name, options->folder) : exportLesson(options->name, options->folder);
+        status = options->live ? exportLive(options->name, options->folder, options->watch)
+                               : exportLesson(options->name, options->folder);
     });
 }
 
