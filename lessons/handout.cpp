@@ -188,6 +188,8 @@ private:
             half.held.strip.empty() ? figuresHtml(half.state, frame, hidden, m_stop) : stripHtml(half, frame, hidden);
         std::string text = figures.empty() ? std::string() : "<div class=pictures>\n" + figures + "</div>\n";
         text += html(half.paper, {.frame = *frame, .stop = m_stop}, pictures);
+        pipeline::Errors none;
+        text += proseHtml(filesText(half.held, half.state.scene), pictures, none);
         if (!hidden.hides(Part::Inspector) && !hidden.hides(Part::Equation))
             text += equationHtml(half.state, *frame, m_stop);
         return text;

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -7,6 +8,7 @@
 #include "lessons/held.h"
 #include "pipeline/core/text.h"
 #include "pipeline/scene/object_matrix.h"
+#include "pipeline/scene/vertex_settings.h"
 #include "pipeline/scene/view.h"
 
 namespace lessons {
@@ -18,8 +20,9 @@ using pipeline::inQuotes;
 using pipeline::Vec3d;
 
 constexpr std::string_view kHoldForms =
-    "light.N around X, Y, Z; light.N on ground; camera; object.N.rz on X, Y, Z; "
-    "object.N along view from A to B; or SETTING from A to B; then | NAME";
+    "light.N around X, Y, Z; light.N on ground; camera; object.N.rz on X, Y, Z; object.N along view from A to B; "
+    "vertex.OBJECT.NUMBER; material.N.n at rim from A to B; pixel along row Y; or SETTING from A to B; then | NAME";
+constexpr double kVertexReach = 1.3;  // of its object's largest half side
 constexpr std::size_t kMostHolds = 3, kStripPictures = 3;
 
 class HoldReader {
@@ -39,6 +42,8 @@ public:
         if (const auto index = numbered("light.", m_scene.lights.size())) return lamp(*index);
         if (const auto index = numbered("object.", m_scene.objects.size()); index && takes("along"))
             return along(*index);
+        if (m_key.starts_with(pipeline::kVertexPrefix) && std::ranges::count(m_key, '.') == 2) return vertex();
+        if (takes("at")) return rim();
         return takes("on") ? turn() : number();
     }
 
@@ -72,6 +77,14 @@ private:
             point[int(i)] = *number;
         }
         return point;
+    }
+    // "x", "y" or "z".
+    bool axisTaken() {
+        static constexpr std::array<std::string_view, 3> kAxes{"x", "y", "z"};
+        const auto axis = std::ranges::find_if(kAxes, [&](std::string_view name) { return takes(name); });
+        if (axis == kAxes.end()) return false;
+        m_hold.axis = Vec3d(0), m_hold.axis[int(axis - kAxes.begin())] = 1;
+        return true;
     }
     // "from A to B".
     bool range() {
@@ -128,18 +141,43 @@ private:
         return one(Hold::Kind::Turn, {std::string(m_key)});
     }
     std::vector<Hold> along(std::size_t index) {
-        static constexpr std::array<std::string_view, 3> kAxes{"x", "y", "z"};
-        const auto axis = std::ranges::find_if(kAxes, [&](std::string_view name) { return takes(name); });
-        if (axis != kAxes.end())
-            m_hold.axis = Vec3d(0), m_hold.axis[int(axis - kAxes.begin())] = 1;
-        else if (takes("view"))
+        if (takes("view"))
             m_hold.axis = makeView(m_scene).forward;
-        else
+        else if (!axisTaken())
             return refuse("found " + inQuotes(m_rest.text), "view, x, y or z");
         if (!range()) return refuse("found " + inQuotes(m_rest.text), "from A to B");
         m_hold.index = index, m_hold.point = m_scene.objects[index].transform.translation;
         const auto key = [&](const char* part) { return fmt::format("object.{}.{}", index, part); };
         return one(Hold::Kind::Along, {key("tx"), key("ty"), key("tz")});
+    }
+    // "vertex.0.2", "vertex.0.2 in z", "vertex.0.2 in z over".
+    std::vector<Hold> vertex() {
+        const std::string key(m_key);
+        const auto ref = pipeline::findSetting(m_scene, key + ".x");
+        if (!ref) {
+            m_complaints.add(m_line.where, ref.errors());
+            return {};
+        }
+        const auto of = *pipeline::vertexOf(*ref);
+        m_hold.axis = Vec3d(0);
+        if (takes("in") && !axisTaken()) return refuse("found " + inQuotes(m_rest.text), "x, y or z");
+        m_hold.turnsOver = takes("over");
+        if (!m_rest.text.empty()) return refuse("found " + inQuotes(m_rest.text), "in x, y or z, and over");
+        const pipeline::MeshFacts& facts = m_scene.objects[of.object].mesh->facts;
+        const Vec3d half = (facts.high - facts.low) / 2.0;
+        m_hold.index = of.object, m_hold.vertex = of.vertex;
+        m_hold.point = facts.low + half, m_hold.high = kVertexReach * std::max({half.x, half.y, half.z});
+        return one(Hold::Kind::Vertex, {key + ".x", key + ".y", key + ".z"});
+    }
+    std::vector<Hold> rim() {
+        const auto ref = pipeline::findSetting(m_scene, m_key);
+        const bool isExponent = ref && ref->setting->key == "material.#.n" && takes("rim");
+        if (!isExponent || !m_scene.objects[ref->index].shape ||
+            m_scene.objects[ref->index].shape->kind != pipeline::ShapeKind::Sphere)
+            return refuse("found " + inQuotes(m_line.text), "material.N.n at rim from A to B, of a sphere");
+        if (!range() || !(m_hold.low > 0)) return refuse("found " + inQuotes(m_line.text), "from A to B, above 0");
+        m_hold.index = ref->index;
+        return one(Hold::Kind::Rim, {std::string(m_key)});
     }
     std::vector<Hold> number() {
         const auto ref = pipeline::findSetting(m_scene, m_key);
@@ -174,7 +212,7 @@ public:
     }
 
     Held read(std::span<const Entry> entries) {
-        if (find(entries, "hold")) m_held.holds.clear(), m_held.shows = {};
+        if (find(entries, "hold")) m_held.holds.clear(), m_held.shows = {}, m_held.spot.reset(), m_held.file.clear();
         for (const Entry& entry : entries)
             if (entry.key == "hold") hold(entry);
         if (m_held.holds.size() > kMostHolds)
@@ -184,6 +222,7 @@ public:
         if (const Entry* entry = find(entries, "figure")) figure(entry->line());
         if (const Entry* entry = find(entries, "play")) play(*entry);
         if (const Entry* entry = find(entries, "strip")) strip(entry->line());
+        if (const Entry* entry = find(entries, "file")) file(entry->line());
         if (const Entry* entry = find(entries, "pixels")) {
             m_held.hardPixels = entry->line().text == "hard";
             if (!m_held.hardPixels)
@@ -196,7 +235,26 @@ private:
     void hold(const Entry& entry) {
         if (entry.line().text == "none") return;  // of a second half: nothing of the first one's
         if (m_held.holds.empty()) m_held.where = entry.where;
+        if (entry.line().text.starts_with("pixel ")) return spot(entry.line());
         for (Hold& one : HoldReader(entry.line(), m_scene, m_complaints).read()) m_held.holds.push_back(std::move(one));
+    }
+    // "pixel along row 240 | Spot"
+    void spot(const Line& line) {
+        constexpr std::string_view kForm = "pixel along row ";
+        const std::vector<Line> parts = separated(line, "|");
+        const auto row = parts[0].text.starts_with(kForm) ? numberIn(parts[0].text.substr(kForm.size())) : std::nullopt;
+        if (!row || parts.size() != 2 || !(*row >= 0 && *row < m_scene.settings.height && *row == std::floor(*row)))
+            return m_complaints.add(line.where, "found " + inQuotes(line.text),
+                                    "pixel along row Y | NAME, with a row of the picture");
+        m_held.spot = Spot{int(*row), std::string(parts[1].text)};
+    }
+    // The title of an object's file as lecture 1 writes one: of the object whose vertex is held.
+    void file(const Line& line) {
+        m_held.file = line.text;
+        const auto isVertex = [](const Hold& hold) { return hold.kind == Hold::Kind::Vertex; };
+        if (std::ranges::none_of(m_held.holds, isVertex))
+            m_complaints.add(line.where, "found a file without a vertex that is held",
+                             "hold: vertex.OBJECT.NUMBER | NAME");
     }
     void figure(const Line& line) {
         const auto found = std::ranges::find(kFigureNames, line.text);
@@ -255,6 +313,26 @@ private:
 Held heldFrom(std::span<const Entry> entries, const pipeline::Scene& scene, const Names& names, Held held,
               Complaints& complaints) {
     return HeldReader(scene, names, std::move(held), complaints).read(entries);
+}
+
+std::vector<HeldFile> filesOf(const Held& held, const pipeline::Scene& scene) {
+    const auto vertex = std::ranges::find(held.holds, Hold::Kind::Vertex, &Hold::kind);
+    if (held.file.empty() || vertex == held.holds.end()) return {};
+    std::vector<HeldFile> files;
+    if (auto lines = sceneLines(scene, held.file); !lines.empty())
+        files.push_back({held.file.substr(0, held.file.rfind('.')) + ".scene", std::move(lines)});
+    files.push_back({held.file, objectLines(scene.objects[vertex->index])});
+    return files;
+}
+
+std::string filesText(const Held& held, const pipeline::Scene& scene) {
+    std::string text;
+    for (const HeldFile& file : filesOf(held, scene)) {
+        text += fmt::format("\n\n`{}`\n\n```\n", file.title);
+        for (const pipeline::LectureLine& line : file.lines) text += fmt::format("{:<22}{}\n", line.text, line.meaning);
+        text += "```\n";
+    }
+    return text;
 }
 
 pipeline::BufferSet buffersOf(const Held& held) {

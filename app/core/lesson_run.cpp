@@ -26,7 +26,7 @@ PageTexts textsOf(const Page& page, const std::stop_token& stop) {
     texts.frames.first = frameOf(page.first, requestFor(page), stop, {});
     if (!texts.frames.first) return texts;
     const lessons::Context context{*texts.frames.first, texts.changed.get(), nullptr, stop};
-    texts.text = filled(page.first.text, context, texts.errors);
+    texts.text = filled(page.first.text, context, texts.errors) + filesText(page.first.held, page.first.state.scene);
     if (page.question) {
         texts.question = filled(page.question->text, context, texts.errors);
         for (const lessons::Prose* row : rowsOf(*page.question))

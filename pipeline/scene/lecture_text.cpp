@@ -52,7 +52,8 @@ std::vector<LectureLine> sceneLines(const Scene& scene, const std::string& objec
     add(std::to_string(scene.objects.size()), "objects");
     for (const Object& object : scene.objects) {
         add(objectFile, "their file");
-        add(listed(object.transform.scale), "scale");
+        const Vec3d& scale = object.transform.scale;
+        add(fmt::format("{:#}, {:#}, {:#}", scale.x, scale.y, scale.z), "scale");
         add(listed(object.transform.rotation), "turn");
         add(listed(object.transform.translation), "move");
     }

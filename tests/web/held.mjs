@@ -39,10 +39,10 @@ const picture = '(c => { const d = c.getContext("2d").getImageData(0, 0, c.width
 
 try {
   const names = JSON.parse(execFileSync(program, ['lesson', 'list', '--json'], { encoding: 'utf8' })).map(lesson => lesson.name);
-  const files = Object.fromEntries(['diffuse', 'depth-precision', 'smooth'].map(name => [name, write(name)]));
+  const files = Object.fromEntries(['pyramid', 'diffuse', 'depth-precision', 'smooth', 'z-buffer', 'highlight'].map(name => [name, write(name)]));
 
   // Whatever half holds something: its grips are large, in the room, and a way there and back is the same.
-  for (const [name, file] of Object.entries(files))
+  for (const [name, file] of Object.entries(files).slice(0, 4))
     for (const [size, options, query] of kSizes) {
       const p = await browser.open(`${file}?page=1${query}`, options);
       expect(`${name} starts at ${size}`, await p.run('document.querySelector("#wrong").hidden'), await p.run('document.querySelector("#wrong").textContent'));
@@ -196,6 +196,55 @@ try {
   if (shots) await settle(s), await s.shot(path.join(shots, '1366-end.png'));
   expect('nothing was written to the console', s.log.length === 0, s.log);
   await s.close();
+
+  // A vertex, beside the files that follow it.
+  const v = await browser.open(files.pyramid + '?page=1', { width: 1366, height: 768 });
+  const lit = 'document.querySelector("#files .lit td:nth-child(2)").textContent';
+  expect('the line of the apex is lit', (await v.run(lit)) === '(75,75,150)', await v.run(lit));
+  const others = '[...document.querySelectorAll("#files tr:not(.lit)")].map(row => row.textContent).join()', file = await v.run(others);
+  [x, y] = await v.run(middle('.grip.vertex'));
+  await drag(v, [x, y], [x - 120, y - 40]);
+  const [vx, vy] = await v.run(middle('.grip.vertex'));
+  expect('the apex stays under the pointer', Math.hypot(vx - x + 120, vy - y + 40) < 4, [vx - x, vy - y]);
+  const apex = await v.run('held.holds[0].values.replace(/vertex.0.4.[xyz]=/g, "").replaceAll("; ", ",")');
+  expect('its line follows in whole units', (await v.run(lit)) === `(${apex})` && !apex.includes('.'), [await v.run(lit), apex]);
+  expect('and no other', (await v.run(others)) === file);
+  expect('where it was is drawn', (await v.run('document.querySelectorAll(".before").length')) === 1);
+  expect('its play ends', (await v.run('document.querySelector("#play").textContent')) === 'One line follows: vertex 4.');
+  if (shots) await v.shot(path.join(shots, '1366-pyramid-1-moved.png'));
+  await v.run('document.querySelector(".grip.vertex").focus()');
+  await v.key('ArrowUp'), await settle(v);
+  expect('arrow keys move it', (await v.run(lit)) !== `(${apex})`);
+  await v.run('core.ask("show"), readAgain(), showThen()'), await settle(v);
+  expect('four lines name it', (await v.run('[...document.querySelectorAll("#files u")].map(mark => mark.textContent).join()')) === '4,4,4,4');
+  expect('it stays in the hand', (await v.run(lit)) !== '(75,75,150)');
+  expect('nothing was written to the console', v.log.length === 0, v.log);
+  await v.close();
+
+  // The rim of a highlight, by mouse; outwards n falls.
+  const h = await browser.open(files.highlight + '?page=2', { width: 1366, height: 768 });
+  [x, y] = await h.run(middle('.grip.rim'));
+  await drag(h, [x, y], [x + 30, y]);
+  expect('a wider highlight has a smaller n', Number(await h.run('settingOf("material.2.n").text')) < 8, await h.run('settingOf("material.2.n").text'));
+  [x, y] = await h.run(middle('.grip.rim'));
+  for (let i = 0; i < 40 && Number(await h.run('settingOf("material.2.n").text')) !== 31; ++i) await h.key('ArrowLeft'), await settle(h);
+  await h.run('document.querySelector("#answer").requestSubmit()'), await settle(h);
+  expect('n = 31 has its half at 12 degrees', await h.run('page.then'), await h.run('[settingOf("material.2.n").text, JSON.stringify(verdict)]'));
+  await h.close();
+
+  // A spot stays in its row, whatever the pointer does.
+  const r = await browser.open(files['z-buffer'] + '?page=8', { width: 1366, height: 768 });
+  [x, y] = await r.run(middle('.grip.pixel'));
+  await drag(r, [x, y], [x + 200, y + 90]);
+  expect('a spot stays in its row', (await r.run('view.pixel[1]')) === 240 && (await r.run('view.pixel[0]')) > 100, await r.run('view.pixel'));
+  await r.run('core.ask("show"), readAgain(), showThen()'), await settle(r);
+  expect('the row is drawn below', await r.run('document.querySelector("#figure .curve").getAttribute("d").length > 1000'));
+  const words = await r.run('document.querySelector("#figure svg").ariaLabel');
+  await r.run('document.querySelector(".grip.pixel").focus()');
+  await r.key('ArrowRight', 8), await settle(r);
+  expect('and follows the spot', (await r.run('document.querySelector("#figure svg").ariaLabel')) !== words, words);
+  if (shots) await r.shot(path.join(shots, '1366-z-buffer-8-then.png'));
+  await r.close();
 
   // Every page of every lesson, on the stage: no error, no word of what is hidden, the comparison of its second half, and
   // something to look at: a picture of one colour says so, or has edges over it, or a 3D view beside it.

@@ -35,10 +35,13 @@ Json holdJson(const Hold& hold) {
               {"values", pipeline::toText(valuesOf(scene, hold))},
               {"own", pipeline::toText(valuesOf(half().state.scene, hold))},
               {"object", isOfObject ? Json(hold.index) : Json()},
+              {"vertex", hold.vertex},
               {"low", hold.low},
               {"high", hold.high},
               {"number", valuesOf(scene, hold).front().second}};
-    // The point that a lamp's line leads to.
+    // The point that a line leads to: what a lamp goes around, its foot, where a vertex was.
+    if (hold.kind == Hold::Kind::Vertex && valuesOf(scene, hold) != valuesOf(half().state.scene, hold))
+        if (const auto before = placeOf(half().state.scene, hold)) json["around"] = {before->at.x, before->at.y};
     if (hold.kind == Hold::Kind::LampAtInfinity)
         if (const auto middle = projected(makeView(scene), hold.point)) json["around"] = {middle->x, middle->y};
     if (hold.kind == Hold::Kind::LampTop) {
@@ -61,7 +64,16 @@ WEB_CALL(holds) int webHolds() {
     const lessons::Held& held = half().held;
     Json list = Json::array();
     for (const Hold& hold : held.holds) list.push_back(holdJson(hold));
-    Json json{{"holds", list}, {"shows", ""}, {"played", false}};
+    Json json{{"holds", list}, {"shows", ""}, {"played", false}, {"files", Json::array()}};
+    for (const lessons::HeldFile& file : filesOf(held, *core().own.scene)) {
+        Json lines = Json::array();
+        for (const pipeline::LectureLine& line : file.lines)
+            lines.push_back({{"number", line.number},
+                             {"text", line.text},
+                             {"meaning", line.meaning},
+                             {"vertex", line.vertex ? Json(*line.vertex) : Json()}});
+        json["files"].push_back({{"title", file.title}, {"lines", lines}});
+    }
     if (!core().own.frame) return give(json);
     const lessons::Context context{.frame = *core().own.frame};
     if (!held.shows.empty()) {

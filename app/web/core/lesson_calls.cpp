@@ -151,6 +151,7 @@ Json heldJson(const lessons::Held& held) {
     return {{"figure", held.figure ? Json(lessons::kFigureNames[std::size_t(*held.figure)]) : Json()},
             {"hard", held.hardPixels},
             {"strip", held.strip},
+            {"spot", held.spot ? Json{{"row", held.spot->row}, {"name", held.spot->name}} : Json()},
             {"play", held.play ? Json{{"text", held.play->text}, {"done", held.play->done}} : Json()}};
 }
 

@@ -3,8 +3,8 @@
 const isStill = () => matchMedia('(prefers-reduced-motion: reduce)').matches;
 const clamp = (value, low, high) => Math.max(low, Math.min(high, value));
 
-/** What can be held, with places and words. @type {{holds: any[], shows: string, played: boolean}} */
-let held = { holds: [], shows: '', played: false };
+/** What can be held, with places and words. @type {{holds: any[], shows: string, played: boolean, files: any[]}} */
+let held = { holds: [], shows: '', played: false, files: [] };
 /** The views of the half, each with its canvases. @type {any[]} */
 let cells = [];
 /** Buttons that are dragged: a hold of the core, the line between two pictures, the picked pixel. @type {any[]} */
@@ -79,7 +79,7 @@ function buildGrips() {
   for (const grip of grips) grip.button.remove(), grip.bubble.remove();
   grips = held.holds.map((hold, number) => makeGrip(hold.kind, hold.name, number));
   for (const cell of cells) if (cell.shown.against && cell.shown.mode === 'wipe') grips.push(makeGrip('line', 'Line between the two pictures', -1, cell));
-  if (isClick() && cells.length) grips.push(makeGrip('pixel', 'Place', -1, cells[0]));
+  if ((isClick() || page.held.spot) && cells.length) grips.push(makeGrip('pixel', page.held.spot?.name || 'Place', -1, cells[0]));
   one('#room').classList.toggle('holding', grips.length > 0);
 }
 
@@ -115,7 +115,10 @@ function trackOf(grip) {
 function placeOfGrip(grip) {
   const room = one('#room');
   if (grip.kind === 'line') return [onRoom(grip.cell, [grip.cell.wipe * pictureSize()[0], 0])[0], Math.max(34, onRoom(grip.cell, [0, grip.cell.part[1]])[1] + 34)];
-  if (grip.kind === 'pixel') return view.pixel ? onRoom(grip.cell, view.pixel.map(v => v + 0.5)) : [room.clientWidth / 2, room.clientHeight / 2];
+  if (grip.kind === 'pixel') {
+    const { spot } = page.held, at = view.pixel || (spot && [pictureSize()[0] >> 3, spot.row]);
+    return at ? onRoom(grip.cell, at.map(v => v + 0.5)) : [room.clientWidth / 2, room.clientHeight / 2];
+  }
   const hold = held.holds[grip.number];
   if (grip.kind === 'eye') return [room.clientWidth - 46, room.clientHeight - 44];
   if (grip.kind === 'number') {
@@ -226,6 +229,7 @@ function drawHeld() {
 }
 
 function pickOnStage(at) {
+  if (page.held.spot) at[1] = page.held.spot.row;
   view.pixel = at.map((value, i) => clamp(value, 0, pictureSize()[i] - 1));
   drawPixel(), drawStage();
 }
@@ -269,8 +273,25 @@ function drawStage() {
   cells.forEach(drawCell);
   placeGrips();
   drawFigure();
+  drawFiles();
   judgePlay();
 }
+
+/** The files that the scene would be. The line of the vertex in the hand is lit; after the answer its number is marked. */
+function drawFiles() {
+  const box = one('#files'), { files } = held, vertex = held.holds.find(hold => hold.kind === 'vertex')?.vertex, known = JSON.stringify([files, page.then]);
+  box.hidden = files.length === 0, one('#stage').classList.toggle('filed', !box.hidden);
+  if (drawFiles.known === known) return;
+  drawFiles.known = known;
+  const mark = text => !page.then || !/^\d+,\(/.test(text) ? [text] : text.split(/(\d+)/).map((part, i) => (i > 1 && i % 2 && part === String(vertex) ? element('u', { textContent: part }) : part));
+  box.replaceChildren(...files.map(({ title, lines }, i) => {
+    const isLast = i === files.length - 1, rows = lines.map(line => element('tr', { className: line.vertex === vertex ? 'lit' : '' }, element('td', { textContent: line.number || '' }), element('td', {}, ...mark(line.text)), element('td', { textContent: line.meaning })));
+    return element('details', { open: isLast || (innerWidth > 760 && innerHeight > 740) }, element('summary', { textContent: title }), element('table', {}, element('tbody', {}, ...rows)));
+  }));
+  const lit = box.querySelector('.lit');
+  if (lit) box.scrollTop += lit.getBoundingClientRect().top - box.getBoundingClientRect().top - box.clientHeight / 2;
+}
+drawFiles.known = '';
 
 function fitCell(cell) {
   const [x, y, w, h] = cell.part, { clientWidth, clientHeight } = cell.field, narrow = clientWidth < 500;
@@ -360,6 +381,7 @@ function drawOver(cell, sides) {
   const [kind, number] = page.selected.split(' ');
   if (kind === 'polygon') out += `<polygon class="selected" points="${pointsOf(cornersOf(Number(number)).map(at))}"/>`;
   if (kind === 'vertex') out += (([x, y]) => `<circle class="selected" r="8" cx="${x}" cy="${y}"/>`)(at(vertexAt(Number(number))));
+  if (lamp?.kind === 'vertex') out += (([x, y]) => `<circle class="before" r="6" cx="${x}" cy="${y}"/>`)(at(lamp.around));
   if (lamp?.place) out += `<line class="lead" x1="${at(lamp.place)[0]}" y1="${at(lamp.place)[1]}" x2="${at(lamp.around)[0]}" y2="${at(lamp.around)[1]}"/>`;
   if (view.pixel) {
     const o = at(view.pixel.map(v => v + 0.5)), isShown = !page.hidden.buffers.some(name => /^(normal|light_vector)/.test(name)), vectors = lamp?.kind === 'lamp' && isShown ? core.ask('vectors', ...view.pixel) : null;
@@ -452,6 +474,7 @@ function drawFigure() {
   drawFigure.kind = kind;
   if (kind === 'codes') drawCodes(made);
   else if (kind === 'equation') drawTerms(made);
+  else if (kind === 'row') drawRow(made);
   else made.replaceChildren();
 }
 drawFigure.kind = '';
@@ -467,6 +490,19 @@ function drawCodes(made) {
   const own = hold && Number(splitAssignment(hold.own)[1]);
   if (own && own !== near) out += `<line x1="${x(own)}" x2="${x(own)}" y1="70" y2="106" class="own"/>` + svgWords([x(own), 62], String(own), 'text-anchor="middle"');
   made.innerHTML = `<svg role="img" aria-label="Depths that have a code of their own, on an axis from the eye to the far plane: ${marks.length} marks">${out}</svg>`;
+}
+
+/** The first buffer beside the picture itself along the row of the picked pixel, below the picture's columns. */
+function drawRow(made) {
+  const [width, height] = pictureSize(), [px, py] = view.pixel || [width >> 1, page.held.spot?.row ?? height >> 1], name = (page.buffers.find(shown => shown.buffer !== 'color') || page.buffers[0]).buffer;
+  const numbers = core.numbers(core.ask('buffer', name, 0)), parts = numbers.length / (width * height), ids = idsDrawn();
+  const row = Array.from({ length: width }, (_, x) => (ids[py * width + x] >= 0 ? Number(numbers[parts * (py * width + x)]) : NaN)), drawn = row.filter(Number.isFinite);
+  const low = Math.min(...drawn), high = Math.max(...drawn), at = x => onRoom(cells[0], [x + 0.5, 0])[0], up = v => 92 - 64 * (v - low) / (high - low || 1);
+  let path = '';
+  row.forEach((v, x) => { if (Number.isFinite(v)) path += `${Number.isFinite(row[x - 1]) ? 'L' : 'M'}${at(x).toFixed(1)} ${up(v).toFixed(1)}`; });
+  const words = Number.isFinite(row[px]) ? `${name} ${shortNumber(row[px], 4)}` : 'nothing drawn', x = at(px), end = one('#figure').clientWidth;
+  const dot = Number.isFinite(row[px]) ? `<circle cx="${x}" cy="${up(row[px])}" r="5" class="at"/>` : '';
+  made.innerHTML = `<svg role="img" aria-label="Row ${py}, column ${px}: ${words}"><line x1="${x}" x2="${x}" y1="22" y2="100" class="own"/><path class="curve" d="${path}"/>${dot}${svgWords([clamp(x, 90, end - 90), 16], words, 'text-anchor="middle" class="of"')}${svgWords([12, 112], `row ${py}`)}</svg>`;
 }
 
 function drawTerms(made) {
