@@ -51,7 +51,7 @@ class Frames(unittest.TestCase):
     def test_every_exported_buffer_has_the_bits_of_export(self):
         # Every kind of buffer is among them: vertices, polygons, pixels, texels; float, double, integers, bytes.
         for scene, settings in (("pyramid", {}), ("soft_shadow", {"width": 320, "height": 240}), ("translucent", {}),
-                                ("teapot", {"precision": "double", "shading": "gouraud"})):
+                                ("teapot", {"precision": "double", "shading": "gouraud", "width": 320, "height": 240})):
             with tempfile.TemporaryDirectory() as folder:
                 told = program("export", scene, "--format", "npy", "-o", folder,
                                *(word for key, value in settings.items() for word in ("--set", f"{key}={value}")))
