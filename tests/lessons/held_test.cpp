@@ -42,6 +42,24 @@ TEST(Held, ReadsWhatCanBeHeld) {
     EXPECT_NEAR(axis.z, -0.5, 1e-4);
 }
 
+// The pyramid's box is 150 wide around (75, 75, 75): 1.3 times its half is 97.5.
+TEST(Held, ReadsAVertexAndASpot) {
+    const Held held =
+        heldOf("hold: vertex.0.4 in z over | Apex\nhold: pixel along row 240 | Spot\nfile: pyramid.des\n");
+    ASSERT_EQ(held.holds.size(), 1u);
+    EXPECT_EQ(held.holds[0].keys, (std::vector<std::string>{"vertex.0.4.x", "vertex.0.4.y", "vertex.0.4.z"}));
+    EXPECT_EQ(held.holds[0].axis, pipeline::Vec3d(0, 0, 1));
+    EXPECT_EQ(held.holds[0].high, 97.5);
+    EXPECT_TRUE(held.holds[0].turnsOver);
+    ASSERT_TRUE(held.spot);
+    EXPECT_EQ(held.spot->row, 240);
+    EXPECT_FALSE(heldOf("hold: vertex.0.4 | Apex\n").holds[0].turnsOver);
+    for (const char* wrong : {"hold: vertex.0.5 | V\n", "hold: vertex.0.4 in w | V\n", "hold: vertex.0.4 often | V\n",
+                              "hold: pixel along row 480 | Spot\n", "hold: pixel along row 1.5 | Spot\n",
+                              "hold: material.0.n at rim from 1 to 9 | Rim of no ball\n", "file: pyramid.des\n"})
+        EXPECT_NE(errorsOfKeys(wrong), "") << wrong;
+}
+
 TEST(Held, APlayHasItsConditionAndItsFindingBelowIt) {
     const Held held =
         heldOf("hold: camera | Eye\nplay: Go up.\n  until: setting(camera.phi) < 5\n  done: It is flat from here.\n");
