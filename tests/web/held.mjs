@@ -203,9 +203,9 @@ try {
   expect('the line of the apex is lit', (await v.run(lit)) === '(75,75,150)', await v.run(lit));
   const others = '[...document.querySelectorAll("#files tr:not(.lit)")].map(row => row.textContent).join()', file = await v.run(others);
   [x, y] = await v.run(middle('.grip.vertex'));
-  await drag(v, [x, y], [x - 120, y - 40]);
+  await drag(v, [x, y], [x - 60, y + 30]);
   const [vx, vy] = await v.run(middle('.grip.vertex'));
-  expect('the apex stays under the pointer', Math.hypot(vx - x + 120, vy - y + 40) < 4, [vx - x, vy - y]);
+  expect('the apex stays under the pointer', Math.hypot(vx - x + 60, vy - y - 30) < 4, [vx - x, vy - y]);
   const apex = await v.run('held.holds[0].values.replace(/vertex.0.4.[xyz]=/g, "").replaceAll("; ", ",")');
   expect('its line follows in whole units', (await v.run(lit)) === `(${apex})` && !apex.includes('.'), [await v.run(lit), apex]);
   expect('and no other', (await v.run(others)) === file);

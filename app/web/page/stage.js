@@ -79,7 +79,7 @@ function buildGrips() {
   for (const grip of grips) grip.button.remove(), grip.bubble.remove();
   grips = held.holds.map((hold, number) => makeGrip(hold.kind, hold.name, number));
   for (const cell of cells) if (cell.shown.against && cell.shown.mode === 'wipe') grips.push(makeGrip('line', 'Line between the two pictures', -1, cell));
-  if ((isClick() || page.held.spot) && cells.length) grips.push(makeGrip('pixel', page.held.spot?.name || 'Place', -1, cells[0]));
+  if ((isClick() || page.held.spot) && cells.length) grips.push(makeGrip(page.held.spot ? 'pixel spot' : 'pixel', page.held.spot?.name || 'Place', -1, cells[0]));
   one('#room').classList.toggle('holding', grips.length > 0);
 }
 
@@ -87,7 +87,7 @@ function buildGrips() {
 function makeGrip(kind, name, number, cell = cells[0]) {
   const button = element('button', { type: 'button', className: `grip ${kind} fresh`, ariaLabel: name }), bubble = element('span', { className: 'bubble', ariaHidden: 'true' });
   button.setAttribute('role', 'slider');
-  const grip = { kind, name, number, cell, button, bubble, onAxis: false, words: '' };
+  const grip = { kind: kind.split(' ')[0], name, number, cell, button, bubble, onAxis: false, words: '' };
   button.addEventListener('pointerdown', event => guarded(() => grab(grip, event)));
   button.addEventListener('keydown', event => guarded(() => gripKey(grip, event)));
   return grip;
