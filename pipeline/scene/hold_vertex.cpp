@@ -9,7 +9,8 @@ namespace pipeline {
 
 namespace {
 
-constexpr double kSteepest = 0.05;  // the sine of the angle at which a plane is seen: below, it has no place for a hand
+// Of the angle at which a plane is seen: below, it has no place for a hand.
+constexpr double kLeastSine = 0.05;
 constexpr int kHalvings = 24;
 constexpr double kStepsOfObject = 100, kCoarse = 10;
 
@@ -60,7 +61,7 @@ Assignments vertexAt(const Scene& scene, const Hold& hold, glm::dvec2 to, bool c
     // The line of sight through the pixel meets the plane.
     const Vec3d start = worldPoint(view, to, 0), way = worldPoint(view, to, 1) - start;
     const double steep = glm::dot(normal, way), t = glm::dot(normal, now - start) / steep;
-    const bool isSeen = std::abs(steep) >= kSteepest * glm::length(normal) * glm::length(way);
+    const bool isSeen = std::abs(steep) >= kLeastSine * glm::length(normal) * glm::length(way);
     const Vec3d there = glm::inverse(matrix.linear) * (start + t * way - matrix.translation);
     Vec3d best = own;
     if (isSeen && (t > 0 || !view.perspective) && std::isfinite(there.x + there.y + there.z)) {
