@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "pipeline/core/angles.h"
 #include "pipeline/core/elementary.h"
 #include "pipeline/core/numerics.h"
 #include "pipeline/scene/hold_kinds.h"
@@ -36,7 +37,10 @@ public:
     double factor() const {
         return effectiveExponent(m_scene.settings.model, m_scene.settings.exponentFactor, {.exponent = 1});
     }
-    Vec3d normalAt(double t) const { return std::cos(t) * m_peak + std::sin(t) * m_aside; }
+    Vec3d normalAt(double t) const {
+        const double degrees = t * 180 / std::numbers::pi;
+        return cosDegrees(degrees) * m_peak + sinDegrees(degrees) * m_aside;
+    }
     std::optional<glm::dvec2> placeAt(double t) const { return projected(m_view, m_middle + m_radius * normalAt(t)); }
     // ln of R·V or N·H.
     double logAt(double t) const {
