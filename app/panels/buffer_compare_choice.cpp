@@ -47,7 +47,8 @@ bool CompareChoice::press(const QKeyEvent& key) {
     switch (key.key()) {
         case Qt::Key_Shift: return m_compare->holdOther(true), true;
         case Qt::Key_QuoteLeft:
-            if (!key.isAutoRepeat()) m_compare->holdPrevious(true);
+            // The stage before may have what a page asks for.
+            if (!key.isAutoRepeat() && view().document().hidden().count() == 0) m_compare->holdPrevious(true);
             return true;
         case Qt::Key_T: return compareBy(CompareMode::Blink), true;
         case Qt::Key_W: return compareBy(CompareMode::Wipe), true;
