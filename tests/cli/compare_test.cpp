@@ -21,9 +21,9 @@ void writePpm(const std::string& name, int width, int height, const std::vector<
 
 namespace {
 
-// Nothing in it is symmetrical. A quarter of its pixels, for known errors are drawn one after the other.
+// Nothing in it is symmetrical. A quarter of its pixels: every known error is drawn.
 const std::string kScene = SHADESCOPE_STARTER "/check_me.toml";
-const std::vector<std::string> kSize{"--size", "320x240"};
+const std::vector<std::string> kSize{"--size", "160x100"};
 
 // The buffers of a scene as another renderer could have written them.
 class Handed {
@@ -246,12 +246,12 @@ TEST(Compare, aFileOfAnotherSizeIsToldAndTheOthersAreCompared) {
     const Handed handed;
     handed.give("color", handed.all("color"));
     test::Npy z = handed.all("z_view");
-    z.shape = {100, 320};
+    z.shape = {50, 160};
     handed.give("depth", z);
     test::writeText(handed.file("normal.npy"), "no array");
     const auto done = handed.compare();
     EXPECT_EQ(done.status, 3);
-    EXPECT_TRUE(test::has(done.out, "320 × 100")) << done.out;
+    EXPECT_TRUE(test::has(done.out, "160 × 50")) << done.out;
     EXPECT_TRUE(test::has(done.out, "normal.npy:0")) << done.out;
     EXPECT_TRUE(test::has(done.out, "color")) << done.out;
 }
@@ -268,7 +268,7 @@ TEST(Compare, whatAFileLacksIsSaidWithItsCure) {
     const auto done = handed.compare();
     EXPECT_EQ(done.status, 3);
     EXPECT_TRUE(test::has(done.out, "as depth of this scene has; rows come before columns")) << done.out;
-    EXPECT_TRUE(test::has(done.out, "(NumPy's shape 3, 200, 320)")) << done.out;
+    EXPECT_TRUE(test::has(done.out, "(NumPy's shape 3, 100, 160)")) << done.out;
     EXPECT_TRUE(test::has(done.out, "channels come last")) << done.out;
     EXPECT_TRUE(test::has(done.out, "\"object_id.jpg\" is not read: its ending is none of npy")) << done.out;
     EXPECT_TRUE(test::has(handed.compare({"--tolerance", "colr=2"}).err, "the nearest name is color"));
