@@ -5,6 +5,7 @@
 #include "lessons/lesson.h"
 #include "lessons/library.h"
 #include "lessons/misconceptions.h"
+#include "lessons/sheet.h"
 #include "tests/lessons/pyramid_scene.h"
 
 namespace lessons {
@@ -287,6 +288,12 @@ TEST(Misconceptions, EachIsUsedByAQuestion) {
     for (const Lesson& lesson : allLessons().lessons)
         for (const Page& page : lesson.pages)
             if (page.question) used.merge(mistakeIds(*page.question));
+    for (const std::string& name : sheetTemplateNames()) {
+        const auto sheet = readSheetTemplate(sheetTemplateAt(name));
+        ASSERT_TRUE(sheet) << name;
+        for (const Misconception& row : misconceptions().rows)
+            if (sheet->text.find("mistake " + row.id + ':') != std::string::npos) used.insert(row.id);
+    }
     for (const Misconception& row : misconceptions().rows) EXPECT_TRUE(used.contains(row.id)) << row.id;
 }
 
