@@ -130,8 +130,8 @@ build() {
     exec 9>&-
 }
 
-# What a step of a build from nothing costs on average, in CPU seconds: tests/bench/build_cost measures it.
-secondsAStep=2
+# What a step of the program's build from nothing costs on average, in CPU seconds: tests/bench/build_cost measures it.
+secondsAStep=5
 
 # followBuild FILE: keeps ninja's lines in FILE. If there is something to build, says how long that takes about, and how
 # far it is: on a terminal after each step, else after each tenth of them.
