@@ -7,12 +7,12 @@
 
 namespace app {
 
-// What tells that files were written anew: names, sizes and times of these, and of the files in these folders, but for the
-// one that the command writes itself.
+// Names, sizes and times of these files and of all files in these folders, without `own`, the file that the command writes.
+// The text changes when one of them is written.
 std::string stateOfFiles(const std::vector<std::string>& paths, const std::string& own);
 
-// Calls `again` at once, and whenever the state has changed and stays as it is for a moment; until Ctrl+C. Gives the exit
-// status.
+// Calls `again` at once, and after each change once the state has stayed the same for a moment. Ends with Ctrl+C; returns
+// the exit status.
 int watch(const std::function<std::string()>& state, const std::function<void()>& again, const Interrupt& interrupt);
 
 }  // namespace app

@@ -7,7 +7,7 @@
 
 namespace pipeline {
 
-// The library's value of a value.
+// Converts between our values and the library's.
 struct JsonText {
     using Library = nlohmann::ordered_json;
 

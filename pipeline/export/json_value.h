@@ -14,7 +14,7 @@
 
 namespace pipeline {
 
-// What is left out while a text is read: levels deeper than that many, and a member of the outermost object.
+// What a reader leaves out: elements below so many levels, and one member of the outermost object.
 struct JsonLimits {
     std::size_t levels = std::size_t(-1);
     std::string_view without{};
@@ -22,7 +22,7 @@ struct JsonLimits {
 
 template <class T>
 concept JsonNumber = std::is_arithmetic_v<T>;  // true and false also
-template <JsonNumber T>                        // as what it is kept
+template <JsonNumber T>                        // the type that stores it
 using JsonStored =
     std::conditional_t<std::is_floating_point_v<T>, double,
                        std::conditional_t<std::is_same_v<T, bool>, bool,

@@ -5,20 +5,20 @@
 
 namespace pipeline {
 
-// The power of ten at or below it; to a multiple of a power of ten.
-double powerBelow(double unit);
-double roundedTo(double value, double step);
+double powerBelow(double unit);               // the largest power of ten that is at most `unit`
+double roundedTo(double value, double step);  // to the nearest multiple of `step`, a power of ten
 
-// Of a number: its place on the track, 0 to 1; to two digits where the track has equal factors, else to a two hundredth of
-// it, whole where the setting is.
+// The place of a number on its track, 0 to 1.
 double shareOf(const Hold& hold, double value);
+// Rounded: on a logarithmic track to two digits, on a linear one to a power of ten of at most a hundredth of it; coarse: to
+// one digit, to a tenth. Whole where the setting is.
 double numberNear(const Scene& scene, const Hold& hold, double value, bool coarse);
 
 Vec3d vertexInWorld(const Scene& scene, const Hold& hold);
-// With the vertex at `to` in its plane, as near as its polygons allow.
+// Moves the vertex in its plane to where `to` is seen, or as near to it as its polygons allow.
 Assignments vertexAt(const Scene& scene, const Hold& hold, glm::dvec2 to, bool coarse);
 
-// To the right of the highlight's middle. Nothing where the ball has no light, or is not in the picture.
+// The rim's point to the right of the highlight's middle. Nothing where the ball is unlit or outside the picture.
 std::optional<glm::dvec2> rimPlace(const Scene& scene, const Hold& hold);
 // The n with which the rim is nearest to `to`.
 Assignments rimAt(const Scene& scene, const Hold& hold, glm::dvec2 to, bool coarse);

@@ -224,7 +224,7 @@ lessons::Given givenIn(const Json& json) {
     return lessons::Reached{};
 }
 
-// What is no number or text there is left as it begins: a browser's storage may hold anything.
+// A browser's storage may hold anything: members of another type keep their defaults.
 lessons::Progress progressIn(const Json& json) {
     const auto hintsIn = [](const Json& of) {
         return of["hints"].is(Json::kUnsigned) ? of["hints"].get<std::size_t>() : 0;
