@@ -11,7 +11,11 @@ install(DIRECTORY lessons/ DESTINATION ${CMAKE_INSTALL_DATADIR}/shadescope/lesso
 # What live pages are made of; the core where the preset web has built it.
 install(DIRECTORY app/web/page/ DESTINATION ${CMAKE_INSTALL_DATADIR}/shadescope/web
   FILES_MATCHING PATTERN "*.html" PATTERN "*.css" PATTERN "*.js")
-install(FILES ${PROJECT_SOURCE_DIR}/build/web/shadescope_core.wasm.gz DESTINATION ${CMAKE_INSTALL_DATADIR}/shadescope/web OPTIONAL)
+set(core ${PROJECT_SOURCE_DIR}/build/web/shadescope_core.wasm.gz)
+install(FILES ${core} DESTINATION ${CMAKE_INSTALL_DATADIR}/shadescope/web OPTIONAL)
+install(CODE "if(NOT EXISTS ${core})
+  message(WARNING \"Installed without live pages: the preset web has not built their core\")
+endif()")
 # The Python package, by itself: resources/packaging makes a wheel and a Debian package of it. It has its own scenes and
 # parts of a live page, because neither program need be there.
 if(TARGET shadescope_python)
@@ -21,7 +25,7 @@ if(TARGET shadescope_python)
   install(DIRECTORY resources/scenes DESTINATION shadescope/share COMPONENT python EXCLUDE_FROM_ALL)
   install(DIRECTORY app/web/page/ DESTINATION shadescope/share/web COMPONENT python EXCLUDE_FROM_ALL
     FILES_MATCHING PATTERN "*.html" PATTERN "*.css" PATTERN "*.js")
-  install(FILES ${PROJECT_SOURCE_DIR}/build/web/shadescope_core.wasm.gz DESTINATION shadescope/share/web
+  install(FILES ${core} DESTINATION shadescope/share/web
     COMPONENT python EXCLUDE_FROM_ALL OPTIONAL)
 endif()
 set(commands ${PROJECT_BINARY_DIR}/resources/manual)

@@ -130,6 +130,18 @@ build() {
     exec 9>&-
 }
 
+# buildCore: the core of live pages, into build/web. SHADESCOPE_CORE names it where another system has built it.
+buildCore() {
+    local core="$root/build/web/shadescope_core.wasm.gz"
+    if [ -n "${SHADESCOPE_CORE:-}" ]; then
+        mkdir -p "${core%/*}"
+        cp "$SHADESCOPE_CORE" "$core"
+    else
+        installPackages live
+        build web web
+    fi
+}
+
 # What a step of the program's build from nothing costs on average, in CPU seconds: tests/bench/build_cost measures it.
 secondsAStep=7
 
