@@ -106,8 +106,11 @@ pipeline::Result<BugQuiz> makeBugQuiz(std::uint64_t seed, std::size_t count, con
                    quizPage("The wrong picture: answers", about, answers)};
 }
 
+std::vector<std::string> bugQuizFiles() { return {"quiz-answers.html", "quiz.html"}; }
+
 pipeline::Result<std::vector<std::string>> writeBugQuiz(const BugQuiz& quiz, const std::filesystem::path& folder) {
-    return pipeline::writeFiles({{"quiz-answers.html", quiz.answers}, {"quiz.html", quiz.questions}}, folder);
+    const std::vector<std::string> names = bugQuizFiles();
+    return pipeline::writeFiles({{names[0], quiz.answers}, {names[1], quiz.questions}}, folder);
 }
 
 }  // namespace lessons

@@ -22,6 +22,7 @@ pipeline::Result<BugQuiz> makeBugQuiz(std::uint64_t seed, std::size_t count, con
                                       const std::stop_token& stop = {},
                                       const std::function<void(std::size_t)>& progress = {});
 
+std::vector<std::string> bugQuizFiles();  // their names
 // quiz.html and quiz-answers.html, into a folder, which is made when it is missing: both or none. Gives their names.
 pipeline::Result<std::vector<std::string>> writeBugQuiz(const BugQuiz& quiz, const std::filesystem::path& folder);
 

@@ -54,6 +54,7 @@ struct DrillPages {
     std::string questions, answers;
 };
 DrillPages drillPages(std::uint64_t seed, std::span<const DrillRound> rounds);
+std::vector<std::string> drillFiles();  // their names
 // Both or none. Gives their names.
 pipeline::Result<std::vector<std::string>> writeDrill(const DrillPages& pages, const std::filesystem::path& folder);
 

@@ -111,8 +111,11 @@ DrillPages drillPages(std::uint64_t seed, std::span<const DrillRound> rounds) {
     return {pageOf("Spot the technique", about, questions), pageOf("Spot the technique: answers", about, answers)};
 }
 
+std::vector<std::string> drillFiles() { return {"drill-answers.html", "drill.html"}; }
+
 pipeline::Result<std::vector<std::string>> writeDrill(const DrillPages& pages, const std::filesystem::path& folder) {
-    return pipeline::writeFiles({{"drill-answers.html", pages.answers}, {"drill.html", pages.questions}}, folder);
+    const std::vector<std::string> names = drillFiles();
+    return pipeline::writeFiles({{names[0], pages.answers}, {names[1], pages.questions}}, folder);
 }
 
 }  // namespace lessons

@@ -64,6 +64,7 @@ std::string toCsv(const Graded& graded);
 std::string toJson(const Graded& graded);
 std::string toHtml(const Graded& graded);
 // class.csv, class.json and class.html, all or none. Gives their names.
+std::vector<std::string> gradedFiles();  // their names
 pipeline::Result<std::vector<std::string>> writeGraded(const Graded& graded, const std::filesystem::path& folder);
 
 }  // namespace lessons

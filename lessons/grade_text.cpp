@@ -213,9 +213,12 @@ std::string toHtml(const Graded& graded) {
         body, pipeline::escapedHtml(pipeline::programVersion()));
 }
 
+std::vector<std::string> gradedFiles() { return {"class.csv", "class.json", "class.html"}; }
+
 pipeline::Result<std::vector<std::string>> writeGraded(const Graded& graded, const std::filesystem::path& folder) {
-    return pipeline::writeFiles(
-        {{"class.csv", toCsv(graded)}, {"class.json", toJson(graded)}, {"class.html", toHtml(graded)}}, folder);
+    const std::vector<std::string> names = gradedFiles();
+    return pipeline::writeFiles({{names[0], toCsv(graded)}, {names[1], toJson(graded)}, {names[2], toHtml(graded)}},
+                                folder);
 }
 
 }  // namespace lessons

@@ -29,6 +29,7 @@ struct BugOptions {
     std::vector<std::string> pool;
     std::optional<std::size_t> count;
     std::string level = "B", folder;
+    bool force = false;
 };
 
 constexpr const char* kHelp =
@@ -212,7 +213,9 @@ int playBugs(std::uint64_t seed, std::size_t count, const std::vector<int>& boxe
     return solved == count ? kDone : kAnswerIsNo;
 }
 
-int writeQuizOf(std::uint64_t seed, std::size_t count, const std::vector<int>& boxes, const std::string& folder) {
+int writeQuizOf(std::uint64_t seed, std::size_t count, const std::vector<int>& boxes, const BugOptions& options) {
+    const std::vector<std::string> names = lessons::bugQuizFiles();
+    if (!mayWriteInto(options.folder, names, names.back(), options.force)) return kCouldNotWrite;
     const Interrupt interrupt;
     const auto quiz = [&] {
         ProgressPrinter progress("quiz");
@@ -224,12 +227,12 @@ int writeQuizOf(std::uint64_t seed, std::size_t count, const std::vector<int>& b
         printErrors(quiz.errors());
         return kWrongUsage;
     }
-    const auto written = lessons::writeBugQuiz(*quiz, folder);
+    const auto written = lessons::writeBugQuiz(*quiz, options.folder);
     if (!written) {
         printErrors(written.errors());
         return kCouldNotWrite;
     }
-    tell("{} in {}, seed {}\n", fmt::join(*written, " and "), folder, seed);
+    tell("{} in {}, seed {}\n", fmt::join(*written, " and "), options.folder, seed);
     return kDone;
 }
 
@@ -254,7 +257,7 @@ int runBug(const BugOptions& options, bool writes) {
     // Four digits, to be told in a class.
     const auto now = std::uint64_t(std::chrono::system_clock::now().time_since_epoch().count());
     const std::uint64_t seed = options.seed.value_or(1000 + now / 1000 % 9000);
-    if (writes) return writeQuizOf(seed, options.count.value_or(5), boxes, options.folder);
+    if (writes) return writeQuizOf(seed, options.count.value_or(5), boxes, options);
     return playBugs(seed, options.count.value_or(1), boxes);
 }
 
@@ -275,6 +278,7 @@ void declareBug(CLI::App& program, const CliHost&, int& status) {
         ->capture_default_str();
     CLI::Option* folder =
         declareFolder(*command, options->folder, "Write quiz.html and quiz-answers.html into this folder");
+    declareForce(*command, options->force)->needs(folder);
     command->callback([options, folder, &status] { status = runBug(*options, folder->count() > 0); });
 }
 

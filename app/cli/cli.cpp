@@ -15,6 +15,7 @@
 #include "pipeline/core/printable.h"
 #include "pipeline/core/text.h"
 #include "pipeline/core/version.h"
+#include "pipeline/formats/inputs.h"
 
 namespace app {
 
@@ -97,6 +98,7 @@ std::string nearestCommand(std::string_view argument) {
 }
 
 int runCli(int argc, const char* const* argv, const CliHost& host) {
+    const pipeline::InputMemory inputs;  // no command replaces what it has read
     CLI::App program;
     int status = kDone;
     declareProgram(program, host, status);

@@ -209,6 +209,7 @@ int runCompare(const CompareArguments& arguments) {
     pipeline::FrameRequest request;
     for (const foreign::Tolerance& row : foreign::toleranceTable()) request.wanted.set(index(row.buffer));
     if (!fits(*scene, request, arguments.scene, status)) return status;
+    if (!arguments.output.empty() && !mayWriteTo(arguments.output)) return kCouldNotWrite;
     return arguments.watch ? watchRenderer(arguments, *scene, options, interrupt)
                            : compareOnce(arguments, *scene, options, interrupt);
 }

@@ -19,6 +19,7 @@ struct DrillRequest {
     std::size_t rounds = 10;
     std::vector<std::string> kinds;
     std::string folder;
+    bool force = false;
 };
 
 int runDrill(const DrillRequest& request) {
@@ -26,6 +27,8 @@ int runDrill(const DrillRequest& request) {
         tell("shadescope drill: -o needs the name of a folder\n");
         return kWrongUsage;
     }
+    const std::vector<std::string> names = lessons::drillFiles();
+    if (!mayWriteInto(request.folder, names, names.back(), request.force)) return kCouldNotWrite;
     const Interrupt interrupt;
     const auto rounds = [&] {
         ProgressPrinter progress("drill");
@@ -53,6 +56,7 @@ void declareDrill(CLI::App& program, const CliHost&, int& status) {
         "drill", "Write pictures that differ in one technique, for a class to name, and the answers");
     const auto request = std::make_shared<DrillRequest>();
     declareFolder(*command, request->folder, "The folder to write into, made when it is missing")->required();
+    declareForce(*command, request->force);
     command->add_option("--rounds", request->rounds, "How many")
         ->check(CLI::Range(1, 50))
         ->capture_default_str()

@@ -36,7 +36,7 @@ struct ExportOptions {
     std::string pixel;
     std::string cue;  // FILE:NAME; empty: the scene argument
     std::string at;   // a place inside a stage; empty: all stages
-    bool live = false;
+    bool live = false, force = false;
 };
 
 std::vector<std::string> formatNames() {
@@ -264,6 +264,10 @@ int runExport(ExportOptions options, const CliHost& host) {
     if (std::ranges::find(options.formats, "opengl") != options.formats.end())
         frameRequest.wanted |= pipeline::normalsOfShading(*scene);
     if (!fits(*scene, frameRequest, options.scene, status)) return status;
+    // Buffers without a file are known only by the frame: exportFrame() looks at all names.
+    if (!mayWriteInto(options.folder, pipeline::wholeFiles(*scene, options.formats), pipeline::kManifest,
+                      options.force))
+        return kCouldNotWrite;
     pipeline::FramePtr frame = runFrame(scene, frameRequest, nullptr);
     if (frame) tellRemarks(*frame);
     // Derived ones alone: and no other.
@@ -277,6 +281,7 @@ int runExport(ExportOptions options, const CliHost& host) {
             tell("This frame does not come to {}; what is written is {}.\n", options.at, request.at);
         frame = steps.frameAt(moment, options.frame.threads, interrupt.token());
     }
+    request.replacesAny = options.force;
     request.state = stateToCarry(options, at, pixel);
     if (options.views)
         request.writeMore = [&](const std::filesystem::path& folder) { return host.writeViews(*frame, pixel, folder); };
@@ -322,6 +327,7 @@ void declareExport(CLI::App& program, const CliHost& host, int& status) {
                      "The folder to write into, made when it is missing; with --live the file")
         ->required()
         ->type_name("DIR");
+    CLI::Option* force = declareForce(*command, options->force);
     declareFrameArgument(*command, options->frame);
     declareDerived(*command, options->derived);
     command
@@ -343,6 +349,7 @@ void declareExport(CLI::App& program, const CliHost& host, int& status) {
                                    "Write one HTML file with the scene and the pipeline in it; -o names the file");
     for (const char* other : {"--format", "--buffers", "--until", "--at", "--views", "--pixel", "--where", "--mix"})
         live->excludes(other);
+    live->excludes(force);
     command->callback(
         [options, &host, &status] { status = options->live ? runLive(*options) : runExport(*options, host); });
 }

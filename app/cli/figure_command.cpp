@@ -178,6 +178,7 @@ int runFigure(const FigureOptions& options) {
     int status = kDone;
     const auto scene = loadScene(options.scene, interrupt.token(), status);
     if (!scene) return status;
+    if (!mayWriteTo(options.target)) return kCouldNotWrite;
     pipeline::FramePtr frame;
     Found found = bufferOf(options, scene, interrupt, frame);
     if (interrupt.asked()) return tellCancelled();

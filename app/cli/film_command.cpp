@@ -21,7 +21,7 @@ struct FilmOptions {
     SceneArgument scene;
     std::string target, buffer = "color", level = "polygon", from, to;
     int pictures = 120, milliseconds = 100, threads = 0;
-    bool noCaptions = false, algorithm = false;
+    bool noCaptions = false, algorithm = false, force = false;
 };
 
 // A place from the command line, or nothing after the reason went to standard error.
@@ -94,6 +94,12 @@ int runFilm(const FilmOptions& options) {
         tell("shadescope film: --to comes before --from\n");
         return kWrongUsage;
     }
+    if (pipeline::isGif(options.target)) {
+        if (!mayWriteTo(options.target)) return kCouldNotWrite;
+    } else if (const auto files = filmFiles(steps, request);
+               !mayWriteInto(options.target, files, files.back(), options.force)) {
+        return kCouldNotWrite;
+    }
     ProgressPrinter line("film");
     const auto summary = writeFilm(steps, request, options.target, [&](std::size_t done, std::size_t all) {
         line.show(done, all);
@@ -123,6 +129,7 @@ void declareFilm(CLI::App& program, const CliHost&, int& status) {
     declareFolder(*command, options->target, "A file that ends in .gif, or a folder for PNG files")
         ->required()
         ->type_name("FILE.gif|DIR");
+    declareForce(*command, options->force);
     command->add_option("--buffer", options->buffer, "Which buffer the film shows")
         ->type_name("NAME")
         ->capture_default_str();

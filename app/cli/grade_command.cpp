@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
 
 #include "app/cli/commands.h"
@@ -20,6 +21,7 @@ struct GradeRequest {
     std::vector<std::string> files;
     std::string folder, sheets;
     double pass = 0;  // per cent
+    bool force = false;
 };
 
 // Hand-ins that cannot be read outweigh students below the mark: they have not been looked at.
@@ -35,7 +37,15 @@ int runGrade(const GradeRequest& request) {
         keys = std::move(read).value();
     }
     const std::vector<std::filesystem::path> named(request.files.begin(), request.files.end());
-    const std::vector<std::filesystem::path> files = lessons::handInsOf(named);
+    std::vector<std::filesystem::path> files = lessons::handInsOf(named);
+    const std::vector<std::string> names = lessons::gradedFiles();
+    if (!mayWriteInto(request.folder, names, names.back(), request.force)) return kCouldNotWrite;
+    std::erase_if(files, [&](const std::filesystem::path& file) {  // the class as it was graded before is no hand-in
+        std::error_code ignored;
+        return std::ranges::any_of(names, [&](const std::string& name) {
+            return std::filesystem::equivalent(file, std::filesystem::path(request.folder) / name, ignored);
+        });
+    });
     const auto graded = [&] {
         ProgressPrinter progress("grade");
         return lessons::grade(files, keys ? &*keys : nullptr, interrupt.token(),
@@ -73,6 +83,7 @@ void declareGrade(CLI::App& program, const CliHost&, int& status) {
                      "folder its files *.json")
         ->required();
     declareFolder(*command, request->folder, "The folder to write into, made when it is missing")->required();
+    declareForce(*command, request->force);
     command->add_option("--sheets", request->sheets, "sheets.json, where the answers are to sheets")->type_name("FILE");
     command->add_option("--pass", request->pass, "Exit with 1 where somebody has fewer per cent of the points")
         ->check(CLI::Range(0.0, 100.0))

@@ -142,7 +142,7 @@ int showLesson(const std::string& name, bool asJson, bool answers) {
     return kDone;
 }
 
-int exportLesson(const std::string& name, const std::string& folder) {
+int exportLesson(const std::string& name, const std::string& folder, bool force) {
     if (folder == kStandardOutput) {
         tell("shadescope lesson export: -o: {}\n", kNoStandardOutput);
         return kWrongUsage;
@@ -155,6 +155,8 @@ int exportLesson(const std::string& name, const std::string& folder) {
     int status = kDone;
     const auto lesson = foundLesson(name, interrupt, status);
     if (!lesson) return status;
+    const std::vector<std::string> files = lessons::handoutFiles(lesson->name);
+    if (!mayWriteInto(folder, files, files.back(), force)) return kCouldNotWrite;
     auto handout = [&] {
         ProgressPrinter progress("handout");
         return makeHandout(*lesson, interrupt.token(),
@@ -263,7 +265,7 @@ void declareLesson(CLI::App& program, const CliHost&, int& status) {
     command->require_subcommand(1);
     struct Options {
         std::string name, folder;
-        bool json = false, answers = false, forget = false, live = false, watch = false;
+        bool json = false, answers = false, forget = false, live = false, watch = false, force = false;
     };
     const auto options = std::make_shared<Options>();
     const auto addName = [&](CLI::App& to) {
@@ -300,11 +302,12 @@ void declareLesson(CLI::App& program, const CliHost&, int& status) {
         ->required()
         ->type_name("DIR");
     auto* live = write->add_flag("--live", options->live, "Write one HTML file with the lesson and the pipeline in it");
+    declareForce(*write, options->force)->excludes(live);
     write->add_flag("--watch", options->watch, "Write it again whenever the lesson's files change, until Ctrl+C")
         ->needs(live);
     write->callback([options, &status] {
         status = options->live ? exportLive(options->name, options->folder, options->watch)
-                               : exportLesson(options->name, options->folder);
+                               : exportLesson(options->name, options->folder, options->force);
     });
 }
 

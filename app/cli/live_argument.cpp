@@ -20,6 +20,7 @@ LivePartsFound livePartsOrTell(const std::string& file, std::string_view command
         tell("shadescope {}: with --live, -o needs the name of a file, as lesson.html\n", command);
         return {{}, kWrongUsage};
     }
+    if (!mayWriteTo(file)) return {{}, kCouldNotWrite};
     auto parts = lessons::liveParts();
     if (parts) return {std::move(parts).value(), kDone};
     printErrors(parts.errors());

@@ -7,7 +7,10 @@
 #include <cstdio>
 
 #include "app/cli/message.h"
+#include "app/cli/scene_argument.h"
+#include "pipeline/export/contents.h"
 #include "pipeline/export/exporter.h"
+#include "pipeline/export/publish.h"
 #include "pipeline/export/size_text.h"
 #include "pipeline/export/staging.h"
 
@@ -41,5 +44,27 @@ CLI::Option* declareFolder(CLI::App& command, std::string& folder, const std::st
     refuseStandardOutput(*option);
     return option;
 }
+
+CLI::Option* declareForce(CLI::App& command, bool& force) {
+    return command.add_flag("--force", force, "Replace files in the folder that Shadescope did not write");
+}
+
+namespace {
+
+bool toldWhyNot(const pipeline::Errors& errors) {
+    printErrors(errors);
+    return errors.empty();
+}
+
+}  // namespace
+
+bool mayWriteInto(const std::string& folder, const std::vector<std::string>& names, const std::string& index,
+                  bool force) {
+    const pipeline::Errors errors = pipeline::whyNotInto(folder, names);
+    if (!errors.empty() || force) return toldWhyNot(errors);
+    return toldWhyNot(pipeline::whyNotReplaced(folder, names, index));
+}
+
+bool mayWriteTo(const std::string& file) { return file == kStandardOutput || toldWhyNot(pipeline::whyNotTo(file)); }
 
 }  // namespace app

@@ -1,6 +1,7 @@
 #pragma once
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "pipeline/core/result.h"
 
@@ -24,7 +25,16 @@ void tellWritten(const std::string& file, std::size_t bytes);
 inline constexpr std::string_view kNoStandardOutput =
     "- is standard output, which takes one file: name a file or a folder, ./- for one of that name";
 void refuseStandardOutput(CLI::Option& option);
-// -o DIR of a command that writes a folder.
+// -o DIR of a command that writes a folder, and its --force.
 CLI::Option* declareFolder(CLI::App& command, std::string& folder, const std::string& meaning);
+CLI::Option* declareForce(CLI::App& command, bool& force);
+
+// Whether these files may come into the folder, looked at before anything is computed. If not, the reason went to
+// standard error: the folder cannot be written, the command has read one of them or, unless `force`, the program did not
+// write it (whyNotReplaced()). index: as Staging::publish() has it.
+bool mayWriteInto(const std::string& folder, const std::vector<std::string>& names, const std::string& index,
+                  bool force);
+// The same of one file, which may be standard output; an input alone is never replaced.
+bool mayWriteTo(const std::string& file);
 
 }  // namespace app

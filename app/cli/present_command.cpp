@@ -9,6 +9,7 @@
 #include "app/cli/interrupt.h"
 #include "app/cli/live_argument.h"
 #include "app/cli/message.h"
+#include "app/cli/output_argument.h"
 #include "app/cli/progress_printer.h"
 #include "app/cli/scene_argument.h"
 #include "lessons/state/state_scene.h"
@@ -72,6 +73,7 @@ int exportTalk(const std::string& named, const std::string& file, const CliHost&
         tell("shadescope present export: -o needs the name of a file, as talk.html\n");
         return kWrongUsage;
     }
+    if (!mayWriteTo(file)) return kCouldNotWrite;
     const Interrupt interrupt;
     const std::filesystem::path cues = lessons::cueFileAt(named);
     const std::filesystem::path folder = cues.parent_path();

@@ -20,6 +20,7 @@ namespace {
 struct SheetRequest {
     std::string lesson, folder;
     lessons::SheetOptions options;
+    bool force = false;
 };
 
 int runSheet(const SheetRequest& request) {
@@ -34,6 +35,8 @@ int runSheet(const SheetRequest& request) {
         printErrors(made.errors());
         return kBadInput;
     }
+    if (!mayWriteInto(request.folder, lessons::sheetFiles(request.options.count), lessons::kSheetIndex, request.force))
+        return kCouldNotWrite;
     const Interrupt interrupt;
     const auto sheets = [&] {
         ProgressPrinter progress("sheets");
@@ -65,6 +68,7 @@ void declareSheet(CLI::App& program, const CliHost&, int& status) {
     command->add_option("LESSON", request->lesson, "The folder of a lesson whose header says what varies, or light")
         ->required();
     declareFolder(*command, request->folder, "The folder to write into, made when it is missing")->required();
+    declareForce(*command, request->force);
     command->add_option("--variants", request->options.count, "How many sheets")
         ->check(CLI::Range(1, 500))
         ->capture_default_str()

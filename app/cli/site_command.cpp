@@ -18,7 +18,9 @@ namespace app {
 
 namespace {
 
-int exportSite(const std::string& folder, const CliHost& host) {
+int exportSite(const std::string& folder, bool force, const CliHost& host) {
+    constexpr const char* kIndex = "index.html";
+    if (!mayWriteInto(folder, {kIndex}, kIndex, force)) return kCouldNotWrite;
     const Interrupt interrupt;
     const auto parts = lessons::liveParts();
     if (!parts) {
@@ -36,6 +38,9 @@ int exportSite(const std::string& folder, const CliHost& host) {
         return kBadInput;
     }
     for (const std::string& line : site->leftOut) tell("left out: {}\n", line);
+    std::vector<std::string> names;
+    for (const auto& [name, text] : site->files) names.push_back(name);
+    if (!mayWriteInto(folder, names, kIndex, force)) return kCouldNotWrite;
     const auto written = pipeline::writeFiles(site->files, folder);
     if (!written) {
         printErrors(written.errors());
@@ -44,7 +49,7 @@ int exportSite(const std::string& folder, const CliHost& host) {
     std::size_t bytes = 0;
     for (const auto& [name, text] : site->files) bytes += text.size();
     tell("{}: {}, {}. Open {} in a browser.\n", folder, pipeline::plural(std::int64_t(site->files.size()), "file"),
-         pipeline::sizeText(bytes), (std::filesystem::path(folder) / "index.html").string());
+         pipeline::sizeText(bytes), (std::filesystem::path(folder) / kIndex).string());
     return kDone;
 }
 
@@ -57,7 +62,9 @@ void declareSite(CLI::App& program, const CliHost& host, int& status) {
         "export", "Write an index, all lessons and scenes live, the lectures and the manual into a folder");
     const auto folder = std::make_shared<std::string>();
     declareFolder(*write, *folder, "The folder to write into, made when it is missing")->required();
-    write->callback([folder, &host, &status] { status = exportSite(*folder, host); });
+    const auto force = std::make_shared<bool>(false);
+    declareForce(*write, *force);
+    write->callback([folder, force, &host, &status] { status = exportSite(*folder, *force, host); });
 }
 
 }  // namespace app

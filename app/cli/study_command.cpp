@@ -13,6 +13,7 @@
 #include "app/cli/study_folder.h"
 #include "app/cli/study_job.h"
 #include "pipeline/core/text.h"
+#include "pipeline/export/study_files.h"
 #include "pipeline/export/study_pictures.h"
 #include "pipeline/formats/text_scanner.h"
 
@@ -28,7 +29,7 @@ struct StudyOptions {
     std::string folder, error, shard;
     double errorLimit = 0, timeLimit = 0;
     int threads = 1, warmups = 2, repeats = 20, processes = 3;
-    bool restart = false, json = false, partial = false;
+    bool restart = false, json = false, partial = false, force = false;
     std::string timesInto, timesOf;  // of a process that takes times for another one
     std::vector<std::string> parts;  // of study merge
 };
@@ -62,6 +63,12 @@ std::vector<std::string> argumentsOf(const StudyOptions& options) {
 int wrongUsage(const std::string& message) {
     tell("shadescope study: {}\n", message);
     return kWrongUsage;
+}
+
+// Of a part the one file, else all that reportStudy() writes; the index is the last.
+std::vector<std::string> filesOf(const pipeline::StudyRequest& request) {
+    if (request.shards > 1) return {studyFile({}, request).string()};
+    return pipeline::studyFiles();
 }
 
 int runStudyCommand(const StudyOptions& options) {
@@ -110,6 +117,8 @@ int runStudyCommand(const StudyOptions& options) {
 
     job.processes = options.processes, job.folder = options.folder, job.restart = options.restart;
     job.arguments = argumentsOf(options);
+    if (const auto files = filesOf(job.request); !mayWriteInto(options.folder, files, files.back(), options.force))
+        return kCouldNotWrite;
     auto report = runStudy(job, interrupt, status);
     if (!report) return status;
     if (job.request.shards > 1) {
@@ -131,6 +140,8 @@ int runStudyCommand(const StudyOptions& options) {
 
 int runMerge(const StudyOptions& options) {
     if (options.folder.empty()) return wrongUsage("-o needs the name of a folder");
+    const std::vector<std::string> files = pipeline::studyFiles();
+    if (!mayWriteInto(options.folder, files, files.back(), options.force)) return kCouldNotWrite;
     std::vector<pipeline::StudyReport> parts;
     for (const std::string& file : options.parts) {
         auto part = readStudy(file);
@@ -162,6 +173,7 @@ std::string refuseLimit(const std::string& text) {
 
 void declareReport(CLI::App& command, StudyOptions& options) {
     declareFolder(command, options.folder, "The folder to write into; made when it is missing")->required();
+    declareForce(command, options.force);
     command
         .add_option("--within", options.errorLimit,
                     "Name the cheapest setting with at most this error; status 1 where there is none")

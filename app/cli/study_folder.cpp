@@ -4,7 +4,7 @@
 
 #include "pipeline/export/staging.h"
 #include "pipeline/export/study_json.h"
-#include "pipeline/formats/scene_folder.h"
+#include "pipeline/formats/inputs.h"
 #include "pipeline/scene/key_places.h"
 
 namespace app {
@@ -22,6 +22,11 @@ std::string fileName(const StudyRequest& request, const char* ending) {
     return fmt::format("study-{}-of-{}{}", request.shard + 1, request.shards, ending);
 }
 
+Result<StudyReport> parsed(const Result<std::string>& text, const fs::path& file, const pipeline::Stop& stop) {
+    if (text) return pipeline::studyFromJson(*text, file.string(), stop);
+    return pipeline::namedAt({file.string()}, text.errors());
+}
+
 }  // namespace
 
 fs::path studyFile(const fs::path& folder, const StudyRequest& request) { return folder / fileName(request, ".json"); }
@@ -30,9 +35,7 @@ fs::path partFile(const fs::path& folder, const StudyRequest& request) {
 }
 
 Result<StudyReport> readStudy(const fs::path& file, const pipeline::Stop& stop) {
-    const auto text = pipeline::readFile(file);
-    if (text) return pipeline::studyFromJson(*text, file.string(), stop);
-    return pipeline::namedAt({file.string()}, text.errors());
+    return parsed(pipeline::readFile(file), file, stop);
 }
 
 Result<std::optional<StudyReport>> resumed(const fs::path& folder, const StudyRequest& request,
@@ -40,7 +43,7 @@ Result<std::optional<StudyReport>> resumed(const fs::path& folder, const StudyRe
     const fs::path file = partFile(folder, request);
     std::error_code ignored;
     if (!fs::exists(file, ignored)) return std::optional<StudyReport>();
-    const auto found = readStudy(file, stop);
+    const auto found = parsed(pipeline::readOwnFile(file), file, stop);  // which this study writes again
     if (stop.stop_requested()) return pipeline::readingStopped(file.string());
     if (!found) {
         pipeline::Errors errors = found.errors();

@@ -119,7 +119,10 @@ Errors whyNotReplaced(const fs::path& folder, const std::vector<std::string>& na
     const bool isPage = index.ends_with(".html");
     const Json found = isPage ? Json() : readIndex(folder, index);
     const bool isOurs = isPage ? isMarkedPage(folder / index) : isMarkedIndex(found);
-    std::vector<std::string> onTheirWay = namesIn(readIndex(folder, unfinishedName(index)));
+    std::vector<std::string> onTheirWay;  // also in folders below: they are only compared
+    const Json unfinished = readIndex(folder, unfinishedName(index));
+    if (unfinished[kContents].is(Json::kArray))
+        for (const Json& entry : unfinished[kContents]) onTheirWay.push_back(entry["file"].text());
     const std::vector<std::string> listed = namesIn(found);
     const bool lists = found.find(kContents) != nullptr;
     const auto has = [](const std::vector<std::string>& all, const std::string& name) {
@@ -129,6 +132,7 @@ Errors whyNotReplaced(const fs::path& folder, const std::vector<std::string>& na
     for (const std::string& name : names) {
         const fs::path file = folder / name;
         if (!fs::exists(fs::symlink_status(file, ignored)) || has(onTheirWay, name)) continue;
+        if (!isOurs && name.ends_with(".html") && isMarkedPage(file)) continue;
         if (!isOurs || (lists && name != index && !has(listed, name)))
             errors.push_back(
                 {{file.string()}, "is there, and Shadescope did not write it", "another folder, or --force"});

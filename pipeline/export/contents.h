@@ -32,7 +32,7 @@ std::string whyInDoubt(const std::filesystem::path& folder, const std::string& i
 Json programMark();
 
 // Which of these files are there and may be lost for good: the folder's index lacks the program's mark (a page's is its
-// footer), or does not list them, or they are scenes that were changed since. What was on its way when a process was
+// footer, which counts for that page alone too), or does not list them, or they are scenes that were changed since. What was on its way when a process was
 // ended may go.
 Errors whyNotReplaced(const std::filesystem::path& folder, const std::vector<std::string>& names,
                       const std::string& index);

@@ -18,8 +18,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr const char* kManifest = "manifest.json";
-
 // Every buffer that the scene could have and the request does not exclude, and what was derived.
 std::vector<BufferName> askedFor(const Frame& frame, const ExportRequest& request) {
     std::vector<BufferName> names = request.buffers.empty() ? allBuffers(frame.scene().lights.size()) : request.buffers;
@@ -102,6 +100,15 @@ std::vector<std::string> remaining(std::vector<std::string> names, const fs::pat
 
 }  // namespace
 
+std::vector<std::string> wholeFiles(const Scene& scene, const std::vector<std::string>& formats) {
+    std::vector<std::string> names;
+    for (const FrameExporter& exporter : frameExporterTable())
+        if (std::ranges::find(formats, exporter.name) != formats.end())
+            names.push_back(sceneFileName(scene.name, exporter));
+    names.emplace_back(kManifest);
+    return names;
+}
+
 std::vector<PlannedFile> plannedFiles(const Frame& frame, const ExportRequest& request) {
     std::vector<PlannedFile> files;
     for (const BufferName& name : askedFor(frame, request)) {
@@ -136,6 +143,12 @@ Result<ExportSummary> exportFrame(const Frame& frame, const ExportRequest& reque
     auto begun = Staging::begin(request.folder);
     if (!begun) return begun.errors();
     Staging staging = std::move(begun).value();
+    if (!request.replacesAny) {
+        std::vector<std::string> names = wholeFiles(frame.scene(), request.formats);
+        for (const PlannedFile& file : files)
+            if (!file.file.empty()) names.push_back(file.file);
+        if (Errors errors = whyNotReplaced(request.folder, names, kManifest); !errors.empty()) return errors;
+    }
 
     ExportSummary summary, cancelled;
     cancelled.cancelled = true;

@@ -26,7 +26,8 @@ struct ExportRequest {
         std::string meaning;  // one sentence
     };
     std::vector<Derived> derived{};
-    std::string at{};  // where inside a stage the frame stands, as a Place is written; for the manifest
+    bool replacesAny = true;  // also files in the folder that the program did not write (whyNotReplaced())
+    std::string at{};         // where inside a stage the frame stands, as a Place is written; for the manifest
 };
 
 // One file of a buffer, or the reason there is none.
@@ -38,6 +39,10 @@ struct PlannedFile {
     bool exact = false;       // bytes is certain
     std::string whyNot;       // "A picture has pixels, not vertices."
 };
+
+inline constexpr const char* kManifest = "manifest.json";
+// What an export of the scene writes beside its buffers: the files of formats that hold a whole frame; the manifest last.
+std::vector<std::string> wholeFiles(const Scene& scene, const std::vector<std::string>& formats);
 
 // What an export would write of its buffers, in the order in which it would.
 std::vector<PlannedFile> plannedFiles(const Frame& frame, const ExportRequest& request);

@@ -171,6 +171,14 @@ std::vector<Moment> filmMoments(const Steps& steps, const FilmRequest& request) 
     return some;
 }
 
+std::vector<std::string> filmFiles(const Steps& steps, const FilmRequest& request) {
+    std::vector<std::string> names;
+    for (std::size_t i = 0, count = filmMoments(steps, request).size(); i < count; ++i)
+        names.push_back(pictureName(i + 1));
+    names.emplace_back(kFilm);
+    return names;
+}
+
 bool isGif(const std::filesystem::path& target) { return sameLetters(target.extension().string(), ".gif"); }
 
 std::filesystem::path firstFileOf(const std::filesystem::path& target) {

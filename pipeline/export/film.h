@@ -24,6 +24,8 @@ struct FilmRequest {
 
 // The moments that the film shows, ascending; `from` and `to` are among them.
 std::vector<Moment> filmMoments(const Steps& steps, const FilmRequest& request);
+// The names of a film in a folder: its pictures, and film.json last.
+std::vector<std::string> filmFiles(const Steps& steps, const FilmRequest& request);
 
 // One picture: the buffer at the moment in the colours of the whole frame's range, so that they mean the same all
 // along, and below it a line in words. Before the buffer's stage has begun, black. The buffer has pixels.

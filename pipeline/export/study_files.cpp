@@ -8,6 +8,10 @@
 
 namespace pipeline {
 
+std::vector<std::string> studyFiles() {
+    return {"study.csv", "report.html", "plot.svg", "plot.png", "plot-dark.svg", "plot-dark.png", "study.json"};
+}
+
 Result<std::vector<std::string>> writeStudyFiles(const StudyReport& report, const StudyAnalysis& analysis,
                                                  const StudyLimits& limits, const std::vector<StudyPictures>& pictures,
                                                  const std::filesystem::path& folder) {

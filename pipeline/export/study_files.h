@@ -8,6 +8,7 @@
 
 namespace pipeline {
 
+std::vector<std::string> studyFiles();  // the names of the files below
 // Everything about a study in a folder, all files or none; what else is in the folder stays:
 // study.csv, report.html, plot.svg, plot.png, plot-dark.svg, plot-dark.png, and study.json, which goes first, comes last
 // and has the hashes of the others. Gives the names of the files.

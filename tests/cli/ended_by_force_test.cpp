@@ -161,8 +161,8 @@ TEST_P(EndedByForce, LeavesTheOldFolderOrTheNewOneOrSaysThatItIsNeither) {
     if (writer.before == writer.after) {  // of an older lesson, then
         const std::string sum = sha256("old");
         test::writeText(folder / "old/pyramid.html", "old");
-        test::writeText(folder / "old/pyramid-answers.html",
-                        "<!-- Answers to a handout of 3 bytes, SHA-256 " + sum + " -->\n");
+        test::writeText(folder / "old/pyramid-answers.html", "<!-- Answers to a handout of 3 bytes, SHA-256 " + sum +
+                                                                 " -->\n<footer>Shadescope 0</footer>\n");
     }
     const Files old = filesIn(folder / "old").files;
     ASSERT_TRUE(isWhole(old));
