@@ -6,6 +6,7 @@
 #include <QFileInfo>
 
 #include "app/core/derived_buffers.h"
+#include "app/core/hand.h"
 #include "app/core/mix_model.h"
 #include "app/core/pixel_inspection.h"
 #include "app/core/renderer_check.h"
@@ -28,6 +29,7 @@ Document::Document(QObject* parent) : QObject(parent) {
     m_derived = std::make_unique<DerivedBuffers>(m_frames, *m_mixer);
     m_inspection = std::make_unique<PixelInspection>(m_frames, m_pointing, m_work);
     m_renderer = std::make_unique<RendererCheck>(m_work);
+    m_hand = std::make_unique<Hand>(*this);
     connect(this, &Document::sceneOpened, this, [this] {
         m_mixer->begin(m_scene);
         m_derived->begin(m_scene);

@@ -15,6 +15,7 @@
 namespace app {
 
 class DerivedBuffers;
+class Hand;
 class MixModel;
 class PixelInspection;
 class RendererCheck;
@@ -48,6 +49,8 @@ public:
     MixModel& mixer() { return *m_mixer; }             // the mix of the terms in the pictures
     RendererCheck& renderer() { return *m_renderer; }  // another renderer, compared with this scene
     const RendererCheck& renderer() const { return *m_renderer; }
+
+    Hand& hand() { return *m_hand; }  // what a page of a lesson lets the user move in the pictures
 
     // What must stay hidden on a page of a lesson until its question is settled. Everything that shows a buffer or is a
     // part of the window asks here.
@@ -111,6 +114,7 @@ private:
     std::unique_ptr<DerivedBuffers> m_derived;
     std::unique_ptr<PixelInspection> m_inspection;
     std::unique_ptr<RendererCheck> m_renderer;
+    std::unique_ptr<Hand> m_hand;
 };
 
 }  // namespace app

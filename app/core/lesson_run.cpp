@@ -3,6 +3,7 @@
 #include <cassert>
 
 #include "app/core/document_state.h"
+#include "app/core/hand.h"
 #include "app/core/text.h"
 #include "lessons/state/state_scene.h"
 #include "pipeline/run/runner.h"
@@ -26,7 +27,7 @@ PageTexts textsOf(const Page& page, const std::stop_token& stop) {
     texts.frames.first = frameOf(page.first, requestFor(page), stop, {});
     if (!texts.frames.first) return texts;
     const lessons::Context context{*texts.frames.first, texts.changed.get(), nullptr, stop};
-    texts.text = filled(page.first.text, context, texts.errors) + filesText(page.first.held, page.first.state.scene);
+    texts.text = filled(page.first.text, context, texts.errors);
     if (page.question) {
         texts.question = filled(page.question->text, context, texts.errors);
         for (const lessons::Prose* row : rowsOf(*page.question))
@@ -63,6 +64,7 @@ void LessonRun::close() {
     m_job.forget();
     m_document.frames().want(this, {});
     m_document.setHidden({});
+    m_document.hand().letGo();
     emit pageChanged();
 }
 
@@ -82,7 +84,7 @@ void LessonRun::goTo(int page) {
     if (!isAtEnd() && current().question) m_attempt.emplace(*current().question, progress(page));
     m_document.setHidden(isAtEnd() ? lessons::Hidden() : hiddenOn(current(), isSettled()));
     emit pageChanged();
-    if (isAtEnd()) return;
+    if (isAtEnd()) return m_document.hand().letGo();
     setWindow();
     fill();
 }
@@ -104,7 +106,9 @@ void LessonRun::setWindow() {
     showPlace(m_document, window);
     pipeline::BufferSet wanted = requestFor(current()).wanted;
     if (current().then && isSettled()) wanted |= requestForThen(current()).wanted;
-    m_document.frames().want(this, wanted);
+    m_document.frames().want(this, wanted | buffersOf(half().held));
+    const auto* until = m_attempt ? std::get_if<lessons::UntilQuestion>(&current().question->kind) : nullptr;
+    m_document.hand().take(half().held, state.scene, until ? until->free : std::vector<std::string>());
     emit showViews(window);
 }
 

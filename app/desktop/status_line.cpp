@@ -53,8 +53,6 @@ StatusLine::StatusLine(Document& document, const SceneOpener& opener, QWidget* p
     addWidget(m_sentence, 1);
     connect(opening, &OpeningBar::cancelAsked, this, &StatusLine::cancelAsked);
     m_hovered = add();
-    m_secrets = add();
-    m_secrets->setObjectName("statusHidden");
     m_turn = new QPushButton(this);
     m_turn->setObjectName("statusTurn");
     m_turn->setProperty("kind", "link");
@@ -76,8 +74,7 @@ StatusLine::StatusLine(Document& document, const SceneOpener& opener, QWidget* p
     m_error->setObjectName("statusError");
     followTheme(this, [this] {
         const Theme& theme = Theme::current();
-        for (QLabel* label :
-             {static_cast<QLabel*>(m_sentence), m_hovered, m_secrets, m_remarks, m_nan, m_error, m_threads}) {
+        for (QLabel* label : {static_cast<QLabel*>(m_sentence), m_hovered, m_remarks, m_nan, m_error, m_threads}) {
             label->setFont(theme.text(12));
             label->setIndent(theme.px(12));
         }
@@ -126,10 +123,6 @@ void StatusLine::showCheck() {
                                : badge("▲", c.failed, tr("%1 NaN").arg(qulonglong(*nan))));
     const auto& error = m_document.frames().errors()[index(pipeline::StageId::Shading)];
     showRemarks();
-    const std::size_t things = m_document.hidden().count();
-    m_secrets->setText(things == 0   ? QString()
-                       : things == 1 ? tr("1 thing hidden until you answer")
-                                     : tr("%1 things hidden until you answer").arg(things));
     m_error->setText(error ? tr("shading's error against double %1").arg(errorOf(*error)) : QString());
 }
 
@@ -137,7 +130,7 @@ void StatusLine::showCheck() {
 // moves.
 void StatusLine::makeRoom(bool anew) {
     int needed = m_sentence->sizeHint().width() + (m_turn->isHidden() ? 0 : m_turn->sizeHint().width());
-    for (const QLabel* label : {m_hovered, m_secrets, m_remarks, m_nan})
+    for (const QLabel* label : {m_hovered, m_remarks, m_nan})
         if (!label->text().isEmpty()) needed += label->sizeHint().width();
     const QList<QLabel*> last{m_error, m_threads};
     for (QLabel* label : last) {

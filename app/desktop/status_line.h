@@ -35,7 +35,6 @@ private:
     Document& m_document;
     ElidedLabel* m_sentence;
     QLabel* m_hovered;
-    QLabel* m_secrets;    // how much a page of a lesson hides
     QPushButton* m_turn;  // the other way up, where which axis is up was guessed
     QLabel* m_remarks;
     QLabel* m_nan;

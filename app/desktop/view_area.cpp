@@ -4,6 +4,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "app/panels/buffer_holds.h"
 #include "app/panels/buffer_view.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/thumbnail_strip.h"
@@ -46,6 +47,7 @@ ViewArea::ViewArea(Document& document, QWidget* parent, ViewDress dress)
     connect(&m_grid->views(), &ViewSet::made, this, [this, dress](ViewLeaf leaf) { takeView(leaf, dress); });
     connect(m_grid, &ViewGrid::missing, this, &ViewArea::tellMissing);
     connect(m_grid, &ViewGrid::rebuilt, this, &ViewArea::markThumbnail);  // the active view may have gone
+    connect(m_grid, &ViewGrid::rebuilt, this, &ViewArea::giveHolds);
     connect(&m_active, &ActiveView::focused, this, &ViewArea::markThumbnail);
     connect(m_grid, &ViewGrid::changed, this, &ViewArea::changed);
     connect(&m_active, &ActiveView::changed, this, &ViewArea::changed);
@@ -74,12 +76,25 @@ void ViewArea::takeView(ViewLeaf leaf, ViewDress dress) {
     BufferView& view = m_grid->views().buffer(leaf.number);
     connect(&view, &BufferView::bufferChanged, this, [this, &view] {
         if (&view == &activeBuffer()) markThumbnail();
+        giveHolds();
     });
     m_links.add(view);
     m_stage.begin(view);
 }
 
 void ViewArea::markThumbnail() { m_thumbnails->setCurrent(activeBuffer().buffer()); }
+
+// To the first view on show that has the picture's pixels.
+void ViewArea::giveHolds() {
+    const auto shown = shownBuffers();
+    const auto first = std::ranges::find_if(shown, &BufferView::isOfPixels);
+    for (const auto& [number, view] : m_grid->views().buffers())
+        view->features().holds->setOn(first != shown.end() && view == *first);
+}
+
+void ViewArea::setHeld(bool held) {
+    for (BufferView* view : shownBuffers()) view->setHeld(held);
+}
 
 // The sentence takes some of the views' height: where it stands, more of them may have no room, but never fewer.
 void ViewArea::tellMissing(std::size_t count) {

@@ -38,6 +38,8 @@ public:
     bool hasThumbnails() const;
     void setThumbnails(bool shown);
 
+    void setHeld(bool held);  // the buffer views on show, as BufferView has it
+
     void showBuffer(const pipeline::BufferName& buffer);                 // in the active buffer view
     void showBuffers(const std::vector<pipeline::BufferName>& buffers);  // one in each view, as far as they go
     // Saves the views into a state; restores them from one, with an error for each name that the scene no longer has.
@@ -61,6 +63,7 @@ private:
     void takeView(lessons::ViewLeaf leaf, ViewDress dress);
     void tellMissing(std::size_t count);
     void markThumbnail();
+    void giveHolds();
 
     ViewGrid* m_grid;
     QLabel* m_missing;  // how many views have no room

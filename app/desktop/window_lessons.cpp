@@ -6,6 +6,7 @@
 #include <QToolBar>
 #include <algorithm>
 
+#include "app/core/hand.h"
 #include "app/core/recent_files.h"
 #include "app/core/scene_opener.h"
 #include "app/core/shown_name.h"
@@ -58,6 +59,7 @@ WindowLessons::WindowLessons(QMainWindow& window, Actions& actions, Document& do
         connect(&m_lessons, signal, this, &WindowLessons::showParts);
     connect(&m_lessons, &LessonPanel::pageChanged, this, &WindowLessons::remember);
     connect(&document, &Document::hiddenChanged, this, &WindowLessons::showParts);
+    connect(&document.hand(), &Hand::taken, this, &WindowLessons::showParts);
     connect(&layout, &WindowLayout::fitted, this, &WindowLessons::showParts);
     connect(&layout, &WindowLayout::startShows, this, &WindowLessons::listOnStartPage);
     makeBanner();
@@ -92,6 +94,7 @@ void WindowLessons::makeEdge() {
     m_edge->setMovable(false);
     m_edge->toggleViewAction()->setVisible(false);  // it is no panel
     m_inspectorTab->setObjectName("inspectorTab");
+    m_inspectorTab->setText(tr("Inspector"));
     m_edge->addWidget(m_inspectorTab);
     m_window.addToolBar(Qt::RightToolBarArea, m_edge);
     m_edge->hide();
@@ -188,6 +191,7 @@ void WindowLessons::end() {
     const Before before = *std::exchange(m_aside, std::nullopt);
     m_edge->hide();
     m_centre.views().setThumbnails(before.thumbnails);
+    m_centre.views().setHeld(false);
     if (!before.scene) m_layout.showStart();  // which does not keep the lesson's panels
     m_layout.setKept(true);
     if (!before.scene) return m_shown.showPlace(before.looks);
@@ -227,10 +231,12 @@ void WindowLessons::showParts() {
     m_around.timelineBar.setVisible(isTimed);
     m_docks.rail().setVisible(!only && !m_layout.isWide());
     if (only) m_around.strip.setCompact(true);
-    const bool isHidden = !m_docks.whyHidden(PanelId::Inspector).isEmpty();
-    m_inspectorTab->setText(isHidden ? tr("Inspector, after your answer") : tr("Inspector"));
-    m_inspectorTab->setEnabled(!isHidden);
-    m_edge->setVisible(m_docks[PanelId::Inspector].isHidden());
+    // What is held has the room.
+    const bool isHeld = only && !m_document.hand().held().holds.empty();
+    m_centre.views().setHeld(isHeld);
+    m_around.strip.setVisible(!isHeld);
+    m_edge->setVisible(!isHeld && m_docks[PanelId::Inspector].isHidden() &&
+                       m_docks.whyHidden(PanelId::Inspector).isEmpty());
     sizePanels();
     emit changed();
 }

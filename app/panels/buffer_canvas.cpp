@@ -36,6 +36,7 @@ void BufferCanvas::setContent(CanvasContent content) {
     content.picked = m_content.picked, content.hovered = m_content.hovered;
     content.pinned = m_content.pinned;
     content.region = m_content.region;
+    content.ground = m_content.ground;
     m_content = std::move(content);
     m_placing.setPicture(m_content.size, m_content.focus);
     updateAll();
@@ -73,6 +74,12 @@ void BufferCanvas::setPinned(std::vector<std::pair<int, QPoint>> pinned) {
 }
 void BufferCanvas::setRegion(std::optional<QRect> region) { mark(*this, m_content.region, region); }
 void BufferCanvas::setShowEdges(bool show) { mark(*this, m_showEdges, show); }
+
+void BufferCanvas::setGround(QColor ground) {
+    if (ground == m_content.ground) return;
+    m_content.ground = ground;
+    updateAll();
+}
 
 void BufferCanvas::setEdgeView(std::optional<pipeline::EdgeView> view) {
     if (view == m_content.edgeView) return;

@@ -40,6 +40,7 @@ public:
     void setRegion(std::optional<QRect> region);
     void setEdgeView(std::optional<pipeline::EdgeView> view);
     void setShowEdges(bool show);
+    void setGround(QColor ground);  // around the picture; invalid: the theme's
 
     bool isPainting() const { return m_base.busy() || m_otherBase.busy(); }  // still shows the previous picture
     void cancelPainting() { m_base.cancel(), m_otherBase.cancel(); }

@@ -7,6 +7,7 @@
 #include "app/panels/buffer_copies.h"
 #include "app/panels/buffer_counts.h"
 #include "app/panels/buffer_flip.h"
+#include "app/panels/buffer_holds.h"
 #include "app/panels/buffer_late.h"
 #include "app/panels/buffer_loupe.h"
 #include "app/panels/buffer_overlays.h"
@@ -45,6 +46,8 @@ BufferFeatures makeFeatures(BufferView& view) {
     // A comparison is of what the source gives, and a range of what the comparison shows.
     f.all = {f.zoom,   f.channel, f.overlays, f.condition, f.source,  f.loupe,    f.selection, f.readout,
              f.copies, f.pins,    f.region,   f.flip,      f.compare, f.captions, f.range,     f.counts};
+    f.holds = new BufferHolds(view);
+    f.all.push_back(f.holds);
     // Nobody asks for them by a name.
     f.all.push_back(new StepMark(view));
     f.all.push_back(new LateVeil(view));

@@ -7,6 +7,7 @@ namespace app {
 
 class BufferCaptions;
 class BufferCopies;
+class BufferHolds;
 class BufferSource;
 class ChannelChoice;
 class CompareChoice;
@@ -40,6 +41,7 @@ struct BufferFeatures {
     FlipToggle* flip;
     RangeChoice* range;
     PictureCounts* counts;
+    BufferHolds* holds;
     std::vector<BufferFeature*> all;
 };
 BufferFeatures makeFeatures(BufferView& view);

@@ -177,7 +177,7 @@ void paintChecker(QPainter& painter, QRect rect) {
 void paintCanvas(QPainter& painter, const CanvasContent& content, const Placement& placement, QRect visible,
                  bool showEdges, const std::stop_token& stop) {
     const ThemeColors& c = Theme::current().colors();
-    if (content.hasGround) painter.fillRect(visible, c.bg);
+    if (content.hasGround) painter.fillRect(visible, content.ground.isValid() ? content.ground : c.bg);
     if (content.size.isEmpty()) return;
     const QRect pixels = visiblePixels(content, placement, visible);
     const QRectF picture(placement.origin, QSizeF(content.size) * placement.zoom);

@@ -19,6 +19,7 @@ struct CanvasContent {
     QSize size;                     // of the picture; empty: nothing to show
     QRectF focus;                   // what is worth looking at, for fitting; empty: all of it
     bool isOfManyPolygons = false;  // they take their time
+    QColor ground;                  // around the picture; invalid: the theme's
     bool hasGround = true;          // behind and around the picture; else nothing is painted there
     QImage image;                   // null where shapes are shown
     std::shared_ptr<const ShapePicture> shapes;

@@ -20,6 +20,7 @@
 #include "app/panels/buffer_compare_choice.h"
 #include "app/panels/buffer_condition.h"
 #include "app/panels/buffer_header.h"
+#include "app/panels/buffer_holds.h"
 #include "app/panels/buffer_overlays.h"
 #include "app/panels/buffer_page.h"
 #include "app/panels/buffer_range.h"
@@ -28,6 +29,7 @@
 #include "app/panels/compare_bar.h"
 #include "app/panels/condition_bar.h"
 #include "app/panels/follow_theme.h"
+#include "app/panels/held_files.h"
 #include "app/panels/range_foot.h"
 #include "app/panels/shadow_overlay.h"
 
@@ -56,7 +58,11 @@ void BufferView::build() {
     all->setContentsMargins(0, 0, 0, 0);
     all->setSpacing(0);
     all->addWidget(m_header);
-    all->addWidget(middle, 1);
+    auto* row = new QHBoxLayout;
+    row->setSpacing(0);
+    row->addWidget(middle, 1);
+    row->addWidget(&m_features.holds->files());
+    all->addLayout(row, 1);
     all->addWidget(&condition());
     all->addWidget(compare().bar());
     all->addWidget(&m_features.range->foot());
@@ -153,6 +159,11 @@ void BufferView::setBare(bool bare) {
     compare().bar()->setBare(bare);
     m_features.range->foot().setBare(bare);
     place();
+}
+
+void BufferView::setHeld(bool held) {
+    m_header->setVisible(!held);
+    m_canvas->setGround(held ? Qt::black : QColor());
 }
 
 lessons::BufferShown BufferView::state() const {

@@ -27,6 +27,7 @@ public:
     const pipeline::BufferName& buffer() const { return m_name; }
     void setBuffer(const pipeline::BufferName& name);
     void setBare(bool bare);  // without the header, the buffer's name over the picture
+    void setHeld(bool held);  // as a page of a lesson has it whose picture is held: on black, without the header
     // Saves and restores zoom, palette and overlays. Returns an error for each name that the scene no longer has.
     lessons::BufferShown state() const;
     pipeline::Errors lookAt(const lessons::BufferShown& state);

@@ -61,7 +61,7 @@ void CanvasBase::ask(const CanvasContent& content, const Look& look) {
 }
 
 void CanvasBase::drawMoved(QPainter& painter, const CanvasContent& content, const Look& look) const {
-    painter.fillRect(QRect({}, look.size), Theme::current().colors().bg);
+    painter.fillRect(QRect({}, look.size), content.ground.isValid() ? content.ground : Theme::current().colors().bg);
     if (!m_painted || m_painted->picture != content.size || m_painted->look.isFlipped != look.isFlipped) return;
     const Placement &from = m_painted->look.placement, &to = look.placement;
     const double larger = to.zoom / from.zoom;

@@ -3,7 +3,6 @@
 
 #include "app/core/lesson_run.h"
 
-class QLabel;
 class QVBoxLayout;
 
 namespace app {
@@ -11,7 +10,7 @@ namespace app {
 class ProseView;
 class QuestionCard;
 
-// A page of a lesson: its text, its question, what it hides; its second half once the question is settled. Before that the
+// A page of a lesson: its text, its question; its second half once the question is settled. Before that the
 // second half is not made, so that nothing can read it out.
 class LessonPage : public QWidget {
     Q_OBJECT
@@ -24,20 +23,11 @@ public:
     QuestionCard& card() { return *m_card; }
 
 private:
-    void showHidden();
-
     LessonRun& m_run;
-    Document& m_document;
     QVBoxLayout* m_column;
     ProseView *m_heading, *m_text;
     QuestionCard* m_card;
     ProseView* m_then = nullptr;
-    QLabel* m_hides;
 };
-
-// "the inspector", for a sentence.
-QString partName(lessons::Part part);
-// "color and the inspector": what is hidden.
-QString hiddenText(const lessons::Hidden& hidden);
 
 }  // namespace app

@@ -2,6 +2,7 @@
 
 #include <QScopedValueRollback>
 
+#include "app/core/hand.h"
 #include "app/core/text.h"
 
 namespace app {
@@ -33,6 +34,19 @@ QString nameOf(const Handle& handle) {
     return View3dHandles::tr("move %1").arg(name);
 }
 
+// How the keys of what it moves begin.
+std::string settingsOf(const Handle& handle) {
+    switch (handle.kind) {
+        case Handle::Kind::Light:
+        case Handle::Kind::LightDirection:
+        case Handle::Kind::LightFacing: return "light." + std::to_string(handle.index) + '.';
+        case Handle::Kind::Eye:
+        case Handle::Kind::Target: return "camera.";
+        case Handle::Kind::Object: break;
+    }
+    return "object." + std::to_string(handle.index) + '.';
+}
+
 QString nextTool(HandleTool tool) {
     switch (tool) {
         case HandleTool::Move: return View3dHandles::tr("M: turn it");
@@ -49,6 +63,7 @@ View3dHandles::View3dHandles(Document& document, SceneView& view) : m_document(d
     connect(&view.handles(), &ViewHandles::cancelled, this, &View3dHandles::cancel);
     connect(&view.handles(), &ViewHandles::hovered, this, &View3dHandles::showNumbers);
     connect(&document, &Document::sceneChanged, this, &View3dHandles::drop);
+    connect(&document.hand(), &Hand::taken, this, &View3dHandles::show);
 }
 
 void View3dHandles::forget() { m_before.reset(); }
@@ -57,8 +72,9 @@ void View3dHandles::show() {
     const auto& frame = m_document.frames().shown();
     if (!frame || !m_view.space().shown() || m_view.space().id().space == ViewSpace::Point)
         return m_view.handles().set({});
-    m_view.handles().set(
-        handlesOf(frame->scene(), *m_view.space().shown(), ownerOf(m_document), m_view.options().objectTool));
+    auto handles = handlesOf(frame->scene(), *m_view.space().shown(), ownerOf(m_document), m_view.options().objectTool);
+    std::erase_if(handles, [this](const Handle& handle) { return !m_document.hand().allows(settingsOf(handle)); });
+    m_view.handles().set(std::move(handles));
 }
 
 void View3dHandles::drag(const Handle& handle, Vec3d value, bool done) {

@@ -134,15 +134,12 @@ TEST_F(WindowLesson, WhatAPageHidesIsHiddenUntilTheAnswer) {
     EXPECT_FALSE(normalView()->shown());
     EXPECT_FALSE(shows("inspector") || shows("tables") || shows("scanline"));
     EXPECT_FALSE(find<PanelDock>("inspector")->toggleViewAction()->isEnabled());
-    EXPECT_EQ(find<QAbstractButton>("inspectorTab")->text(), "Inspector, after your answer");
-    EXPECT_FALSE(find<QAbstractButton>("inspectorTab")->isEnabled());
-    EXPECT_EQ(find<QLabel>("statusHidden")->text(), "3 things hidden until you answer");
+    EXPECT_FALSE(find<QAbstractButton>("inspectorTab")->isVisible()) << "nothing says that something is hidden";
     find<QLineEdit>("answer")->setText("5");
     find<QPushButton>("check")->click();
     ASSERT_TRUE(waitForFrame());
     EXPECT_TRUE(QTest::qWaitFor([&] { return normalView()->shown().has_value(); }, 10000));
-    EXPECT_TRUE(find<QAbstractButton>("inspectorTab")->isEnabled());
-    EXPECT_EQ(find<QLabel>("statusHidden")->text(), "");
+    EXPECT_TRUE(find<QAbstractButton>("inspectorTab")->isVisible());
 }
 
 // Each enabled row of a menu and of the menus in it.

@@ -1,8 +1,7 @@
 #include <fmt/format.h>
 
 #include "app/web/core/core.h"
-#include "pipeline/core/angles.h"
-#include "pipeline/inspect/pixel_report.h"
+#include "pipeline/inspect/picture_vectors.h"
 #include "pipeline/scene/code_figure.h"
 #include "pipeline/scene/view.h"
 
@@ -115,32 +114,19 @@ WEB_CALL(codes) int webCodes() {
 // N and the first L at a pixel as lines in the picture, with the arc between them and the horizon; null where nothing is
 // lit. Pixels.
 WEB_CALL(vectors) int webVectors(int x, int y) {
-    const pipeline::Frame& frame = *core().own.frame;
-    const pipeline::Scene& scene = frame.scene();
-    if (x < 0 || y < 0 || x >= scene.settings.width || y >= scene.settings.height) return refuse("no such pixel");
-    const pipeline::PixelReport report = inspectPixel(frame, {x, y});
-    if (report.evaluations.empty() || report.evaluations[0].lights.empty()) return give(Json());
-    const auto& evaluation = report.evaluations[0];
-    const pipeline::View view = makeView(scene);
-    const Vec3d at = evaluation.position, N = evaluation.N, L = evaluation.lights[0].L;
-    const double depth = view.perspective ? toView(view, at).z : 1;
-    const double reach = 0.2 * view.size.y / view.scale.y * depth;  // a fifth of the picture's height
-    const auto inPicture = [&](const Vec3d& direction) {
-        const auto point = projected(view, at + reach * direction);
-        return point ? Json{point->x, point->y} : Json{x + 0.5, y + 0.5};
+    const auto vectors = vectorsInPicture(*core().own.frame, {x, y});
+    if (!vectors) return give(Json());
+    const auto pair = [](glm::dvec2 point) { return Json{point.x, point.y}; };
+    const auto listOf = [&](const std::vector<glm::dvec2>& points) {
+        Json list = Json::array();
+        for (const glm::dvec2 point : points) list.push_back(pair(point));
+        return list;
     };
-    Json arc = Json::array(), horizon = Json::array();
-    for (int i = 0; i <= 16; ++i) {
-        const Vec3d between = (1 - i / 16.0) * N + i / 16.0 * L;
-        const double length = glm::length(between);
-        if (length > 0) arc.push_back(inPicture(0.45 / length * between));
-    }
-    const Vec3d side = glm::normalize(glm::cross(std::abs(N.z) < 0.9 ? Vec3d(0, 0, 1) : Vec3d(1, 0, 0), N));
-    for (int i = 0; i <= 32; ++i)
-        horizon.push_back(inPicture(
-            0.6 * (pipeline::cosDegrees(11.25 * i) * side + pipeline::sinDegrees(11.25 * i) * glm::cross(N, side))));
-    return give(
-        {{"N", inPicture(N)}, {"L", inPicture(L)}, {"n_dot_l", glm::dot(N, L)}, {"arc", arc}, {"horizon", horizon}});
+    return give({{"N", pair(vectors->N)},
+                 {"L", pair(vectors->L)},
+                 {"n_dot_l", vectors->nDotL},
+                 {"arc", listOf(vectors->arc)},
+                 {"horizon", listOf(vectors->horizon)}});
 }
 
 }  // namespace web
