@@ -103,7 +103,7 @@ void Hand::restore(std::size_t hold) {
 }
 
 void Hand::set(const pipeline::Assignments& assignments, Moves moves) {
-    auto scene = withSettings(m_document.scene(), toText(assignments));
+    auto scene = withSettings(m_document.scene(), pipeline::toText(assignments));
     if (!scene || !checkScene(*scene).empty()) return;
     m_document.edit(std::move(scene).value(), tr("move %1").arg(toQString(holds()[m_dragged].name)),
                     moves == Moves::Live ? Document::Change::Live : Document::Change::Done);
@@ -117,7 +117,7 @@ void Hand::follow() {
     const lessons::Context context{.frame = *frame};
     if (!m_held.shows.empty()) {
         const auto text = filled(m_held.shows, context);
-        m_shown = text ? toQString(*text) : QString();  // a value that is not finite has no words
+        m_shown = text ? toQString(*text).simplified() : QString();  // a value that is not finite has no words
     }
     if (m_held.play && !m_played) {
         const auto ended = evaluate(m_held.play->until, context);

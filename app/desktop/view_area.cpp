@@ -87,13 +87,14 @@ void ViewArea::markThumbnail() { m_thumbnails->setCurrent(activeBuffer().buffer(
 // To the first view on show that has the picture's pixels.
 void ViewArea::giveHolds() {
     const auto shown = shownBuffers();
-    const auto first = std::ranges::find_if(shown, &BufferView::isOfPixels);
+    // While an arrangement is set, a view may be on its way.
+    const auto first = std::ranges::find_if(shown, [](const BufferView* view) { return view && view->isOfPixels(); });
     for (const auto& [number, view] : m_grid->views().buffers())
-        view->features().holds->setOn(first != shown.end() && view == *first);
+        if (view) view->features().holds->setOn(first != shown.end() && view == *first);
 }
 
 void ViewArea::setHeld(bool held) {
-    for (BufferView* view : shownBuffers()) view->setHeld(held);
+    for (const auto& [number, view] : m_grid->views().buffers()) view->setHeld(held);
 }
 
 // The sentence takes some of the views' height: where it stands, more of them may have no room, but never fewer.

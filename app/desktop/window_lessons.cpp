@@ -234,6 +234,7 @@ void WindowLessons::showParts() {
     // What is held has the room.
     const bool isHeld = only && !m_document.hand().held().holds.empty();
     m_centre.views().setHeld(isHeld);
+    m_centre.views().setThumbnails(!isHeld && m_aside->thumbnails);
     m_around.strip.setVisible(!isHeld);
     m_edge->setVisible(!isHeld && m_docks[PanelId::Inspector].isHidden() &&
                        m_docks.whyHidden(PanelId::Inspector).isEmpty());

@@ -76,9 +76,7 @@ void BufferHolds::make() {
     m_dragged.reset();
     for (HoldGrip* grip : m_grips) grip->deleteLater(), grip->hide();
     m_grips.clear();
-    m_fitsWhole = areShown() && std::ranges::any_of(m_hand.holds(), [](const pipeline::Hold& hold) {
-                      return hold.kind == Kind::LampAtInfinity || hold.kind == Kind::LampTop;  // beside what is drawn
-                  });
+    m_fits = areShown();
     if (areShown())
         for (std::size_t i = 0; i < m_hand.holds().size(); ++i) {
             auto* grip = new HoldGrip(m_hand, i, view().canvas());
@@ -110,16 +108,28 @@ bool BufferHolds::showsVectors() const {
 }
 
 void BufferHolds::show() {
-    CanvasPlacing& placing = view().canvas()->placing();
-    if (m_fitsWhole && placing.look().fits) {
-        m_fitsWhole = false;
-        placing.fit(true);
-    }
+    if (m_fits && view().shown()) fit();
     m_vectors.reset();
     const std::optional<glm::ivec2> pixel = view().document().pointing().pixel();
     if (areShown() && showsVectors() && pixel && view().frame()) m_vectors = vectorsInPicture(*view().frame(), *pixel);
     m_layer->setVisible(areShown());
     placeGrips();
+}
+
+// Once for a page. All of the picture where a lamp may stand beside what is drawn; below the play where one stands above.
+void BufferHolds::fit() {
+    CanvasPlacing& placing = view().canvas()->placing();
+    const CanvasContent& content = view().canvas()->content();
+    if (content.size.isEmpty() || !placing.look().fits) return;
+    m_fits = false;
+    const bool isLamp = std::ranges::any_of(m_hand.holds(), [](const pipeline::Hold& hold) {
+        return hold.kind == Kind::LampAtInfinity || hold.kind == Kind::LampTop;
+    });
+    QRectF part(QPointF(), QSizeF(content.size));
+    if (!isLamp && !content.focus.isEmpty()) part = content.focus;
+    const double room = view().canvas()->height(), play = m_hand.held().play ? Theme::current().px(56) : 0;
+    if (room > 2 * play) part.setTop(part.top() - part.height() * play / (room - play));
+    placing.follow({.fits = true, .focus = part, .zoom = 1, .center = {}});
 }
 
 void BufferHolds::place(CanvasRoom& room) {
@@ -255,6 +265,14 @@ void BufferHolds::paint(QPainter& painter) const {
                 painter.drawLine(at, onCanvas(before->at));
             }
     }
+    const std::optional<glm::ivec2> pixel = view().document().pointing().pixel();
+    if (view().isHeld() && pixel) {
+        painter.setBrush(Qt::NoBrush);
+        for (const auto& [color, width] : {std::pair(Qt::black, 2.5), std::pair(Qt::white, 1.25)}) {
+            painter.setPen(QPen(color, width * thin));
+            painter.drawEllipse(onCanvas(glm::dvec2(*pixel) + 0.5), 5 * thin, 5 * thin);
+        }
+    }
     if (m_vectors) {
         const auto polygon = [&](const std::vector<glm::dvec2>& points) {
             QPolygonF shape;
@@ -270,7 +288,9 @@ void BufferHolds::paint(QPainter& painter) const {
         line(from, onCanvas(m_vectors->L), dark.L, m_vectors->nDotL > 0 ? Qt::SolidLine : Qt::DotLine);
         painter.setPen(QPen(Qt::white, thin));
         painter.drawPolyline(polygon(m_vectors->arc));
-        painter.setFont(Theme::current().formula(24));
+        QFont symbols = Theme::current().formula(24);
+        symbols.setBold(true), symbols.setItalic(true);
+        painter.setFont(symbols);
         const auto letter = [&](glm::dvec2 end, const QString& name, const QColor& color) {
             QLineF away(from, onCanvas(end));
             away.setLength(away.length() + Theme::current().px(16));

@@ -40,6 +40,7 @@ private:
     std::optional<std::size_t> holdAt(QPointF canvas) const;  // by the surface of its object, or as the eye
     bool showsVectors() const;
     void make();
+    void fit();
     void placeGrips();
     void begin(std::size_t hold, QPointF at);
     void moveTo(QPointF at, Qt::KeyboardModifiers modifiers);
@@ -51,7 +52,7 @@ private:
     Layer* m_layer;
     HeldFiles* m_files;
     std::vector<HoldGrip*> m_grips;
-    bool m_isOn = false, m_fitsWhole = false;
+    bool m_isOn = false, m_fits = false;
     std::optional<std::size_t> m_dragged;
     QPointF m_last, m_at;  // of the pointer, and of what it holds: Shift moves by a tenth
     std::optional<pipeline::PictureVectors> m_vectors;

@@ -181,7 +181,8 @@ void paintCanvas(QPainter& painter, const CanvasContent& content, const Placemen
     if (content.size.isEmpty()) return;
     const QRect pixels = visiblePixels(content, placement, visible);
     const QRectF picture(placement.origin, QSizeF(content.size) * placement.zoom);
-    if (content.hasGround) paintChecker(painter, picture.toAlignedRect().intersected(visible));
+    if (content.hasGround && !content.ground.isValid())
+        paintChecker(painter, picture.toAlignedRect().intersected(visible));
     if (!content.image.isNull() && !pixels.isEmpty()) {
         paintImage(painter, content, placement, pixels);
         if (content.verdicts) {

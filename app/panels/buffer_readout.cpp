@@ -70,7 +70,9 @@ void PixelReadout::show() {
                       : m_localHover ? m_localHover
                                      : texelOf(document.pointing().hovered()));
     const std::optional<QPoint> pixel = saidPixel();
-    m_label->setText(pixel && view().shown() ? at(*pixel) : QString());
+    // Where a picture is held, the words stand beside the hand.
+    const bool isSaid = pixel && view().shown() && (!view().isHeld() || canvas.content().hovered);
+    m_label->setText(isSaid ? at(*pixel) : QString());
     m_label->setVisible(!m_label->text().isEmpty());
     if (!view().shown()) return;
     // The canvas has the focus: a screen reader reads the value first, and again with every nudge.

@@ -162,8 +162,12 @@ void BufferView::setBare(bool bare) {
 }
 
 void BufferView::setHeld(bool held) {
+    if (held == m_isHeld) return;
+    m_isHeld = held;
     m_header->setVisible(!held);
     m_canvas->setGround(held ? Qt::black : QColor());
+    m_features.holds->show();
+    refresh();
 }
 
 lessons::BufferShown BufferView::state() const {

@@ -1,5 +1,8 @@
 #pragma once
 #include <QTextBrowser>
+#include <vector>
+
+#include "lessons/held.h"
 
 namespace app {
 
@@ -14,12 +17,18 @@ public:
     // Whether the view beside it is the one that has the grips.
     void setOn(bool on);
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
     void showFiles();
+    void fold();
+    QString htmlOf(std::size_t opened) const;
 
     Hand& m_hand;
     const Document& m_document;
     bool m_isOn = false;
+    std::vector<lessons::HeldFile> m_files;
 };
 
 }  // namespace app

@@ -1,4 +1,5 @@
 // What of the study stands where.
+#include <QComboBox>
 #include <QDialog>
 #include <QLabel>
 #include <QPushButton>

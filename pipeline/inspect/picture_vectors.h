@@ -11,7 +11,7 @@ namespace pipeline {
 struct PictureVectors {
     glm::dvec2 at{0.0}, N{0.0}, L{0.0};  // where they begin and end
     double nDotL = 0;
-    std::vector<glm::dvec2> arc, horizon;
+    std::vector<glm::dvec2> arc{}, horizon{};
 };
 // N is as long as a fifth of the picture's height where nothing shortens it. Nothing where the pixel is not lit, or not in
 // the picture.
