@@ -41,7 +41,7 @@ public:
             }
         };
         take("vertices.world", [](Vec3d p, Vec3d) { return p; });
-        take("vertices.view", [&](Vec3d p, Vec3d) { return fromView(p); });
+        take("vertices.view", [&](Vec3d p, Vec3d) { return fromView(m_view, p); });
         take("vertices.screen", [&](Vec3d p, Vec3d was) {
             const glm::dvec2 at = glm::dvec2(p.x, p.y) + reference.context.sampleShift;
             return worldPoint(m_view, at, toView<double>(m_view, was).z);  // at the depth of the reference
@@ -51,9 +51,6 @@ public:
     Vec3d operator[](std::size_t i) const { return vectorAt(m_world, i); }
 
 private:
-    Vec3d fromView(Vec3d p) const {
-        return m_view.pivot + p.x * m_view.right + p.y * m_view.up + (p.z - m_view.pivotDepth) * m_view.forward;
-    }
     const View& m_view;
     Values m_world;
 };

@@ -118,12 +118,16 @@ static_assert(kDefectCount == index(Defect::Aspect) + 1);
 inline constexpr const char* kDefectIsPlanted = "A defect is planted.";
 constexpr std::string_view idOf(Defect defect) { return kDefectIds[index(defect)]; }
 
+struct Own;  // pipeline/defects/own.h
+
 // A defect as the inputs of a stage hold it: none, but in the stage whose text it changes.
 struct Planted {
     Defect defect = Defect::None;
     std::uint8_t way = 0;  // which of the row's ways of making it
     double value = 0;      // what the error takes from the scene: of z-clear a depth, world units
-    constexpr explicit operator bool() const { return defect != Defect::None; }
+    double second = 0;
+    const Own* own = nullptr;  // a function in the place of one of the stage's, which the scene's settings keep
+    constexpr explicit operator bool() const { return defect != Defect::None || own; }
     bool operator==(const Planted&) const = default;
 };
 

@@ -5,6 +5,7 @@
 
 #include "pipeline/defects/defect_table.h"
 #include "pipeline/defects/hooks.h"
+#include "pipeline/defects/own.h"
 #include "pipeline/plan/stage_keys.h"
 #include "pipeline/scene/view.h"
 
@@ -151,6 +152,26 @@ void tellStage(const Scene& scene, Planted planted, StageKeys& keys) {
     }
 }
 
+// The stage that calls it; keys.transform.view is that of the scene.
+void tellOwn(const Own& own, const Camera& camera, StageKeys& keys) {
+    Planted planted{.own = &own};
+    if (own.function == OwnFunction::Camera) {
+        if (camera.kind != CameraKind::Spherical) return;
+        planted.value = camera.theta, planted.second = camera.phi;
+    }
+    switch (ownContract(own.function).stage) {
+        case StageId::Transform: keys.transform.planted = planted; return;
+        case StageId::Cull: keys.cull.planted = planted; return;
+        case StageId::Normals: keys.normals.planted = planted; return;
+        case StageId::ShadowBuffer: keys.shading.shadow.planted = planted; return;
+        case StageId::ZBuffer: keys.zBuffer.planted = planted; return;
+        case StageId::Shading:
+            keys.shading.planted = keys.shading.shadow.planted = keys.shading.illumination.detail.planted = planted;
+            keys.shading.shadow.eye = keys.transform.view;
+            return;
+    }
+}
+
 void spoilView(const Scene& scene, const Planted& planted, StageKeys& keys) {
     View& view = keys.transform.view;
     const double aspect = double(view.size.x) / view.size.y;
@@ -195,6 +216,7 @@ glm::dvec2 sampleShiftOf(const Scene& scene) {
 }
 
 void spoilGiven(const Scene& scene, StageKeys& keys) {
+    if (scene.settings.own) tellOwn(*scene.settings.own, scene.camera, keys);
     const int way = wayOf(scene.settings);
     const Planted planted{scene.settings.defect, std::uint8_t(std::clamp(way, 0, 255)), 0};
     spoilView(scene, planted, keys);

@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "pipeline/core/real.h"
@@ -21,6 +22,8 @@ struct StageKeys;
 struct Topology;
 struct View;
 struct CullInputs;
+struct NormalsInputs;
+struct TransformInputs;
 struct Culled;
 struct DepthCode;
 struct ShadowSettings;
@@ -47,6 +50,14 @@ template <class Real>
 struct LightView;
 template <class Real>
 struct Layer;
+template <class Real>
+struct ShadowTest;
+template <class Real>
+struct TexelTest;
+template <class Real>
+struct BaseTerms;
+template <class Real>
+struct ShadingScratch;
 
 // Given: what the stages read of the scene, and which stage gets the defect to change its own text.
 void spoilGiven(const Scene& scene, StageKeys& keys);
@@ -59,6 +70,12 @@ void spoilVerdicts(const CullInputs& inputs, const TransformOutput<Real>& in, st
 template <class Real>
 void spoilPolygonNormals(const Planted& planted, const TransformOutput<Real>& in, std::size_t polygons,
                          NormalsOutput<Real>& out);
+// The vertices of all objects in world space; and the normals of those of one object.
+template <class Real>
+void spoilPlaces(const TransformInputs& inputs, TransformOutput<Real>& out);
+template <class Real>
+void spoilVertexNormals(const NormalsInputs& inputs, const TransformOutput<Real>& in, std::size_t object,
+                        NormalsOutput<Real>& out);
 
 // Within: one result of a function at a point.
 void spoilNormalMatrix(const Planted& planted, const View& view, const ObjectMatrix& matrix, glm::dmat3& normalMatrix);
@@ -69,7 +86,7 @@ void spoilCleared(ZBufferOutput<Real>& out);
 // The depth of a fragment, and whether it wins. e: the edge functions at its pixel; at: the pixel's place in `out`.
 template <class Real>
 void spoilTest(const DepthCode& code, const RasterTriangle<Real>& triangle, const std::array<std::int64_t, 3>& e,
-               const ZBufferOutput<Real>& out, std::size_t at, Fragment<Real>& fragment, double& depth, bool& won);
+               ZBufferOutput<Real>& out, std::size_t at, Fragment<Real>& fragment, double& depth, bool& won);
 // What a fragment that won has written.
 template <class Real>
 void spoilWritten(const DepthCode& code, ZBufferOutput<Real>& out, std::size_t at);
@@ -84,6 +101,11 @@ void spoilTerms(const Illumination& illumination, const Light& light, const Mate
 template <class Real>
 void spoilShadowPoint(const ShadowSettings& settings, Vec3<Real>& position);
 void spoilTexel(const ShadowSettings& settings, glm::ivec2 size, glm::ivec2& texel);
+// Where a point of world space falls on a light's face, columns and rows, and how far away it is.
+template <class Real>
+void spoilLightPlace(const ShadowSettings& settings, const View& face, Vec3<Real> position, Vec2<Real>& place, Real& z);
+template <class Real>
+void spoilShadowed(const ShadowSettings& settings, const ShadowTest<Real>& test, TexelTest<Real>& found);
 
 template <class Real>
 void spoilSurface(const ShadingInputs& inputs, Surface<Real>& surface);
@@ -94,8 +116,18 @@ void spoilPixel(const ShadingInputs& inputs, const ShadingSources<Real>& in, con
 template <class Real>
 void spoilAmbient(const Planted& planted, std::size_t light, Real shadow, Vec3<Real> whole, Vec3<Real>& ambient,
                   Vec3<Real>& intensity);
+// The sum of a pixel's terms after a light and its shadow factor. base: emission and the ambient term.
+template <class Real>
+void spoilSum(const ShadingInputs& inputs, std::size_t light, Real shadow, const BaseTerms<Real>& base,
+              ShadingScratch<Real>& scratch, Vec3<Real>& intensity);
+// transparent: as maximumIntensity has it.
+void spoilMaximum(const ShadingInputs& inputs, const std::vector<std::uint8_t>& transparent, double& iMax);
 void spoilFrameBuffer(const Planted& planted, Vec3d intensity, double iMax, Color8& value);
 template <class Real>
 void spoilLayers(const Planted& planted, std::vector<Layer<Real>>& layers);
+// A pixel with its layers over it. layers: of a tile, pixel by pixel, the farthest first; lit: their intensities.
+template <class Real>
+void spoilBlended(const ShadingInputs& inputs, const ShadingSources<Real>& in, std::span<const Layer<Real>> layers,
+                  std::span<const Vec3<Real>> lit, glm::ivec2 pixel, Vec3<Real> behind, Vec3<Real>& intensity);
 
 }  // namespace pipeline

@@ -3,6 +3,7 @@
 
 #include "pipeline/core/numerics.h"
 #include "pipeline/defects/hooks.h"
+#include "pipeline/defects/own_hooks.h"
 #include "pipeline/stages/cull.h"
 #include "pipeline/stages/normals.h"
 
@@ -40,6 +41,7 @@ bool facesAlongAxis(const TransformOutput<Real>& in, std::size_t polygon) {
 
 template <class Real>
 void spoilVerdicts(const CullInputs& inputs, const TransformOutput<Real>& in, std::size_t polygons, Culled& out) {
+    const Own* const own = inputs.planted.own;
     for (std::size_t polygon = 0; polygon < polygons; ++polygon) {
         Verdict& verdict = out.verdicts[polygon];
         if (!goesOn(verdict) && verdict != Verdict::BackFacing) continue;
@@ -49,8 +51,10 @@ void spoilVerdicts(const CullInputs& inputs, const TransformOutput<Real>& in, st
             continue;
         }
         std::uint8_t& marks = out.marks[polygon];
-        const bool isBack =
-            inputs.planted.defect == Defect::CullSign ? !out.isBack(polygon) : facesAlongAxis(in, polygon);
+        const bool isBack = own ? ownIsBack(*own, in, polygon, out.isBack(polygon))
+                            : inputs.planted.defect == Defect::CullSign ? !out.isBack(polygon)
+                                                                        : facesAlongAxis(in, polygon);
+        if (own && isBack == out.isBack(polygon)) continue;
         marks = std::uint8_t(isBack ? marks | CullMark::kBack : marks & ~CullMark::kBack);
         if (isBack && inputs.mode == CullMode::Back)
             verdict = Verdict::BackFacing;
@@ -62,6 +66,7 @@ void spoilVerdicts(const CullInputs& inputs, const TransformOutput<Real>& in, st
 template <class Real>
 void spoilPolygonNormals(const Planted& planted, const TransformOutput<Real>& in, std::size_t polygons,
                          NormalsOutput<Real>& out) {
+    if (planted.own) return ownPolygonNormals(*planted.own, in, polygons, out);
     const View& view = in.view;
     const auto inView = [&](Vec3<Real> n) {
         const Real along = glm::dot(Vec3<Real>(view.forward), n);

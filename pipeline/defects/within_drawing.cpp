@@ -4,6 +4,7 @@
 
 #include "pipeline/core/numerics.h"
 #include "pipeline/defects/hooks.h"
+#include "pipeline/defects/own_hooks.h"
 #include "pipeline/scene/object_matrix.h"
 #include "pipeline/stages/z_buffer.h"
 
@@ -64,7 +65,8 @@ void spoilCleared(ZBufferOutput<Real>& out) {
 
 template <class Real>
 void spoilTest(const DepthCode& code, const RasterTriangle<Real>& triangle, const std::array<std::int64_t, 3>& e,
-               const ZBufferOutput<Real>& out, std::size_t at, Fragment<Real>& fragment, double& depth, bool& won) {
+               ZBufferOutput<Real>& out, std::size_t at, Fragment<Real>& fragment, double& depth, bool& won) {
+    if (out.planted.own) return ownTest(code, triangle, e, out, at, fragment, depth, won);
     const bool linear = code.format == DepthFormat::Linear;
     const bool first = out.triangle->pixels[at] == kNoTriangle;
     const auto isNearer = [&](bool flipped) {
@@ -95,7 +97,7 @@ void spoilWritten(const DepthCode& code, ZBufferOutput<Real>& out, std::size_t a
 #define SHADESCOPE_INSTANTIATE(Real)                                                                           \
     template void spoilCleared(ZBufferOutput<Real>&);                                                          \
     template void spoilTest(const DepthCode&, const RasterTriangle<Real>&, const std::array<std::int64_t, 3>&, \
-                            const ZBufferOutput<Real>&, std::size_t, Fragment<Real>&, double&, bool&);         \
+                            ZBufferOutput<Real>&, std::size_t, Fragment<Real>&, double&, bool&);               \
     template void spoilWritten(const DepthCode&, ZBufferOutput<Real>&, std::size_t);
 SHADESCOPE_FOR_EVERY_REAL(SHADESCOPE_INSTANTIATE)
 #undef SHADESCOPE_INSTANTIATE

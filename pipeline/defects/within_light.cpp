@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "pipeline/defects/hooks.h"
+#include "pipeline/defects/own_hooks.h"
 #include "pipeline/illumination/illumination.h"
 #include "pipeline/stages/shadow_factor.h"
 
@@ -60,6 +61,7 @@ void spoilDirections(const Illumination& illumination, const Light& light, const
                      LightSample<Real>& s) {
     const Planted& planted = illumination.detail.planted;
     const UnitForm unit = illumination.detail.unit;
+    if (planted.own && ownDirections(*planted.own, light, at, s)) follow(at, unit, s);
     switch (planted.defect) {
         case Defect::LRaw:
             s.L = rawDirection(light, at);
@@ -99,6 +101,10 @@ void spoilTerms(const Illumination& illumination, const Light& light, const Mate
     };
     const PowerForm form = illumination.detail.power;
     const bool behind = !(s.nDotL > 0);
+    if (planted.own) {
+        if (isOwnVectorOff(*planted.own, at, s)) s = again(at, s, PowerForm::Pow);
+        return ownTerms(*planted.own, illumination, light, material, at, s);
+    }
     switch (planted.defect) {
         // The stable form of the power is of unit vectors alone.
         case Defect::LRaw:

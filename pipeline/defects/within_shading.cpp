@@ -5,6 +5,7 @@
 #include "pipeline/core/elementary.h"
 #include "pipeline/core/numerics.h"
 #include "pipeline/defects/hooks.h"
+#include "pipeline/defects/own_hooks.h"
 #include "pipeline/stages/shading.h"
 #include "pipeline/stages/translucent.h"
 
@@ -12,6 +13,7 @@ namespace pipeline {
 
 template <class Real>
 void spoilSurface(const ShadingInputs& inputs, Surface<Real>& surface) {
+    if (inputs.planted.own) return ownSurface(inputs, surface);
     if (inputs.planted.defect == Defect::EyeAtOrigin)
         surface.V = inputs.planted.way == 0   ? normalized(-surface.position, inputs.illumination.detail.unit)
                     : inputs.planted.way == 1 ? -surface.V
@@ -28,6 +30,7 @@ template <class Real>
 void spoilPixel(const ShadingInputs& inputs, const ShadingSources<Real>& in, const VertexWeights<Real>& weights,
                 Surface<Real>& surface) {
     spoilSurface(inputs, surface);
+    if (inputs.planted.own) return ownPixel(*inputs.planted.own, in, weights, surface);
     if (inputs.planted.defect != Defect::NormalShort || in.normals.vertex.empty()) return;
     const Vec3<Real> normal =
         inputs.planted.way > 1  // that of one vertex
@@ -56,6 +59,7 @@ void spoilAmbient(const Planted& planted, std::size_t light, Real shadow, Vec3<R
 }
 
 void spoilFrameBuffer(const Planted& planted, Vec3d intensity, double iMax, Color8& value) {
+    if (planted.own) return ownFrameBuffer(*planted.own, intensity, iMax, value);
     constexpr double kGammas[]{2.2, 1.8, 2.4};
     for (int c = 0; c < 3; ++c) {
         const double share = iMax > 0 && std::isfinite(intensity[c]) ? intensity[c] / iMax : 0;

@@ -39,7 +39,7 @@ const std::vector<bool>& Decision::ownNormals() const {
 Need Decision::unless(Rule rule, std::string reason) const {
     if (reason.empty()) return {};
     if (isInForce(rule)) return {std::move(reason), rule};
-    if (scene.settings.defect != Defect::None) return {{}, {}, kDefectIsPlanted};
+    if (scene.settings.isPlanted()) return {{}, {}, kDefectIsPlanted};
     reason.pop_back();  // the full stop
     const std::string_view off = scene.settings.leaveOut ? ruleInfo(rule).key : "leave_out";
     return {{}, {}, fmt::format("{}, but {} is off.", reason, off)};

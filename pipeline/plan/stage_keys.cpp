@@ -47,7 +47,8 @@ StageKeys stageKeys(const Scene& scene, const Needs& needs, std::shared_ptr<cons
         else
             keys.shadowBuffer.casters.push_back({});
     }
-    if (settings.defect != Defect::None) spoilGiven(scene, keys);
+    const bool planted = settings.isPlanted();
+    if (planted) spoilGiven(scene, keys);
     return keys;
 }
 

@@ -38,6 +38,8 @@ struct FrameRequest {
     StageId until = StageId::Shading;  // later stages do not run
     int threads = 0;                   // 0: as many as the machine has
     Stop stop;                         // checked for each tile
+    // Planted in the frame's scene: no rule acts then, no kernel draws, and every pixel is shaded by itself.
+    std::shared_ptr<const Own> own{};
 };
 
 struct FrameStages;  // the stages' outputs; pipeline/run/frame_data.h

@@ -21,6 +21,13 @@
 namespace pipeline {
 
 template <class Real>
+void snapVertices(TransformOutput<Real>& out, Threads& threads) {
+    piece::makeRoomForSnapped(out);
+    threads.forRange(out.world.size(), kVertexGrain,
+                     [&](std::size_t begin, std::size_t end) { piece::snap(begin, end, out); });
+}
+
+template <class Real>
 std::shared_ptr<const TransformOutput<Real>> runTransform(const TransformInputs& inputs, Threads& threads) {
     auto out = std::make_shared<TransformOutput<Real>>(prepareTransform<Real>(inputs));
     piece::makeRoomForSnapped(*out);
@@ -29,6 +36,8 @@ std::shared_ptr<const TransformOutput<Real>> runTransform(const TransformInputs&
             inputs.topology->meshes[object]->positions.size(), kVertexGrain,
             [&](std::size_t begin, std::size_t end) { piece::transform(inputs, object, begin, end, *out); });
     }
+    if (inputs.planted) spoilPlaces(inputs, *out);
+    if (inputs.planted) snapVertices(*out, threads);
     return out;
 }
 
@@ -270,13 +279,6 @@ void shadePicture(const ShadingInputs& inputs, const ShadingSources<Real>& in, S
         for (std::size_t tile = begin; tile < end; ++tile)
             counts.add(drawLayers(inputs, in, layers, tile, out, piece::layerShader<Real>(inputs)));
     });
-}
-
-template <class Real>
-void snapVertices(TransformOutput<Real>& out, Threads& threads) {
-    piece::makeRoomForSnapped(out);
-    threads.forRange(out.world.size(), kVertexGrain,
-                     [&](std::size_t begin, std::size_t end) { piece::snap(begin, end, out); });
 }
 
 // Computes the picture again for each sample of a pixel, with the pixels' centres moved to the sample, and takes the

@@ -45,9 +45,15 @@ Past pastOf(const Scene& scene, const FramePtr& before) {
     return out;
 }
 
+Scene withOwn(Scene scene, const FrameRequest& request) {
+    scene.settings.own = request.own;
+    return scene;
+}
+
 }  // namespace
 
 Plan makePlan(const Scene& scene, const FrameRequest& request, const FramePtr& before) {
+    if (request.own && scene.settings.own != request.own) return makePlan(withOwn(scene, request), request, before);
     const Needs needs = needsOf(scene, request.wanted, request.until);
     // Of a large scene the topology takes long; it is only compared with that of the frame before.
     const StageKeys keys = stageKeys(scene, needs, before ? topologyOf(scene, before) : nullptr);
@@ -200,9 +206,10 @@ std::shared_ptr<const FrameStages> alone(const Frame& whole, const StageKeys& ke
 
 FramePtr runAlone(const FramePtr& whole, StageId stage) {
     Scene right = whole->scene();
-    if (right.settings.defect == Defect::None) return whole;
-    const bool isOfFile = !defectInfo(right.settings.defect).stage;
-    right.settings.defect = Defect::None, right.settings.leaveOut = false;
+    if (!right.settings.isPlanted()) return whole;
+    const Defect defect = right.settings.defect;
+    const bool isOfFile = defect != Defect::None && !defectInfo(defect).stage;
+    right.settings.defect = Defect::None, right.settings.own = nullptr, right.settings.leaveOut = false;
     const Needs needs = needsOf(right, whole->wanted(), whole->until());
     return readStages(*whole, [&]<class Real>(const FrameData<Real>& data) {
         // If the file is wrong, every stage is right for that file.
@@ -212,6 +219,8 @@ FramePtr runAlone(const FramePtr& whole, StageId stage) {
 }
 
 FramePtr runFrame(std::shared_ptr<const Scene> scene, const FrameRequest& request, const FramePtr& before) {
+    if (request.own && scene->settings.own != request.own)
+        scene = std::make_shared<const Scene>(withOwn(*scene, request));
     const bool isAsked = before && before->sharedScene() == scene && before->wanted() == request.wanted &&
                          before->until() == request.until;
     if (isAsked) return before;

@@ -47,6 +47,7 @@ void findVertexNormals(const NormalsInputs& inputs, const TransformOutput<Real>&
         piece::unitVertexNormals(inputs, in, object, begin, end, out);
     });
     if (sums) replaceVanishing(in, object, out);
+    if (inputs.planted) spoilVertexNormals(inputs, in, object, out);
 }
 
 // Sets up pieces [first, last) of the triangles.

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 
 #include "pipeline/core/forms.h"
 #include "pipeline/defects/defect.h"
@@ -100,12 +101,15 @@ struct Settings {
     RuleSet rules = RuleSet().set();
     Defect defect = Defect::None;  // planted on purpose: the picture is wrong
     int defectWay = 0;             // which of the ways of making it, from 0
+    // A student's function in the place of one of the pipeline's; planted for one frame, see FrameRequest. No text has it.
+    std::shared_ptr<const Own> own{};
+    bool isPlanted() const { return defect != Defect::None || own; }
     bool operator==(const Settings&) const = default;
 };
 
-// The rules that are in force. With a defect none: that they change no bit is proved of the right pipeline alone.
+// The rules that are in force. With a defect, or a student's function, none: that they change no bit is proved of the right pipeline alone.
 inline RuleSet rulesOf(const Settings& settings) {
-    return settings.leaveOut && settings.defect == Defect::None ? settings.rules : RuleSet();
+    return settings.leaveOut && !settings.isPlanted() ? settings.rules : RuleSet();
 }
 
 }  // namespace pipeline

@@ -48,6 +48,11 @@ Vec3<Real> toView(const View& view, Vec3<Real> world) {
             glm::dot(Vec3<Real>(view.forward), p) + Real(view.pivotDepth)};
 }
 
+// And back.
+inline Vec3d fromView(const View& view, Vec3d p) {
+    return view.pivot + p.x * view.right + p.y * view.up + (p.z - view.pivotDepth) * view.forward;
+}
+
 // The point on the picture's plane through z_view = distance that pixel position p (pixels,
 // centre at +0.5) looks at; world space.
 Vec3d worldPoint(const View& view, glm::dvec2 p, double zView);

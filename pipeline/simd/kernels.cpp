@@ -23,14 +23,14 @@ BufferSet always() {
 }  // namespace
 
 std::string whyNotDrawnInVectors(const Settings& settings) {
-    if (settings.defect != Defect::None) return kDefectIsPlanted;
+    if (settings.isPlanted()) return kDefectIsPlanted;
     if (settings.precision != Precision::Float) return "They draw in float alone.";
     if (settings.visibility != Visibility::ZBuffer) return "They have the z-buffer alone.";
     return settings.depthFormat == DepthFormat::Linear ? "" : "They store linear depth alone.";
 }
 
 std::string whyNotShadedInVectors(const Settings& settings, BufferSet wanted) {
-    if (settings.defect != Defect::None) return kDefectIsPlanted;
+    if (settings.isPlanted()) return kDefectIsPlanted;
     if (settings.precision != Precision::Float) return "It computes in float alone.";
     if (settings.visibility == Visibility::None) return "Outlines are not shaded.";
     if (settings.shading == Shading::Phong && settings.interpolation != Interpolation::Perspective)

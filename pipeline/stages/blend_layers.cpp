@@ -44,7 +44,8 @@ Composed<Real> compose(const ShadingInputs& inputs, const ShadingSources<Real>& 
 }
 
 template <class Real>
-void layOver(const ShadingInputs& inputs, const Composed<Real>& c, ShadingOutput<Real>& out) {
+void layOver(const ShadingInputs& inputs, const ShadingSources<Real>& in, std::span<const Layer<Real>> layers,
+             std::span<const Vec3<Real>> lit, const Composed<Real>& c, ShadingOutput<Real>& out) {
     auto& intensities = out.vectors[index(BufferId::Intensity)][0];
     auto& added = out.vectors[index(BufferId::Translucent)];
     auto& left = out.scalars[index(BufferId::Transmittance)];
@@ -54,7 +55,9 @@ void layOver(const ShadingInputs& inputs, const Composed<Real>& c, ShadingOutput
             if (c.count.pixels[from] == 0) continue;
             const std::size_t at = intensities.offset(c.origin + glm::ivec2(x, y));
             Vec3<Real>& intensity = intensities.pixels[at];
+            const Vec3<Real> behind = intensity;
             intensity = c.left.pixels[from] * intensity + c.added.pixels[from];
+            if (inputs.planted) spoilBlended(inputs, in, layers, lit, c.origin + glm::ivec2(x, y), behind, intensity);
             out.color.pixels[at] = frameBufferValue(Vec3d(intensity), out.iMax, inputs.planted);
             if (!added.empty()) added[0].pixels[at] = c.added.pixels[from];
             if (!left.empty()) left[0].pixels[at] = c.left.pixels[from];
@@ -75,7 +78,7 @@ void drawTile(const ShadingInputs& inputs, const ShadingSources<Real>& in, const
         if (found->empty()) return;
         std::vector<Vec3<Real>> intensities(found->size());
         shade(inputs, in, tile, *found, out, intensities, counts);
-        layOver(inputs, compose<Real>(inputs, in, tile, *found, intensities), out);
+        layOver<Real>(inputs, in, *found, intensities, compose<Real>(inputs, in, tile, *found, intensities), out);
         return;
     }
     Tile first = tile, second = tile;

@@ -28,9 +28,11 @@ struct DepthCode {
     DepthFormat format = DepthFormat::Linear;
     bool perspective = true;
     double constant = 0, factor = 0;
-    double levels = 0;  // 2^bits - 1 of the fixed-point formats
+    double levels = 0;         // 2^bits - 1 of the fixed-point formats
+    double near = 0, far = 0;  // z_view
 
-    DepthCode(const View& view, DepthFormat depthFormat) : format(depthFormat), perspective(view.perspective) {
+    DepthCode(const View& view, DepthFormat depthFormat)
+        : format(depthFormat), perspective(view.perspective), near(view.near), far(view.far) {
         const double n = view.near, f = view.far, range = f - n;
         const bool reversed = isReversed(format);
         const double slope = perspective ? (f / range) * n : 1 / range;

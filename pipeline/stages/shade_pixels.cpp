@@ -119,6 +119,7 @@ Vec3<Real> shade(const ShadingInputs& inputs, const ShadingSources<Real>& in, co
         intensity += diffuse;
         intensity += specular;
         if (inputs.planted) spoilAmbient(inputs.planted, k, shadow, ambient, base.ambient, intensity);
+        if (inputs.planted) spoilSum(inputs, k, shadow, base, scratch, intensity);
         write.put(BufferId::Shadow, shadow, k);
         write.put(BufferId::Diffuse, diffuse, k);
         write.put(BufferId::Specular, specular, k);

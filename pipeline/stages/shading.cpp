@@ -104,6 +104,7 @@ ShadingOutput<Real> prepareShading(const ShadingInputs& inputs, const ShadingSou
     ShadingOutput<Real> out;
     out.iMax = maximumIntensity(inputs.illumination.model, inputs.materials, inputs.lights, inputs.ambient,
                                 in.transform.transparent);
+    if (inputs.planted) spoilMaximum(inputs, in.transform.transparent, out.iMax);
     const glm::ivec2 size = in.transform.view.size;
     if (inputs.outlines) wanted.reset();  // nothing else is known of a line
     if (!inputs.parts[Part::ShadedInVectors]) wanted.set(index(BufferId::Intensity));

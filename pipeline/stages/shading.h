@@ -153,6 +153,7 @@ ShadingCounts shadeOutlines(const ShadingSources<Real>& in, Tile tile, ShadingOu
 template <class Real>
 struct ShadingScratch {
     std::vector<LightSample<Real>> samples;  // per light
+    std::vector<Real> shadows{};             // of the lights so far, for a student's sum alone
     RowCrossings row{};
     explicit ShadingScratch(const ShadingInputs& inputs) : samples(inputs.lights.size()) {}
 };

@@ -44,11 +44,12 @@ ShadowTest<Real> shadowTest(const LightView<Real>& light, const ShadowSettings& 
     test.face = faceOf(light, position);
     const View& face = light.faces[test.face];
     const Vec3<Real> p = toView(face, position);
-    const Vec2<Real> place = placeOf(face, p);
+    Vec2<Real> place = placeOf(face, p);
+    test.z = p.z;
+    if (settings.planted) spoilLightPlace(settings, face, position, place, test.z);
     test.texel = {texelAt(place.x), texelAt(place.y)};
     // A point on the seam of two faces of a point light lies in the last texel, not beyond it.
     if (face.perspective) test.texel = glm::clamp(test.texel, glm::ivec2(0), face.size - 1);
-    test.z = p.z;
     test.offset = (place - Vec2<Real>(test.texel)) - Real(0.5);
     if (settings.planted) spoilTexel(settings, face.size, test.texel);
     if (settings.bias == ShadowBias::Constant) {
@@ -87,9 +88,11 @@ TexelTest<Real> testTexel(const LightView<Real>& light, const ShadowSettings& se
     const Buffer2D<Real>& depth = *light.depth[test.face];
     TexelTest<Real> found{depth.at(at), test.bias, false};
     found.shadowed = test.z > found.stored + found.bias;
-    if (!found.shadowed || settings.bias != ShadowBias::Automatic) return found;
-    found.bias = std::max(found.bias, heldSlope(depth, light.faces[test.face].perspective, at, offset));
-    found.shadowed = test.z > found.stored + found.bias;
+    if (found.shadowed && settings.bias == ShadowBias::Automatic) {
+        found.bias = std::max(found.bias, heldSlope(depth, light.faces[test.face].perspective, at, offset));
+        found.shadowed = test.z > found.stored + found.bias;
+    }
+    if (settings.planted) spoilShadowed(settings, test, found);
     return found;
 }
 
