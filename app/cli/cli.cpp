@@ -27,7 +27,7 @@ constexpr std::array kCommands{
     Command{"film", declareFilm},     Command{"figure", declareFigure},   Command{"lesson", declareLesson},
     Command{"bug", declareBug},       Command{"compare", declareCompare}, Command{"present", declarePresent},
     Command{"site", declareSite},     Command{"sheet", declareSheet},     Command{"grade", declareGrade},
-    Command{"drill", declareDrill},
+    Command{"drill", declareDrill},   Command{"stage", declareStage},
 };
 
 constexpr std::array<std::string_view, 4> kOptions{"-h", "--help", "--version", "--help-all"};

@@ -29,6 +29,7 @@ void declareFilm(CLI::App& program, const CliHost& host, int& status);
 void declareFigure(CLI::App& program, const CliHost& host, int& status);
 void declareBug(CLI::App& program, const CliHost& host, int& status);
 void declareCompare(CLI::App& program, const CliHost& host, int& status);
+void declareStage(CLI::App& program, const CliHost& host, int& status);
 void declareSheet(CLI::App& program, const CliHost& host, int& status);
 void declareDrill(CLI::App& program, const CliHost& host, int& status);
 void declareGrade(CLI::App& program, const CliHost& host, int& status);

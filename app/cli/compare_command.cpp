@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "app/cli/commands.h"
+#include "app/cli/compare_report.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/message.h"
 #include "app/cli/output_argument.h"
@@ -25,9 +26,9 @@
 
 namespace app {
 
-namespace {
-
 namespace foreign = pipeline::foreign;
+
+namespace {
 
 struct CompareArguments {
     SceneArgument scene;
@@ -85,6 +86,8 @@ std::size_t terminalColumns() {
     return ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 100;
 }
 
+}  // namespace
+
 void sayReport(const foreign::Report& report) {
     const bool terminal = isatty(STDOUT_FILENO) == 1;
     for (const foreign::TextLine& line :
@@ -95,6 +98,8 @@ void sayReport(const foreign::Report& report) {
             say("{}\n", line.text);
     }
 }
+
+namespace {
 
 int statusOf(const foreign::Report& report) {
     if (!report.agrees()) return kAnswerIsNo;

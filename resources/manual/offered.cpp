@@ -7,6 +7,7 @@
 #include "pipeline/buffers/buffer_table.h"
 #include "pipeline/check/case.h"
 #include "pipeline/core/stage.h"
+#include "pipeline/defects/own.h"
 #include "pipeline/export/exporter.h"
 #include "pipeline/formats/built_in_scenes.h"
 #include "pipeline/scene/settings_table.h"
@@ -68,6 +69,13 @@ Words settings() {
     return words;
 }
 
+Words ownFunctions() {
+    Words words = stages();
+    for (std::size_t i = 0; i < pipeline::kOwnCount; ++i)
+        words.emplace_back(pipeline::ownContract(pipeline::OwnFunction(i)).name);
+    return words;
+}
+
 Words sweeps() {
     Words words;
     for (const pipeline::NamedSweep& sweep : pipeline::namedSweeps()) words.emplace_back(sweep.name);
@@ -100,6 +108,7 @@ constexpr std::array kValues{
     ValueRow{.value = "NAME,...", .words = formats, .list = true},
     ValueRow{.value = "NAME", .words = buffers},
     ValueRow{.value = "STAGE", .words = stages},
+    ValueRow{.value = "FUNCTION", .words = ownFunctions},
     ValueRow{.value = "SWEEP", .words = sweeps},
     ValueRow{.value = "ID", .words = cases},
     ValueRow{.value = "GROUP", .words = groups},

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <fstream>
 #include <sstream>
@@ -13,6 +14,7 @@
 #include "pipeline/contracts/contract.h"
 #include "pipeline/core/text.h"
 #include "pipeline/defects/defect_table.h"
+#include "pipeline/defects/own.h"
 #include "pipeline/formats/toml_scene.h"
 #include "pipeline/scene/settings_table.h"
 
@@ -95,6 +97,30 @@ std::string cell(std::string_view text) {  // of a table: | stands for its borde
     return out;
 }
 
+std::string ownFunctions() {
+    std::string text =
+        "\n## Functions to write\n\nWhat [`shadescope stage`](write-the-stage.md) hands over, what it takes back, and "
+        "how far "
+        "a result may be off. A list is named with …\n\n"
+        "| function | stage | arguments | result | may be off | picture | mistakes with a name | lesson, page |\n"
+        "|---|---|---|---|---|---|---|---|\n";
+    for (std::size_t i = 0; i < pipeline::kOwnCount; ++i) {
+        const pipeline::OwnContract& contract = pipeline::ownContract(pipeline::OwnFunction(i));
+        std::string arguments, mistakes;
+        for (const pipeline::OwnParameter& one : contract.taken())
+            arguments += fmt::format("{}`{}`{} {}", arguments.empty() ? "" : "; ", one.name,
+                                     isList(one.kind) ? " …" : "", one.meaning);
+        for (const pipeline::OwnMistake& one : contract.mistakes)
+            mistakes += fmt::format("{}`{}` {}", mistakes.empty() ? "" : "; ", one.id, one.name);
+        constexpr std::array<std::string_view, 5> kUnits{"", "", " of the right one", "", " degrees, % of the length"};
+        text += fmt::format("| `{}` | {} | {} | {} | {}{} | {} | {} | {}, {} |\n", signatureOf(contract),
+                            stageInfo(contract.stage).name, arguments, contract.result,
+                            shortestText(contract.tolerance), kUnits[std::size_t(contract.measure)],
+                            contract.picture ? "yes" : "", mistakes, contract.lesson, contract.heading);
+    }
+    return text;
+}
+
 std::string defects() {
     std::string text =
         "\n## Planted defects\n\nValues of the setting `defect`, beside `none`. *Way* is the value of `defect_way`. "
@@ -163,7 +189,7 @@ int main(int argc, char** argv) {
     const std::string text =
         "# Reference\n\n`resources/manual/write_reference.cpp` writes this page from the program's tables; do not edit "
         "it.\n\n" +
-        stages() + buffers() + settings() + defects() + functions() + contracts();
+        stages() + buffers() + settings() + defects() + ownFunctions() + functions() + contracts();
     if (!check) {
         std::ofstream file(argv[1], std::ios::binary);
         return file << text && file.flush() ? 0 : 4;
