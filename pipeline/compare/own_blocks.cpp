@@ -32,7 +32,8 @@ std::string numberText(double x) {
 Error wrongWord(std::string_view word, std::string expected) {
     constexpr std::size_t kShown = 40;
     return {SourceLocation{"output of the program"},
-            "found " + (word.empty() ? "its end" : inQuotes(std::string(word.substr(0, kShown)))), std::move(expected)};
+            fmt::format("found {}", word.empty() ? "its end" : inQuotes(std::string(word.substr(0, kShown)))),
+            std::move(expected)};
 }
 
 std::string callsText(const OwnContract& contract, const std::vector<OwnElement>& elements) {
@@ -42,7 +43,10 @@ std::string callsText(const OwnContract& contract, const std::vector<OwnElement>
     for (const OwnParameter& one : taken) columns += sizeOf(one.kind);
     std::string text = fmt::format("{} {} {}\n", contract.name, elements.size(), isEven ? columns : 0);
     for (const OwnElement& element : elements) {
-        for (std::size_t i = 0; i < element.in.size(); ++i) text += (i ? " " : "") + numberText(element.in[i]);
+        for (std::size_t i = 0; i < element.in.size(); ++i) {
+            if (i > 0) text += ' ';
+            text += numberText(element.in[i]);
+        }
         text += '\n';
     }
     return text;

@@ -47,7 +47,7 @@ std::vector<std::string> argumentTexts(const OwnContract& contract, const OwnEle
         for (std::size_t k = 0; k < count; ++k) {
             OwnValue value;
             for (std::size_t c = 0; c < size; ++c) value.at[c] = arguments->n(i, k * size + c);
-            text += (k ? ", " : "") + valueText(std::span(value.at).first(size), one.kind);
+            text += fmt::format("{}{}", k ? ", " : "", valueText(std::span(value.at).first(size), one.kind));
         }
         texts.push_back(fmt::format("{} = {}", one.name, isList(one.kind) ? "[" + text + "]" : text));
     }
@@ -132,7 +132,8 @@ std::string ownHtml(const OwnReport& report) {
         html += element(lines[i].starts_with("    ") ? "pre" : "p", lines[i]) + "\n";
     if (report.yours && report.right) {
         const Buffer2D<Color8>&mine = colorOf(*report.yours), &right = colorOf(*report.right);
-        html += "<h2>The picture</h2>\n<div class=four>\n" + shownAs(mine, "Yours") + shownAs(right, "Right");
+        html += "<h2>The picture</h2>\n<div class=four>\n";
+        html += shownAs(mine, "Yours"), html += shownAs(right, "Right");
         html += mine.pixels == right.pixels
                     ? element("p", "The pictures are equal. The numbers above decide.") + "</div>\n"
                     : shownAs(differenceBetween(mine, right), "Where they differ: the darker, the more") + "</div>\n";
@@ -155,7 +156,8 @@ std::string ownHtml(const OwnReport& report) {
         }
         html += "</table>\n";
     }
-    if (!report.messages.empty()) html += "<h2>Messages of the program</h2>\n" + element("pre", report.messages) + "\n";
+    if (!report.messages.empty())
+        html += fmt::format("<h2>Messages of the program</h2>\n{}\n", element("pre", report.messages));
     return html + element("pre", report.command) + "\n</main>\n</body>\n</html>\n";
 }
 

@@ -150,7 +150,7 @@ TEST(Stage, whatCannotBeJudgedSaysWhy) {
     };
     says({"CalcNorml", "pyramid", "--with", "true"}, 2, "the nearest name is CalcNormal");
     says({"CalcNormal", "pyramid"}, 2, "--with is missing");
-    says({"CalcNormal", "pyramid", "--with", "true"}, 3, "the end of the output, expected \"CalcNormal 5 3\"");
+    says({"CalcNormal", "pyramid", "--with", "true"}, 3, "found its end, expected \"CalcNormal 5 3\"");
     says({"CalcNormal", "pyramid", "--with", "echo CalcNormal 4 3"}, 3, "found \"4\", expected 5 rows");
     says({"CalcNormal", "pyramid", "--with", "echo no such luck >&2; exit 7"}, 3, "no such luck");
     says({"normalAt", "pyramid", "--with", "true"}, 3, "shading = phong");
