@@ -73,7 +73,8 @@ std::map<std::string, std::string> wordsOf(const pipeline::OwnContract& contract
         parameters += fmt::format(fmt::runtime(language.parameter), name, type);
         arguments += name;
         kinds += fmt::format("\"{}\"", kindName(one.kind));
-        meanings += (meanings.empty() ? "" : "\n") + fmt::format(fmt::runtime(language.meaning), name, one.meaning);
+        if (!meanings.empty()) meanings += '\n';
+        meanings += fmt::format(fmt::runtime(language.meaning), name, one.meaning);
         reads += fmt::format(fmt::runtime(language.read), name, kindName(one.kind), type);
     }
     const auto result = std::size_t(contract.returns);
@@ -124,7 +125,7 @@ pipeline::Result<std::string> writeStarter(const pipeline::OwnContract& contract
     const Language& of = *std::ranges::find(kLanguages, language, &Language::name);
     const std::string name = fmt::format("{}{}", contract.name, of.extension);
     const std::filesystem::path file = folder / name;
-    const auto text = pipeline::readFile(pipeline::resourceFolder() / "starter" / fmt::format("stage{}", of.extension));
+    const auto text = pipeline::readFile(pipeline::resourceFolder() / "starter" / fmt::format("stage{}.in", of.extension));
     if (!text) return text.errors();
     std::error_code failed;
     std::filesystem::create_directories(folder, failed);
