@@ -75,7 +75,7 @@ void ownTest(const DepthCode& code, const RasterTriangle<Real>& triangle, const 
         case OwnFunction::Setpixel: {
             if (!linear) return;
             const std::uint32_t there = out.triangle->pixels[at];
-            const double mine = triangle.id, stored = there == kNoTriangle ? -1 : there;
+            const double mine = triangle.id, stored = there == kNoTriangle ? -1.0 : double(there);
             Real& storedZ = out.zView->pixels[at];
             call << pixel.x << pixel.y << mine << double(fragment.z) << double(storedZ) << stored;
             const auto found = call.result(OwnPlace::Pixel, at);

@@ -95,6 +95,7 @@ TEST(Stage, thePictureGoesOnWithWhatTheProgramStored) {
     const auto never = judge("return [zbuffer, c] if z < zbuffer else [zbuffer, color]");
     EXPECT_EQ(never.status, 1);
     EXPECT_TRUE(has(never.out, "z-no-write")) << never.out;
+    EXPECT_TRUE(has(never.out, "color = -1")) << never.out;  // the first fragment meets an empty pixel
     EXPECT_FALSE(has(never.out, "stand in")) << never.out;
     EXPECT_TRUE(has(test::readText(page), "Where they differ"));
 }
