@@ -1,70 +1,16 @@
 #include <fmt/format.h>
-#include <png.h>
 
 #include <algorithm>
 #include <charconv>
-#include <csetjmp>
-#include <cstring>
-#include <memory>
 #include <optional>
 
 #include "pipeline/core/number.h"
 #include "pipeline/formats/bytes.h"
 #include "pipeline/formats/number_file.h"
-#include "pipeline/formats/png_scene.h"
 
 namespace pipeline {
 
 namespace {
-
-// --- PNG, by libpng
-
-struct PngPixels {
-    std::string_view left;
-    png_uint_32 width = 0, height = 0;
-    int channels = 0, depth = 0;
-    std::vector<unsigned char> bytes;  // big-endian where 16 bits
-    std::vector<png_bytep> lines;
-    std::size_t most = 0;
-    bool tooLarge = false;
-};
-
-void takePng(png_structp png, png_bytep to, png_size_t size) {
-    auto& from = *static_cast<PngPixels*>(png_get_io_ptr(png));
-    if (from.left.size() < size) png_error(png, "");
-    std::memcpy(to, from.left.data(), size);
-    from.left.remove_prefix(size);
-}
-void failPng(png_structp png, png_const_charp) { longjmp(png_jmpbuf(png), 1); }
-void ignorePng(png_structp, png_const_charp) {}
-
-// libpng reports by longjmp: what has a destructor lives in the caller.
-bool decodePng(png_structp png, png_infop info, PngPixels& pixels) {
-    if (setjmp(png_jmpbuf(png)) != 0) return false;
-    constexpr png_uint_32 kMostChunks = 64;
-    png_set_chunk_malloc_max(png, 1u << 20);
-    png_set_chunk_cache_max(png, kMostChunks);
-    png_set_read_fn(png, &pixels, takePng);
-    png_read_info(png, info);
-    pixels.width = png_get_image_width(png, info), pixels.height = png_get_image_height(png, info);
-    if (pixels.height != 0 && std::size_t(pixels.width) > pixels.most / pixels.height / 4) {
-        pixels.tooLarge = true;
-        return false;
-    }
-    png_set_expand(png);
-    png_set_strip_alpha(png);
-    png_set_interlace_handling(png);
-    png_read_update_info(png, info);
-    pixels.channels = png_get_channels(png, info), pixels.depth = png_get_bit_depth(png, info);
-    const std::size_t line = png_get_rowbytes(png, info);
-    pixels.bytes.assign(line * pixels.height, 0);
-    pixels.lines.resize(pixels.height);
-    for (std::size_t y = 0; y < pixels.height; ++y) pixels.lines[y] = pixels.bytes.data() + y * line;
-    png_read_image(png, pixels.lines.data());
-    return true;
-}
-
-// --- PNM, plain and raw
 
 // The words of a header or of a plain picture; # begins a comment.
 class PnmWords {
@@ -124,29 +70,6 @@ Result<NumberFile> readPfm(std::string_view bytes, const std::string& name, std:
 }
 
 }  // namespace
-
-Result<NumberFile> readPngNumbers(std::string_view bytes, const std::string& name, std::size_t most) {
-    if (!looksLikePng(bytes)) return wrongAt(name, 0, "no PNG file", "its signature");
-    PngPixels pixels;
-    pixels.left = bytes;
-    pixels.most = most;
-    png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, failPng, ignorePng);
-    png_infop info = png ? png_create_info_struct(png) : nullptr;
-    const bool whole = info && decodePng(png, info, pixels);
-    png_destroy_read_struct(&png, &info, nullptr);
-    if (pixels.tooLarge)
-        return wrongAt(name, 16, fmt::format("a picture of {} × {}", pixels.width, pixels.height),
-                       fmt::format("at most {} pixels", most / 4));
-    if (!whole) return wrongAt(name, bytes.size() - pixels.left.size(), "a damaged picture", "a PNG file");
-    NumberFile file{name, {pixels.height, pixels.width}, {}};
-    if (pixels.channels > 1) file.shape.push_back(std::size_t(pixels.channels));
-    file.kind = pixels.depth == 16 ? NumberKind::Levels16 : NumberKind::Levels8;
-    const std::size_t size = pixels.depth == 16 ? 2 : 1, count = pixels.bytes.size() / size;
-    file.values.resize(count);
-    for (std::size_t i = 0; i < count; ++i)
-        file.values[i] = size == 1 ? pixels.bytes[i] : pixels.bytes[2 * i] * 256.0 + pixels.bytes[2 * i + 1];
-    return file;
-}
 
 Result<NumberFile> readPnm(std::string_view bytes, const std::string& name, std::size_t most) {
     PnmWords words(bytes);
