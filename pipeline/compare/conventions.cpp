@@ -261,6 +261,8 @@ double readingCost(const HandedFile& file, const Values& mine, const Values& ref
     if (!differences.empty()) {
         const std::size_t kept = std::max<std::size_t>(1, std::size_t(kTrimmed * double(differences.size())));
         std::ranges::nth_element(differences, differences.begin() + std::ptrdiff_t(kept) - 1);
+        std::sort(differences.begin(),
+                  differences.begin() + std::ptrdiff_t(kept));  // a sum in the same order everywhere
         mean = 0;
         for (std::size_t i = 0; i < kept; ++i) mean += differences[i];
         mean /= double(kept);

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "pipeline/core/angles.h"
+#include "pipeline/core/elementary.h"
 #include "pipeline/core/numerics.h"
 #include "pipeline/core/text.h"
 #include "pipeline/defects/defect_table.h"
@@ -122,9 +124,9 @@ void addErrorsOfPlacing(
     if (scene.camera.kind == CameraKind::LookAt && scene.camera.projection == ProjectionKind::Perspective)
         add("horizontal-fov", "the field of view is taken across instead of up", "d = (w/2) / tan(fov/2)",
             "d = (h/2) / tan(fov/2)", [](Scene& s) {
-                const double half =
-                    std::tan(s.camera.fovY * std::numbers::pi / 360) * s.settings.height / s.settings.width;
-                s.camera.fovY = std::atan(half) * 360 / std::numbers::pi;
+                const double half = sinDegrees(s.camera.fovY / 2) / cosDegrees(s.camera.fovY / 2) * s.settings.height /
+                                    s.settings.width;
+                s.camera.fovY = pipeline::atan2(half, 1.0) * 360 / std::numbers::pi;
             });
 }
 

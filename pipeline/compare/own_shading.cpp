@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "pipeline/compare/own_stage.h"
+#include "pipeline/core/elementary.h"
 #include "pipeline/illumination/illumination.h"
 #include "pipeline/run/frame_data.h"
 #include "pipeline/stages/shading.h"
@@ -111,7 +112,7 @@ std::vector<std::string> ownShading(const Conventions& conventions, const Refere
             const double cosine = std::clamp(terms.number(dot, i), 0.0, 1.0);
             const double n = effectiveExponent(inputs.illumination.model, inputs.illumination.exponentFactor,
                                                inputs.materials[object]);
-            return shadow * s.specular * (std::pow(cosine, n) / s.specularPower);
+            return shadow * s.specular * (pipeline::pow(cosine, n) / s.specularPower);
         }
         return shadow * s.specular;
     };

@@ -1,5 +1,6 @@
 #include "pipeline/compare/reading.h"
 #include "pipeline/compare/shadow_frame.h"
+#include "pipeline/core/elementary.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +15,7 @@ namespace {
 
 using C = Coding;
 
-double toLinear(double v) { return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4); }
+double toLinear(double v) { return v <= 0.04045 ? v / 12.92 : pipeline::pow((v + 0.055) / 1.055, 2.4); }
 
 double levelsOf(const NumberFile& file) { return file.kind == NumberKind::Levels16 ? 65535 : 255; }
 
@@ -84,7 +85,7 @@ void readColor(const HandedFile& file, const FilePicture& picture, const Reading
     constexpr double kCodes = 2.5;  // and half a one for rounding
     const double scale = colorScale(file.numbers);
     const auto linear = [coding = reading.coding](double v) {
-        return coding == Coding::Srgb ? toLinear(v) : std::pow(v, 2.2);
+        return coding == Coding::Srgb ? toLinear(v) : pipeline::pow(v, 2.2);
     };
     const bool encoded = reading.coding != Coding::AsIs;
     const double own = toleranceOf(BufferId::Color)->value;

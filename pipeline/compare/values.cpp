@@ -1,4 +1,5 @@
 #include "pipeline/compare/values.h"
+#include "pipeline/core/elementary.h"
 
 #include <algorithm>
 #include <array>
@@ -48,7 +49,7 @@ constexpr std::array kTolerances{
 double angle(const double* a, const double* b) {
     const Vec3d u(a[0], a[1], a[2]), v(b[0], b[1], b[2]);
     const double lengthU = glm::length(u), lengthV = glm::length(v);
-    const double between = std::atan2(glm::length(glm::cross(u, v)), glm::dot(u, v)) * 180 / std::acos(-1.0);
+    const double between = pipeline::atan2(glm::length(glm::cross(u, v)), glm::dot(u, v)) * 180 / std::acos(-1.0);
     const double longer = 100 * std::abs(lengthU - lengthV) / std::max(1.0, std::max(lengthU, lengthV));
     return std::max(between, longer);
 }
