@@ -16,13 +16,13 @@
 #include "app/cli/scene_argument.h"
 #include "app/cli/watch.h"
 #include "pipeline/compare/compare_html.h"
+#include "pipeline/compare/compare_options.h"
 #include "pipeline/compare/compare_text.h"
 #include "pipeline/core/text.h"
 #include "pipeline/export/byte_file.h"
 #include "pipeline/export/staging.h"
 #include "pipeline/formats/built_in_scenes.h"
 #include "pipeline/formats/scene_folder.h"
-#include "pipeline/formats/text_scanner.h"
 
 namespace app {
 
@@ -42,33 +42,6 @@ struct CompareArguments {
 int wrongCompare(const std::string& message) {
     tell("shadescope compare: {}\n", message);
     return kWrongUsage;
-}
-
-// "color=2": a buffer's name without a light's index, and a number.
-std::optional<std::string> parseTolerance(const std::string& text, std::map<std::string, double>& into) {
-    const auto equals = text.find('=');
-    const std::string name = text.substr(0, equals);
-    const auto value =
-        equals == text.npos ? std::nullopt : pipeline::parseNumber(std::string_view(text).substr(equals + 1));
-    if (!value || *value < 0) return fmt::format("--tolerance is {}, expected BUFFER=NUMBER", pipeline::inQuotes(text));
-    const std::string buffer = name == "depth" ? "z_view" : name;
-    std::vector<std::string> names;
-    for (const foreign::Tolerance& row : foreign::toleranceTable()) {
-        names.emplace_back(bufferInfo(row.buffer).name);
-        if (names.back() == buffer) {
-            into[buffer] = *value;
-            return {};
-        }
-    }
-    return fmt::format("--tolerance: no buffer is called {}; the nearest name is {}", pipeline::inQuotes(name),
-                       pipeline::nearest(name, names));
-}
-
-std::string stageNames() {
-    std::string names;
-    for (const pipeline::StageId stage : pipeline::kStages)
-        names += (names.empty() ? "" : ", ") + std::string(stageInfo(stage).name);
-    return names;
 }
 
 // Whether a terminal shows more than ASCII.
@@ -100,12 +73,6 @@ void sayReport(const foreign::Report& report) {
 }
 
 namespace {
-
-int statusOf(const foreign::Report& report) {
-    if (!report.agrees()) return kAnswerIsNo;
-    if (report.options.strict && report.conventionsDiffer()) return kAnswerIsNo;
-    return report.in->errors.empty() ? kDone : kBadInput;
-}
 
 // What was typed, for the page.
 std::string commandOf(const CompareArguments& arguments) {
@@ -162,7 +129,7 @@ int compareOnce(const CompareArguments& arguments, const pipeline::Scene& scene,
         printErrors(report.errors());
         return kBadInput;
     }
-    const int status = statusOf(*report);
+    const int status = exitStatus(*report);
     if (!arguments.output.empty()) {
         // A report of the comparison before is written over: one mends and compares again.
         if (const auto written = pipeline::writeWhole(arguments.output, reportHtml(*report, commandOf(arguments)));
@@ -196,14 +163,9 @@ int runCompare(const CompareArguments& arguments) {
     if (arguments.paths.empty()) return wrongCompare("FOLDER is missing: where your renderer has written its buffers");
     foreign::CompareOptions options;
     for (const std::string& text : arguments.tolerances)
-        if (const auto wrong = parseTolerance(text, options.tolerances)) return wrongCompare(*wrong);
-    if (!arguments.stage.empty()) {
-        const auto stage = pipeline::findStage(arguments.stage);
-        if (!stage)
-            return wrongCompare(fmt::format("--stage: no stage is called {}; the stages are {}",
-                                            pipeline::inQuotes(arguments.stage), stageNames()));
-        options.until = *stage;
-    }
+        if (const auto wrong = foreign::readTolerance(text, options.tolerances)) return wrongCompare(*wrong);
+    if (!arguments.stage.empty())
+        if (const auto wrong = foreign::readUntil(arguments.stage, options.until)) return wrongCompare(*wrong);
     options.known = !arguments.noKnown && arguments.hints >= 3;
     options.strict = arguments.strict, options.hints = arguments.hints;
     const Interrupt interrupt;

@@ -8,8 +8,8 @@
 
 #include "app/core/document.h"
 #include "app/core/text.h"
-#include "app/core/worst_pixels.h"
 #include "pipeline/compare/compare_text.h"
+#include "pipeline/compare/worst_pixels.h"
 
 namespace app {
 

@@ -25,6 +25,9 @@ Json bufferJson(const Report& report, const Finding& finding) {
     out["name"] = finding.name.text();
     out["file"] = finding.file;
     out["convention"] = readingText(finding.reading);
+    out["text"] = findingText(finding);
+    out["tolerance_text"] = toleranceText(finding);
+    out["picture"] = finding.isPicture();
     out["compared"] = finding.compared;
     out["left_out"] = finding.count(Class::Left);
     for (const Class of :
@@ -53,7 +56,8 @@ Json candidateJson(const Candidate& one) {
             {"rows_turned", one.otherRows},
             {"wrong", one.error.wrong},
             {"right", one.error.right},
-            {"lesson", one.error.lesson}};
+            {"lesson", one.error.lesson},
+            {"lesson_page", one.error.heading}};
 }
 
 }  // namespace
@@ -66,6 +70,7 @@ Json reportJson(const Report& report, int exitStatus) {
     out["size"] = {report.scene->settings.width, report.scene->settings.height};
     out["exit"] = exitStatus;
     out["headline"] = headline(report);
+    out["evidence"] = evidence(report);
     const Finding* const first = report.firstDifference();
     Json wrong;
     if (report.options.hints >= 1 && !report.agrees()) {
@@ -85,8 +90,9 @@ Json reportJson(const Report& report, int exitStatus) {
     for (const StageVerdict& stage : report.stages) {
         Json buffers = Json::array();
         for (const std::size_t i : stage.findings) buffers.push_back(bufferJson(report, report.findings[i]));
-        Json row{{"name", stageInfo(stage.stage).name}};
-        if (report.options.hints >= 1 || report.agrees()) row["verdict"] = words(stage.standing);
+        Json row{{"name", stageInfo(stage.stage).name}, {"label", stageInfo(stage.stage).label}};
+        if (report.options.hints >= 1 || report.agrees())
+            row["verdict"] = words(stage.standing), row["mark"] = mark(stage.standing, false);
         if (!stage.own.empty()) row["own"] = stage.own;
         row["buffers"] = buffers;
         out["stages"].push_back(row);
@@ -108,6 +114,7 @@ Json reportJson(const Report& report, int exitStatus) {
                                         {"checked", one.checked},
                                         {"broken", one.broken},
                                         {"worst", one.worst}});
+    out["likely"] = report.options.hints >= 3 ? namesText(report) : "";
     out["known"] = Json::array();
     out["experiment"] = nullptr;
     if (report.suspects && report.options.hints >= 3) {

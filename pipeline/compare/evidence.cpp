@@ -88,12 +88,11 @@ Evidence weigh(HandedIn& in, const Reference& right) {
     for (HandedFile& file : in.files) {
         const BufferId id = file.name.buffer.id;
         const bool isPicture = bufferInfo(id).domain == Domain::Pixel && !file.numbers.values.empty();
-        const std::string name = inQuotes(file.path.filename().string());
+        const std::string name = inQuotes(file.fileName());
         std::string why;
         if (isPicture && fitsTransposed(file, right)) {
-            in.errors.push_back({{file.path.string()},
-                                 "the picture fits with rows and columns exchanged",
-                                 "rows before columns: transpose it"});
+            in.errors.push_back(
+                {{file.path}, "the picture fits with rows and columns exchanged", "rows before columns: transpose it"});
             continue;
         }
         if (id == BufferId::Color && double(drawnPixels(file.numbers)) < kDrawn * double(covered))
@@ -113,9 +112,8 @@ Evidence weigh(HandedIn& in, const Reference& right) {
         std::swap(kept, empty);
     else if (!empty.empty())
         for (std::string& words : out.words)
-            if (std::ranges::any_of(empty, [&](const HandedFile& file) {
-                    return words.starts_with(inQuotes(file.path.filename().string()));
-                }))
+            if (std::ranges::any_of(
+                    empty, [&](const HandedFile& file) { return words.starts_with(inQuotes(file.fileName())); }))
                 words += ": it is left out";
     std::ranges::stable_sort(kept, {}, [](const HandedFile& file) { return index(file.name.buffer.id); });
     in.files = std::move(kept);

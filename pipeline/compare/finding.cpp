@@ -167,7 +167,7 @@ Finding compareValues(const ReadFile& file, const Values& right, const Reference
     const bool saysDrawn = !drawnIn(file.file->name, file.mine).empty();
     const Tolerance& row = *toleranceOf(buffer.id);
     Finding out;
-    out.name = file.file->name, out.file = file.file->path.filename().string();
+    out.name = file.file->name, out.file = file.file->fileName();
     out.stage = bufferInfo(buffer.id).stage, out.reading = file.reading;
     out.tolerance = reference.tolerances.at(buffer.text()), out.unit = row.unit;
     out.columns = right.columns;

@@ -51,11 +51,12 @@ std::string_view whatMayHelp(const std::vector<std::size_t>& found, const std::v
     return {};
 }
 
+std::string stemOf(const std::string& file) { return file.substr(0, file.rfind('.')); }
+
 // Why an array cannot be this buffer, or empty.
 std::optional<Error> wrongSize(const HandedFile& file, const Frame& reference) {
     const auto right = reference.buffer(file.name.buffer);
-    if (!right)
-        return Error{{file.path.string()}, "a buffer that the scene has not", reference.whyAbsent(file.name.buffer)};
+    if (!right) return Error{{file.path}, "a buffer that the scene has not", reference.whyAbsent(file.name.buffer)};
     std::vector<std::size_t> expected{right->rows()};
     const bool picture = right->info->domain == Domain::Pixel || right->info->domain == Domain::Texel;
     if (picture) expected.push_back(right->columns());
@@ -73,9 +74,9 @@ std::optional<Error> wrongSize(const HandedFile& file, const Frame& reference) {
     if (found[0] == expected[0] && (plane || four || (grey && found[1] == expected[1]))) return {};
     NumberFile wanted;
     wanted.shape = expected;
-    return Error{{file.path.string()},
+    return Error{{file.path},
                  "found an array of " + file.numbers.sizeText(),
-                 fmt::format("{} as {} of this scene has{}", wanted.sizeText(), file.path.stem().string(),
+                 fmt::format("{} as {} of this scene has{}", wanted.sizeText(), stemOf(file.fileName()),
                              picture ? whatMayHelp(found, expected) : "")};
 }
 
@@ -94,23 +95,21 @@ class Gathering {
 public:
     Gathering(const Frame& reference, HandedIn& in) : m_reference(reference), m_in(in) {}
 
-    // read() gives the bytes, where the name says that they are of use.
-    template <class Read>
-    void add(const std::filesystem::path& path, bool asked, const Read& read) {
-        const std::string file = path.filename().string();
+    void add(const OfferedFile& offered) {
+        const std::string &path = offered.path, file = path.substr(path.rfind('/') + 1);
         const auto dot = file.rfind('.');
         if (dot == file.npos || dot == 0) return;
         const std::string stem = file.substr(0, dot), ending = file.substr(dot + 1);
         if (file == "mine.toml") {
-            auto text = read(1u << 16);
+            auto text = offered.read(1u << 16);
             if (!text) return report(text.errors());
-            m_in.conventions = std::move(text).value(), m_in.conventionsName = path.string();
+            m_in.conventions = std::move(text).value(), m_in.conventionsName = path;
             return;
         }
         const auto name = findHanded(stem, m_reference.scene().lights.size());
         if (!readsNumbers(ending)) {
-            if (asked) report({{{path.string()}, "the ending is none of a file of numbers", numberFormats()}});
-            if (!asked && name)
+            if (offered.asked) report({{{path}, "the ending is none of a file of numbers", numberFormats()}});
+            if (!offered.asked && name)
                 m_in.others.push_back(
                     fmt::format("{} is not read: its ending is none of {}", inQuotes(file), numberFormats()));
             return;
@@ -119,9 +118,9 @@ public:
             m_in.others.push_back(fmt::format("{} is not known; {}", inQuotes(file), insteadOfHanded(stem)));
             return;
         }
-        auto bytes = read(kMaxFileBytes);
+        auto bytes = offered.read(kMaxFileBytes);
         if (!bytes) return report(bytes.errors());
-        auto numbers = readNumbers(*bytes, path.string(), mostNumbersOf(*name));
+        auto numbers = readNumbers(*bytes, path, mostNumbersOf(*name));
         if (!numbers) return report(numbers.errors());
         HandedFile handed{*name, path, std::move(numbers).value()};
         if (const auto wrong = wrongSize(handed, m_reference)) return report({*wrong});
@@ -131,9 +130,8 @@ public:
             return;
         }
         if (rank(*before) < rank(handed)) std::swap(*before, handed);
-        m_in.others.push_back(fmt::format("{} is not read: {} holds more digits",
-                                          inQuotes(handed.path.filename().string()),
-                                          inQuotes(before->path.filename().string())));
+        m_in.others.push_back(fmt::format("{} is not read: {} holds more digits", inQuotes(handed.fileName()),
+                                          inQuotes(before->fileName())));
     }
 
 private:
@@ -153,10 +151,6 @@ private:
     const Frame& m_reference;
     HandedIn& m_in;
 };
-
-void sortByStage(HandedIn& in) {
-    std::ranges::stable_sort(in.files, {}, [](const HandedFile& file) { return index(file.name.buffer.id); });
-}
 
 }  // namespace
 
@@ -188,42 +182,22 @@ std::string insteadOfHanded(std::string_view stem) {
     return fmt::format("the nearest name is {}", nearest(stem, names));
 }
 
-HandedIn readHandedIn(const std::vector<std::string>& paths, const Frame& reference, const Stop& stop) {
+Error noSuchFile(const std::string& path) { return {{path}, "there is no such file or folder", {}}; }
+
+HandedIn takeHandedIn(std::span<const OfferedFile> files, const Frame& reference, const Stop& stop) {
     HandedIn in;
     Gathering gathering(reference, in);
-    for (const std::string& given : paths) {
-        const std::filesystem::path path(given);
-        std::error_code failed;
-        if (!std::filesystem::exists(path, failed)) {
-            in.errors.push_back({{given}, "there is no such file or folder", {}});
-            continue;
-        }
-        if (!std::filesystem::is_directory(path, failed)) {
-            gathering.add(path, true, [&](std::size_t most) { return readFile(path, most); });
-            continue;
-        }
-        constexpr std::size_t kMostEntries = 10000;
-        std::vector<std::filesystem::path> entries;
-        for (std::filesystem::directory_iterator at(path, failed), end;
-             !failed && at != end && entries.size() < kMostEntries; at.increment(failed))
-            if (at->is_regular_file(failed)) entries.push_back(at->path());
-        if (failed) in.errors.push_back({{given}, "the folder cannot be read: " + failed.message(), {}});
-        std::ranges::sort(entries);
-        for (const auto& entry : entries)
-            if (!stop.stop_requested())
-                gathering.add(entry, false, [&](std::size_t most) { return readFile(entry, most); });
-    }
-    sortByStage(in);
+    for (const OfferedFile& file : files)
+        if (!stop.stop_requested()) gathering.add(file);
+    std::ranges::stable_sort(in.files, {}, [](const HandedFile& file) { return index(file.name.buffer.id); });
     return in;
 }
 
 HandedIn readHandedIn(const std::map<std::string, std::string_view>& files, const Frame& reference) {
-    HandedIn in;
-    Gathering gathering(reference, in);
+    std::vector<OfferedFile> offered;
     for (const auto& [name, bytes] : files)
-        gathering.add(name, true, [&](std::size_t) -> Result<std::string> { return std::string(bytes); });
-    sortByStage(in);
-    return in;
+        offered.push_back({name, true, [bytes](std::size_t) -> Result<std::string> { return std::string(bytes); }});
+    return takeHandedIn(offered, reference, {});
 }
 
 }  // namespace pipeline::foreign

@@ -1,6 +1,7 @@
 #pragma once
-#include <filesystem>
+#include <functional>
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -30,8 +31,9 @@ std::string insteadOfHanded(std::string_view stem);
 
 struct HandedFile {
     HandedName name;
-    std::filesystem::path path;
+    std::string path;  // as it was given, or FOLDER/NAME
     NumberFile numbers;
+    std::string fileName() const { return path.substr(path.rfind('/') + 1); }
 };
 
 // What a folder, or files, hold of a renderer's buffers.
@@ -43,8 +45,17 @@ struct HandedIn {
     std::string conventionsName;
 };
 
-// A folder's files, or files by themselves. Of two files of a buffer the one with more digits is taken, and the other
-// told among `others`. Sizes are checked against those of the reference's buffers.
+// A file that may be a buffer.
+struct OfferedFile {
+    std::string path;
+    bool asked = false;  // by itself, not as one of a folder: a file that is no buffer is an error
+    std::function<Result<std::string>(std::size_t most)> read;  // its bytes; an error where there are more
+};
+Error noSuchFile(const std::string& path);  // of a path that was named
+// Of two files of a buffer the one with more digits is taken, and the other told among `others`. Sizes are checked against
+// those of the reference's buffers.
+HandedIn takeHandedIn(std::span<const OfferedFile> files, const Frame& reference, const Stop& stop);
+// A folder's files, or files by themselves.
 HandedIn readHandedIn(const std::vector<std::string>& paths, const Frame& reference, const Stop& stop);
 // The same of files in memory, each with the bytes of its name: "depth.npy".
 HandedIn readHandedIn(const std::map<std::string, std::string_view>& files, const Frame& reference);

@@ -130,7 +130,7 @@ void leaveOutShadowBuffers(const Reference& reference, HandedIn& in) {
         in.others.push_back(
             fmt::format("{} is not compared: no frame of the light was found in which it is the reference's. Hand in "
                         "shadow.{}, which does not depend on the frame",
-                        inQuotes(file.path.filename().string()), file.name.buffer.light));
+                        inQuotes(file.fileName()), file.name.buffer.light));
         return true;
     });
 }
@@ -213,17 +213,6 @@ std::vector<std::string> Report::notHandedIn() const {
         if (!there && reference->values.contains(wanted.buffer.text())) missing.emplace_back(name);
     }
     return missing;
-}
-
-Result<Report> compareRenderer(const Scene& scene, const std::vector<std::string>& paths,
-                               const CompareOptions& options) {
-    std::string given;
-    for (const std::string& path : paths) given += (given.empty() ? "" : " ") + path;
-    auto reference = makeReference(scene, options.tolerances, options.stop);
-    if (!reference) return Error{{}, "cancelled", {}};
-    HandedIn in = readHandedIn(paths, *reference->frame, options.stop);
-    return compareRenderer(scene, std::make_shared<const Reference>(std::move(*reference)), std::move(in), given,
-                           options);
 }
 
 Result<Report> compareRenderer(const Scene& scene, std::shared_ptr<const Reference> reference, HandedIn in,

@@ -44,7 +44,8 @@ std::string askedBack(const Report& report) {
 
 std::string headline(const Report& report) {
     if (report.agrees() && !report.in->errors.empty()) {
-        const std::string name = std::filesystem::path(report.in->errors[0].where.file).filename().string();
+        const std::string& file = report.in->errors[0].where.file;
+        const std::string name = file.substr(file.rfind('/') + 1);
         const std::size_t others = report.in->errors.size() - 1;
         return fmt::format("{}{} could not be compared; the other files agree.", name,
                            others == 0 ? "" : fmt::format(" and {} more", plural(std::int64_t(others), "file")));

@@ -116,21 +116,21 @@ Json settingsToJson(const Scene& scene) {
 }
 
 Json sceneToJson(const Scene& scene) {
-    std::map<std::filesystem::path, Json> known;  // objects share files
-    const auto hash = [&](const std::filesystem::path& file) -> Json {
+    std::map<std::string, Json> known;  // objects share files
+    const auto hash = [&](const std::string& file) -> Json {
         const auto [at, isNew] = known.try_emplace(file);
         if (const auto found = isNew ? sha256(file) : std::nullopt) at->second = *found;
         return at->second;
     };
     Json objects = Json::array();
-    const std::filesystem::path folder = std::filesystem::path(scene.file).parent_path();
+    const std::string folder = scene.file.substr(0, scene.file.rfind('/') + 1);  // empty where there is no slash
     for (const Object& object : scene.objects) {
         Json entry{{"name", object.name},
                    {"vertices", object.mesh->positions.size()},
                    {"polygons", object.mesh->polygonCount()}};
         if (!object.mesh->file.empty()) {
             entry["file"] = object.mesh->file;
-            entry["sha256"] = hash(folder / object.mesh->file);
+            entry["sha256"] = hash((object.mesh->file.starts_with('/') ? "" : folder) + object.mesh->file);
         }
         objects.push_back(entry);
     }

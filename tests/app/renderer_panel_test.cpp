@@ -9,10 +9,10 @@
 #include <QSettings>
 #include <algorithm>
 
-#include "app/core/worst_pixels.h"
 #include "app/panels/stage_card.h"
 #include "app/panels/stage_strip.h"
 #include "app/panels/standing_row.h"
+#include "pipeline/compare/worst_pixels.h"
 #include "tests/app/renderer_files.h"
 
 namespace app {

@@ -1,17 +1,13 @@
-#include "app/core/worst_pixels.h"
+#include "pipeline/compare/worst_pixels.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
 
-namespace app {
+namespace pipeline::foreign {
 
-namespace foreign = pipeline::foreign;
-using foreign::Class;
-using foreign::Finding;
-
-const Finding* firstWrongPicture(const foreign::Report& report) {
+const Finding* firstWrongPicture(const Report& report) {
     const Finding* first = nullptr;
     for (const Finding& finding : report.findings) {
         if (finding.agrees || !finding.isPicture() || !finding.worst) continue;
@@ -21,13 +17,13 @@ const Finding* firstWrongPicture(const foreign::Report& report) {
     return first;
 }
 
-std::vector<glm::ivec2> worstPixels(const foreign::Report& report, int apart) {
+std::vector<glm::ivec2> worstPixels(const Report& report, int apart) {
     constexpr std::size_t kMost = 64;  // nobody looks at more of them
     const Finding* const finding = firstWrongPicture(report);
     if (!finding) return {};
-    const foreign::Values &mine = report.fileOf(*finding).mine,
-                          &reference = report.reference->values.at(finding->name.buffer.text());
-    const foreign::Measure measure = foreign::toleranceOf(finding->name.buffer.id)->measure;
+    const Values &mine = report.fileOf(*finding).mine,
+                 &reference = report.reference->values.at(finding->name.buffer.text());
+    const Measure measure = toleranceOf(finding->name.buffer.id)->measure;
     struct Bad {
         std::size_t element;
         double difference;
@@ -57,4 +53,4 @@ std::vector<glm::ivec2> worstPixels(const foreign::Report& report, int apart) {
     return pixels;
 }
 
-}  // namespace app
+}  // namespace pipeline::foreign

@@ -4,14 +4,14 @@
 
 #include "pipeline/compare/verdict.h"
 
-namespace app {
+namespace pipeline::foreign {
 
 // The buffer of pixels in which the error shows first: of the first wrong stage if it has one that differs, else the first
 // that differs. Null where none does.
-const pipeline::foreign::Finding* firstWrongPicture(const pipeline::foreign::Report& report);
+const Finding* firstWrongPicture(const Report& report);
 
 // Its pixels to look at: the largest difference first, each at least `apart` pixels from those before.
 inline constexpr int kApart = 16;
-std::vector<glm::ivec2> worstPixels(const pipeline::foreign::Report& report, int apart = kApart);
+std::vector<glm::ivec2> worstPixels(const Report& report, int apart = kApart);
 
-}  // namespace app
+}  // namespace pipeline::foreign
