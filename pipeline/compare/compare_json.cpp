@@ -137,6 +137,7 @@ Json reportJson(const Report& report, int exitStatus) {
     for (const std::string& other : report.in->others) problems.push_back(other);
     for (const Error& error : report.in->errors) problems.push_back(format(error));
     out["problems"] = problems;
+    out["refused"] = report.in->errors.size();  // the last of the problems: files that were not compared
     return out;
 }
 

@@ -2,6 +2,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -48,6 +49,7 @@ struct OpenLesson {
 // Everything that calls share: there is one page.
 struct LiveCore {
     std::map<std::string, std::string, std::less<>> files;  // that scenes and the engine may read, by name
+    std::set<std::string> missing;                          // names that a scene has, and no file
     ShownScene own;                                         // the reader's
     std::optional<ShownScene> other;                        // what it is compared with
     pipeline::BufferSet wanted;

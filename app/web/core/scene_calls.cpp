@@ -20,6 +20,7 @@ namespace {
 
 Result<pipeline::NamedFile> fileOfPage(std::string_view name) {
     const auto found = core().files.find(name);
+    if (found == core().files.end()) core().missing.insert(std::string(name));
     if (found == core().files.end())
         return pipeline::Error{{}, "\"" + std::string(name) + "\" is not in this page", {}};
     return pipeline::NamedFile{found->second, std::string(name)};
@@ -36,7 +37,7 @@ Result<Scene> sceneFromText(std::string_view name, std::string_view text) {
     Result<Scene> read = format->read({text, file}, fileOfPage);
     if (!read) return read;
     Scene scene = std::move(read).value();
-    if (scene.name.empty()) scene.name = pipeline::printableText(file);
+    if (scene.name.empty()) scene.name = pipeline::printableText(file.substr(file.rfind('/') + 1));
     scene.file = file;
     if (Errors errors = pipeline::checkSceneAndMemory(scene); !errors.empty()) return errors;
     return scene;
@@ -50,9 +51,16 @@ WEB_CALL(file) int webFile(const char* name, int nameSize, const char* text, int
 WEB_CALL(open) int webOpen(const char* name, int nameSize, const char* text, int size) {
     auto scene = sceneFromText(textAt(name, nameSize), textAt(text, size));
     if (!scene) return refuse(scene.errors());
-    core() = LiveCore{.files = std::move(core().files)};
+    core() = LiveCore{.files = std::move(core().files), .missing = {}};
     take(std::move(scene).value());
     return give({{"name", core().own.scene->name}});
+}
+
+// The files that the scene names and the page has not given, since this was asked last: to give, and to open again.
+WEB_CALL(missing) int webMissing() {
+    Json list = Json::array();
+    for (const std::string& name : std::exchange(core().missing, {})) list.push_back(name);
+    return give(list);
 }
 
 // "KEY=VALUE", or several with "; " between them: the scene is checked once all of them hold.

@@ -1,16 +1,12 @@
 // What stands in the page for files of the program that need a folder, or a library that is not there for WebAssembly.
 #include "app/web/core/core.h"
 #include "lessons/library.h"
-#include "pipeline/export/file_hash.h"
 #include "pipeline/formats/png_scene.h"
 #include "pipeline/formats/scene_folder.h"
 #include "pipeline/formats/scene_reader.h"
 #include "pipeline/study/shadow_verdict.h"
 
 namespace pipeline {
-
-std::optional<std::string> sha256(const std::filesystem::path&) { return {}; }
-std::string sha256Of(std::string_view) { return {}; }
 
 bool looksLikePng(std::string_view) { return false; }
 Result<Scene> readPngScene(const SourceText& source, const FileLoader&) {

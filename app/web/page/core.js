@@ -4,18 +4,28 @@
 
 const decoder = new TextDecoder(), encoder = new TextEncoder();
 
-/** The core, packed by gzip, from the page or from the file that several pages share. @returns {Promise<Uint8Array>} */
-async function unpackedCore() {
-  const shared = /** @type {any} */ (globalThis).sharedCore, own = document.getElementById('core');
-  if (!shared && !own) throw new Error('The file with the core is not beside this page: copy the whole folder.');
-  const text = atob(shared || own.textContent.trim());
+/** What stands in a page as base64 of a gzip file. @param {string} base64 @returns {Promise<Uint8Array>} */
+async function unpacked(base64) {
+  const text = atob(base64.trim());
   const packed = new Uint8Array(text.length);
   for (let i = 0; i < text.length; ++i) packed[i] = text.charCodeAt(i);
   const stream = new Blob([packed]).stream().pipeThrough(new (/** @type {any} */ (globalThis).DecompressionStream)('gzip'));
   return new Uint8Array(await new Response(stream).arrayBuffer());
 }
 
+/** The core, from the page or from the file that several pages share. @returns {Promise<Uint8Array>} */
+async function unpackedCore() {
+  const shared = /** @type {any} */ (globalThis).sharedCore, own = document.getElementById('core');
+  if (!shared && !own) throw new Error('The file with the core is not beside this page: copy the whole folder.');
+  return unpacked(shared || own.textContent);
+}
+
 class Core {
+  /**
+   * Told of long work.
+   * @param {string} what @param {number} done @param {number} all
+   */
+  static progress(what, done, all) {}
   // Calls that change more than a setting, and what is wanted of a frame.
   static changing = new Set(['file', 'open', 'lesson', 'page', 'check', 'hint', 'show', 'remember', 'step', 'compare']);
 
@@ -43,6 +53,7 @@ class Core {
         view.setUint32(count, 0, true), view.setUint32(size, 0, true);
         return 0;
       },
+      progress: (what, size, done, all) => Core.progress(decoder.decode(new Uint8Array(memory.buffer, what >>> 0, size)), done, all),
       proc_exit: code => {
         throw new Error('The core has ended (' + code + '). Reload the page.');
       },
@@ -66,12 +77,12 @@ class Core {
 
   get memory() { return this.calls.memory.buffer; }
 
-  /** Whether a call did what it was asked to; its answer is in text(). @param {string} name @param {...(string|number)} values */
+  /** Whether a call did what it was asked to; its answer is in text(). @param {string} name @param {...(string|number|Uint8Array)} values */
   call(name, ...values) {
     const held = [];
     const passed = values.flatMap(value => {
       if (typeof value === 'number') return [value];
-      const bytes = encoder.encode(value), at = this.calls.alloc(bytes.length || 1);
+      const bytes = typeof value === 'string' ? encoder.encode(value) : value, at = this.calls.alloc(bytes.length || 1) >>> 0;
       held.push(at);
       new Uint8Array(this.memory, at, bytes.length).set(bytes);
       return [at, bytes.length];
@@ -81,9 +92,9 @@ class Core {
     for (const at of held) this.calls.release(at);
     return done;
   }
-  text() { return decoder.decode(new Uint8Array(this.memory, this.calls.text(), this.calls.size())); }
+  text() { return decoder.decode(new Uint8Array(this.memory, this.calls.text() >>> 0, this.calls.size())); }
 
-  /** @param {string} name @param {...(string|number)} values @returns {any} */
+  /** @param {string} name @param {...(string|number|Uint8Array)} values @returns {any} */
   ask(name, ...values) {
     const done = this.call(name, ...values), answer = JSON.parse(this.text());
     if (done) return answer;

@@ -1,0 +1,174 @@
+#include "app/web/core/core.h"
+#include "pipeline/compare/compare_html.h"
+#include "pipeline/compare/compare_options.h"
+#include "pipeline/compare/compare_text.h"
+#include "pipeline/compare/worst_pixels.h"
+#include "pipeline/core/printable.h"
+
+// Somebody else's renderer: its files, the verdict, pictures of it.
+
+namespace pipeline {
+
+Result<NumberFile> readExrNumbers(std::string_view, const std::string& name, std::size_t) {
+    return wrongAt(name, 0, "an OpenEXR file", "npy or pfm: only the installed program reads it");
+}
+
+}  // namespace pipeline
+
+// The page's: told how far long work is.
+extern "C" __attribute__((import_module("shadescope"), import_name("progress"))) void tellProgress(const char* what,
+                                                                                                   int size, int done,
+                                                                                                   int all);
+
+namespace web {
+
+namespace {
+
+namespace foreign = pipeline::foreign;
+
+struct Handed {
+    std::string path, bytes;
+    bool asked = false;
+};
+struct Renderer {
+    std::vector<Handed> files;  // in the order in which they were handed in
+    pipeline::Errors errors;    // of paths at which there is nothing
+    std::shared_ptr<const foreign::Reference> reference;
+    std::shared_ptr<const pipeline::Scene> referenceOf;
+    std::map<std::string, double> tolerances;  // of the reference
+    foreign::CompareOptions options;
+    std::optional<foreign::Report> report;
+};
+Renderer s_renderer;
+std::vector<std::uint8_t> s_rgba;
+
+const foreign::Finding* findingNamed(std::string_view name) {
+    if (s_renderer.report)
+        for (const foreign::Finding& finding : s_renderer.report->findings)
+            if (finding.name.text() == name) return &finding;
+    return nullptr;
+}
+
+// What is wrong with the options, or empty.
+std::string readOptions(const Json& json, foreign::CompareOptions& options) {
+    if (const Json* hints = json.find("hints"); hints && hints->is(Json::kWhole))
+        options.hints = int(hints->get<long long>());
+    options.known = json["known"] != Json(false) && options.hints >= 3;
+    options.strict = json["strict"] == Json(true);
+    for (const Json& text : json["tolerance"])
+        if (const auto wrong = foreign::readTolerance(text.text(), options.tolerances)) return *wrong;
+    if (const std::string stage = json["stage"].text(); !stage.empty())
+        if (const auto wrong = foreign::readUntil(stage, options.until)) return *wrong;
+    options.progress = [](std::string_view what, std::size_t done, std::size_t all) {
+        tellProgress(what.data(), int(what.size()), int(done), int(all));
+    };
+    return {};
+}
+
+}  // namespace
+
+// A file of the renderer; the core keeps a copy until take_back(). asked: it was named by itself, not its folder.
+WEB_CALL(hand) int webHand(const char* path, int pathSize, const char* bytes, int size, int asked) {
+    s_renderer.files.push_back({std::string(textAt(path, pathSize)), std::string(textAt(bytes, size)), asked != 0});
+    return give(true);
+}
+// A path that was named, at which there is nothing.
+WEB_CALL(hand_nothing) int webHandNothing(const char* path, int size) {
+    s_renderer.errors.push_back(foreign::noSuchFile(std::string(textAt(path, size))));
+    return give(true);
+}
+WEB_CALL(take_back) int webTakeBack() {
+    s_renderer.files.clear(), s_renderer.errors.clear(), s_renderer.report.reset();
+    return give(true);
+}
+
+// How verdict() compares: {"known", "hints", "strict", "tolerance": ["color=2"], "stage"}, as the command takes them.
+WEB_CALL(verdict_options) int webVerdictOptions(const char* text, int size) {
+    foreign::CompareOptions options;
+    const std::string wrong = readOptions(Json::read(textAt(text, size)).value_or(Json()), options);
+    if (!wrong.empty()) return refuse(wrong);
+    s_renderer.options = std::move(options);
+    return give(true);
+}
+
+// The scene beside what was handed in: what `shadescope compare --json` prints, byte for byte. given: the folder, for
+// messages.
+WEB_CALL(verdict) int webVerdict(const char* given, int givenSize) {
+    const auto& scene = core().own.scene;
+    const foreign::CompareOptions& asked = s_renderer.options;
+    if (!scene) return refuse("no scene is open");
+    if (s_renderer.referenceOf != scene || s_renderer.tolerances != asked.tolerances) {
+        auto reference = foreign::makeReference(*scene, asked.tolerances, {});
+        s_renderer.reference = std::make_shared<const foreign::Reference>(std::move(*reference));
+        s_renderer.referenceOf = scene, s_renderer.tolerances = asked.tolerances;
+    }
+    std::vector<foreign::OfferedFile> offered;
+    for (const Handed& file : s_renderer.files)
+        offered.push_back({file.path, file.asked, [&file](std::size_t most) -> pipeline::Result<std::string> {
+                               if (file.bytes.size() > most)
+                                   return pipeline::Error{{file.path}, "the file is too large", {}};
+                               return file.bytes;
+                           }});
+    foreign::HandedIn in = takeHandedIn(offered, *s_renderer.reference->frame, {});
+    in.errors.insert(in.errors.begin(), s_renderer.errors.begin(), s_renderer.errors.end());
+    auto report =
+        compareRenderer(*scene, s_renderer.reference, std::move(in), std::string(textAt(given, givenSize)), asked);
+    s_renderer.report.reset();
+    if (!report) return refuse(report.errors());
+    s_renderer.report = std::move(report).value();
+    return giveText(pipeline::escapedLines(reportJson(*s_renderer.report, exitStatus(*s_renderer.report)).dump(2)));
+}
+
+// The same for people, as the terminal shows it: [{"text", "bold"}].
+WEB_CALL(verdict_text) int webVerdictText(int columns) {
+    if (!s_renderer.report) return refuse("nothing was compared");
+    Json lines = Json::array();
+    for (const foreign::TextLine& line : reportText(*s_renderer.report, false, std::size_t(columns)))
+        lines.push_back({{"text", line.text}, {"bold", line.bold}});
+    return give(lines);
+}
+
+// The buffer in which the error shows first, and its pixels to look at.
+WEB_CALL(verdict_worst) int webVerdictWorst() {
+    if (!s_renderer.report) return refuse("nothing was compared");
+    const foreign::Finding* const picture = firstWrongPicture(*s_renderer.report);
+    Json pixels = Json::array();
+    for (const glm::ivec2 pixel : worstPixels(*s_renderer.report)) pixels.push_back({pixel.x, pixel.y});
+    return give({{"buffer", picture ? Json(picture->name.text()) : Json()}, {"pixels", pixels}});
+}
+
+// RGBA of a buffer that was compared. kind: 0 mine, 1 the reference, 2 the difference, 3 classes.
+WEB_CALL(verdict_picture) int webVerdictPicture(const char* name, int size, int kind) {
+    const foreign::Finding* const finding = findingNamed(textAt(name, size));
+    if (!finding || !finding->isPicture()) return refuse("no picture was compared that is called so");
+    const foreign::PicturePair pair = picturesOf(*s_renderer.report, *finding);
+    const auto picture = kind == 0   ? pair.mine
+                         : kind == 1 ? pair.reference
+                         : kind == 2 ? differencePicture(*s_renderer.report, *finding)
+                                     : classPicture(*finding, pair.reference);
+    s_rgba.clear();
+    for (const pipeline::Color8 c : picture.pixels) s_rgba.insert(s_rgba.end(), {c[0], c[1], c[2], 255});
+    return give({{"pixels", std::uintptr_t(s_rgba.data())}, {"width", picture.size.x}, {"height", picture.size.y}});
+}
+
+// Every number of a pixel, of both renderers, in the order of the stages.
+WEB_CALL(verdict_pixel) int webVerdictPixel(int x, int y) {
+    if (!s_renderer.report) return refuse("nothing was compared");
+    const foreign::Report& report = *s_renderer.report;
+    Json rows = Json::array();
+    for (const foreign::Finding& finding : report.findings) {
+        if (!finding.isPicture()) continue;
+        const std::size_t i = std::size_t(y) * finding.columns + std::size_t(x);
+        if (x < 0 || y < 0 || std::size_t(x) >= finding.columns || i >= finding.classes.size())
+            return refuse("no such pixel");
+        const foreign::Values& right = report.reference->values.at(finding.name.buffer.text());
+        rows.push_back({{"buffer", finding.name.text()},
+                        {"mine", mineText(report, finding, i)},
+                        {"reference", valueText(finding, right, i)},
+                        {"class", name(finding.classes[i])},
+                        {"bad", isBad(finding.classes[i])}});
+    }
+    return give(rows);
+}
+
+}  // namespace web
