@@ -1,10 +1,14 @@
 #pragma once
+#include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 
 #include "lessons/lesson.h"
+#include "lessons/page_parts.h"
 #include "lessons/state/window_state.h"
 #include "pipeline/core/stop.h"
+#include "pipeline/export/json_value.h"
 
 // A lesson or a scene as one HTML file with the pipeline in it, compiled to WebAssembly: it works without network, server
 // and installation. app/web/ has the page and the core's calls.
@@ -15,13 +19,15 @@ namespace lessons {
 struct LiveParts {
     std::string core;                 // WebAssembly, packed by gzip
     std::string page, style, script;  // page.html with holes @NAME@, its styles and scripts
+    std::string places = {};          // of the whole program: what the page has beside a lesson
     // The file beside the page that has the core, "globalThis.sharedCore = '…'" in base64; empty: it stands in the page.
     std::string sharedCore = {};
     std::string index = {};  // the file beside the page that lists all pages; empty: none
 };
-// Found beside the installed program's resources, or in the source tree and its folder build/web. An error says how to
-// build the core where it is not there.
-pipeline::Result<LiveParts> liveParts();
+// Of a page of one lesson, or of the page that is the whole program. Found beside the installed program's resources, or in
+// the source tree and its folder build/web. An error says how to build the core where it is not there.
+enum class LiveKind : std::uint8_t { Lesson, Whole };
+pipeline::Result<LiveParts> liveParts(LiveKind kind = LiveKind::Lesson);
 
 struct LivePage {
     std::string html;
@@ -40,5 +46,14 @@ pipeline::Result<LivePage> makeLivePage(const Lesson& lesson, const LiveParts& p
 pipeline::Result<LivePage> makeLivePage(const pipeline::Scene& scene, std::string_view title, std::string_view look,
                                         const std::optional<WindowState>& shown, const LiveParts& parts,
                                         const pipeline::Stop& stop = {});
+
+// The page with its holes filled, but for those of its kind, which `values` has.
+std::string filledPage(const LiveParts& parts, std::string_view title, const pipeline::Json& data, PageValues values);
+
+// The program in one page: every scene and lesson, scenes and models of the reader's own, and the check of a renderer.
+// Errors: a file of the program that cannot be read; "stopped".
+using PageProgress = std::function<void(std::size_t done, std::size_t all, const std::string& what)>;
+pipeline::Result<std::string> makeWholePage(const LiveParts& parts, const pipeline::Stop& stop = {},
+                                            const PageProgress& progress = {});
 
 }  // namespace lessons

@@ -53,6 +53,27 @@ int exportSite(const std::string& folder, bool force, const CliHost& host) {
     return kDone;
 }
 
+// The program in one page, for readers without Linux.
+int exportOne(const std::string& file) {
+    if (isNoFile(file)) {
+        tell("shadescope site: with --one, -o needs the name of a file, as shadescope.html\n");
+        return kWrongUsage;
+    }
+    if (!mayWriteTo(file)) return kCouldNotWrite;
+    const Interrupt interrupt;
+    const auto parts = lessons::liveParts(lessons::LiveKind::Whole);
+    if (!parts) {
+        printErrors(parts.errors());
+        return kCouldNotWrite;
+    }
+    ProgressPrinter progress("pages");
+    const auto page = lessons::makeWholePage(
+        *parts, interrupt.token(),
+        [&](std::size_t done, std::size_t all, const std::string& what) { progress.show(done, all, what); });
+    progress.end();
+    return writePage(page, file, interrupt);
+}
+
 }  // namespace
 
 void declareSite(CLI::App& program, const CliHost& host, int& status) {
@@ -61,10 +82,13 @@ void declareSite(CLI::App& program, const CliHost& host, int& status) {
     CLI::App* write = command->add_subcommand(
         "export", "Write an index, all lessons and scenes live, the lectures and the manual into a folder");
     const auto folder = std::make_shared<std::string>();
-    declareFolder(*write, *folder, "The folder to write into, made when it is missing")->required();
-    const auto force = std::make_shared<bool>(false);
+    declareFolder(*write, *folder, "The folder to write into, made when it is missing")
+        ->type_name("DIR|PAGE.html")
+        ->required();
+    const auto force = std::make_shared<bool>(false), one = std::make_shared<bool>(false);
     declareForce(*write, *force);
-    write->callback([folder, force, &host, &status] { status = exportSite(*folder, *force, host); });
+    write->add_flag("--one", *one, "Write one page that is the program in any browser, into the file -o");
+    write->callback([=, &host, &status] { status = *one ? exportOne(*folder) : exportSite(*folder, *force, host); });
 }
 
 }  // namespace app

@@ -12,6 +12,7 @@ set(target_of_nlohmann_json nlohmann_json::nlohmann_json)
 set(headers_of_tsl-robin-map tsl toml++)   # toml++ has no package of CMake's; both are for pipeline/formats
 set(target_of_tsl-robin-map tsl::robin_map)
 set(target_of_PNG PNG::PNG)
+set(target_of_ZLIB ZLIB::ZLIB)
 set(target_of_OpenEXR OpenEXR::OpenEXR)
 set(target_of_OpenSSL OpenSSL::Crypto)
 set(target_of_GIF GIF::GIF)

@@ -130,12 +130,13 @@ build() {
     exec 9>&-
 }
 
-# buildCore: the core of live pages, into build/web. SHADESCOPE_CORE names it where another system has built it.
+# buildCore: the cores of live pages, into build/web. SHADESCOPE_CORE names one where another system has built them; the other
+# is beside it.
 buildCore() {
     local core="$root/build/web/shadescope_core.wasm.gz"
     if [ -n "${SHADESCOPE_CORE:-}" ]; then
         mkdir -p "${core%/*}"
-        cp "$SHADESCOPE_CORE" "$core"
+        cp "${SHADESCOPE_CORE%/*}"/shadescope_core*.wasm.gz "${core%/*}"
     else
         installPackages live
         build web web

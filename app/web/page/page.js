@@ -108,9 +108,12 @@ function digitKey(key) {
   return option ? () => option.click() : undefined;
 }
 
+/** A lesson or scene is shown, not another place of the page that is the whole program. */
+const isLessonShown = () => (document.documentElement.dataset.place || 'scene') === 'scene';
+
 function startKeys() {
   addEventListener('keydown', event => {
-    if (event.ctrlKey || event.metaKey || event.altKey || one('#help').open) return;
+    if (!isLessonShown() || event.ctrlKey || event.metaKey || event.altKey || one('#help').open) return;
     if (/** @type {Element} */ (event.target).matches('input[type=text], select, textarea')) return;
     const typed = one('#typed');
     if (typed && takesKeys(typed) && /^[0-9]$/.test(event.key)) return void typed.focus();  // which takes the digit
@@ -125,44 +128,34 @@ function startKeys() {
   one('#save').addEventListener('click', () => guarded(saveScene));
   one('#saveanswers').addEventListener('click', () => guarded(saveAnswers));
   addEventListener('resize', () => soon('draw', () => { if (view.inside) drawPictures(), drawSpace(); }));
-  matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => guarded(drawSpace));
-  // The address names a page, nothing else.
-  addEventListener('hashchange', () => guarded(() => openPage(firstPage())));
-  addEventListener('beforeprint', () => guarded(drawPaper));
+  matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => { if (isLessonShown()) guarded(drawSpace); });
+  addEventListener('beforeprint', () => { if (isLessonShown()) guarded(drawPaper); });
 }
 
-/** ?page=3 or #3, from 1. */
-function firstPage() {
-  const asked = parseInt(new URLSearchParams(location.search).get('page') || location.hash.slice(1), 10);
-  return asked ? Math.min(data.pages, Math.max(1, asked)) - 1 : 0;
-}
-
-async function start() {
-  document.documentElement.classList.add('live');  // without scripts the paper stays
-  if (new URLSearchParams(location.search).has('projector')) document.documentElement.classList.add('projector');
+/** What is wrong with the browser, before anything is asked of it. */
+function checkBrowser() {
   if (typeof WebAssembly !== 'object' || !('DecompressionStream' in globalThis))
     throw new Error('This browser is too old: the page needs Chromium 91, Firefox 113, Safari 16.4 or newer.');
-  const began = performance.now();
-  data = JSON.parse(one('#data').textContent);
+}
+
+/** The parts of a lesson's page. */
+function startParts() { startStage(), startStages(), startPictures(), startPixel(), startSettings(), startLesson(), startSpace(), startKeys(); }
+
+/** The lesson whose pages are opened from now on. @param {any} lesson title, name, text, files */
+function takeLesson(lesson) {
   data.made = { points: {}, mistakes: [], pictures: {} };
-  core = await Core.start(await unpackedCore());
-  for (const [name, text] of Object.entries(data.files)) core.ask('file', name, text);
-  const lesson = core.ask('lesson', data.lesson, JSON.stringify(data.texts));
-  data.pages = lesson.pages, data.points = lesson.points, data.isScene = data.name === '';
+  for (const [name, text] of Object.entries(lesson.files)) core.ask('file', name, text);
+  const opened = core.ask('lesson', lesson.lesson, JSON.stringify(lesson.texts));
+  data.pages = opened.pages, data.points = opened.points, data.isScene = lesson.name === '';
   if (!data.isScene) rememberAnswers();
   view.inside = data.isScene;
   document.documentElement.classList.toggle('scene', data.isScene);
-  one('#title').textContent = lesson.title;
-  startStage(), startStages(), startPictures(), startPixel(), startSettings(), startLesson(), startSpace(), startKeys();
-  openPage(firstPage());
-  requestAnimationFrame(() => {
-    const root = document.documentElement;
-    root.dataset.ready = '1', root.dataset.began = String(Math.round(began)), root.dataset.painted = String(Math.round(performance.now()));
-  });
+  one('#title').textContent = opened.title;
 }
 
-start().catch(error => {
+/** @param {Error} error */
+function sayCannotStart(error) {
   one('#wrong').textContent = 'This page could not start: ' + error.message, one('#wrong').hidden = false;
   one('#app').classList.add('failed');
   console.error(error);
-});
+}

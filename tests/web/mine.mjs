@@ -1,0 +1,124 @@
+// The program in one page: a folder that a renderer wrote is judged in Chromium as the program judges it. Argument: the program.
+import { execFileSync, spawnSync } from 'node:child_process';
+import fs from 'node:fs';
+import os from 'node:os';
+import path from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { launch } from './browser.mjs';
+
+const [program] = process.argv.slice(2), starter = fileURLToPath(new URL('../../resources/starter/', import.meta.url));
+const work = fs.mkdtempSync(path.join(os.tmpdir(), 'shadescope-mine-')), file = path.join(work, 'shadescope.html'), size = ['--size', '96x60'];
+let held = 0, failed = 0;
+/** @param {string} claim @param {any} true_ @param {any} [found] */
+function expect(claim, true_, found = '') {
+  if (true_) return void ++held;
+  ++failed;
+  console.log(`FAILED: ${claim}${found === '' ? '' : ': ' + JSON.stringify(found)}`);
+}
+/** A folder as a renderer leaves it, the scene beside its buffers. @param {string} name @param {string[]} settings @param {string[]} buffers */
+function write(name, settings, buffers) {
+  execFileSync(program, ['export', 'check_me.toml', '--format', 'npy', '-o', 'all', ...settings.flatMap(one => ['--set', one])], { cwd: work });
+  fs.mkdirSync(path.join(work, name));
+  for (const buffer of buffers) fs.copyFileSync(path.join(work, 'all', buffer + '.npy'), path.join(work, name, buffer + '.npy'));
+  fs.copyFileSync(path.join(work, 'check_me.toml'), path.join(work, name, 'check_me.toml'));
+}
+fs.writeFileSync(path.join(work, 'check_me.toml'), fs.readFileSync(starter + 'check_me.toml', 'utf8').replace('width = 320', 'width = 96').replace('height = 200', 'height = 60').replace('distance = 330', 'distance = 99'));
+const buffers = ['vertices.world', 'vertices.screen', 'vertices.normal', 'polygons.verdict', 'z_view', 'polygon_id', 'normal', 'n_dot_l.0', 'color'];
+write('mine', ['defect=normal-matrix'], buffers), write('right', [], buffers), write('dull', ['defect=no-max'], ['color']);
+execFileSync(program, ['site', 'export', '--one', '-o', file], { stdio: ['ignore', 'ignore', 'inherit'] });
+expect('the page has at most 2.6 MB', fs.statSync(file).size <= 2.6e6, fs.statSync(file).size);
+const native = (name, ...args) => spawnSync(program, ['compare', 'check_me.toml', name, ...args], { cwd: work, encoding: 'utf8', maxBuffer: 1 << 26 }).stdout;
+
+const browser = await launch();
+const shots = process.env.SHADESCOPE_SHOTS;
+try {
+  const sizes = { laptop: [1366, 768], phone: [390, 844] };
+  for (const [device, [width, height]] of Object.entries(sizes)) {
+    const page = await browser.open('file://' + file + '#mine', { width, height, mobile: width < 500 });
+    const shot = async name => { if (shots) await page.shot(path.join(shots, `${name}-${width}.png`)); };
+    const give = async (name, field = '#folderfield', files = [path.join(work, name)]) => {
+      const { root } = await page.ask('DOM.getDocument'), { nodeId } = await page.ask('DOM.querySelector', { nodeId: root.nodeId, selector: field });
+      const before = await page.run('mine.run');
+      await page.ask('DOM.setFileInputFiles', { nodeId, files });
+      await page.until(`Number(document.documentElement.dataset.compared) > ${before}`);
+    };
+    await page.ask('DOM.enable');
+    const fits = () => page.run('document.documentElement.scrollWidth <= innerWidth');
+    expect(`nothing scrolls sideways before a folder, ${device}`, await fits());
+    expect('what to do is said', await page.run('one("#mineempty").textContent.includes("Drop the folder of your renderer here") || one("#mineempty h2").checkVisibility()'));
+    await shot('mine-empty');
+    if (device === 'phone') {
+      await give('mine');
+      expect('a phone shows the verdict', await page.run('one("#minehead").checkVisibility() && one("#minehead").textContent === mine.report.headline'));
+      expect('nothing scrolls sideways on a phone', await fits(), await page.run('document.documentElement.scrollWidth'));
+      expect('fingers hit what they mean', await page.run('all("#mine button, #mine select").filter(one => one.checkVisibility() && one.getBoundingClientRect().height < 43).map(one => one.textContent)').then(list => list.length === 0), await page.run('all("#mine button, #mine select").filter(one => one.checkVisibility() && one.getBoundingClientRect().height < 43).map(one => one.textContent)'));
+      await shot('mine');
+      await page.close();
+      continue;
+    }
+    for (const name of ['mine', 'right', 'dull']) {
+      await give(name);
+      expect(`the verdict of ${name} is that of the program`, (await page.run('mine.json')) + '\n' === native(name, '--json'), await page.run('mine.report?.headline'));
+      expect(`and so is its text`, (await page.run('one("#minetext").textContent')) + '\n' === native(name), await page.run('one("#minetext").textContent'));
+      await page.until('!mine.isAsking');
+      expect(`nothing scrolls sideways with ${name}`, await fits());
+      await shot(name);
+    }
+    await give('mine');
+    await page.until('!mine.isAsking && one("#minepixel").checkVisibility()');
+    const at = JSON.stringify(await page.run('mine.pixel'));
+    expect('the worst pixel is picked', at === JSON.stringify(await page.run('mine.worst[0]')), at);
+    expect('its numbers are beside the right ones', await page.run('all("#minepixel tr.bad").length > 0 && one("#minepixel h3").textContent === "Pixel " + mine.pixel.join(", ")'));
+    expect('the first picture is of the first wrong stage', await page.run('mine.shown === "normal"'), await page.run('mine.shown'));
+    expect('the error is named in the words of the JSON', await page.run('one("#minelikely b").textContent === mine.report.known[0].name'), await page.run('one("#minelikely").textContent'));
+    await page.key('w');
+    await page.until('!mine.isAsking');
+    expect('W goes to the next', await page.run('JSON.stringify(mine.pixel) === JSON.stringify(mine.worst[1 % mine.worst.length])'), await page.run('[mine.pixel, mine.worst]'));
+    await page.key('d');
+    await page.until('!mine.isAsking');
+    expect('D shows the difference', await page.run('one(".pane:nth-of-type(2) [value=\\"2\\"]").getAttribute("aria-pressed") === "true"'));
+    await page.key('5');
+    await page.until('!mine.isAsking');
+    expect('5 goes to the z-buffer', await page.run('mine.shown === "z_view"'), await page.run('mine.shown'));
+    expect('cards say what they show', await page.run('all("#minestrip button")[2].getAttribute("aria-label").startsWith("3 Normals, wrong here")'), await page.run('all("#minestrip button")[2].getAttribute("aria-label")'));
+    expect('every control has a name', (await page.run('all("#mine :is(button, select, canvas, progress, meter)").filter(one => !(one.ariaLabel || one.textContent.trim() || one.labels?.length || one.title)).length')) === 0);
+    // Less is given away.
+    await page.run('one("#hints").value = "1", one("#hints").dispatchEvent(new Event("change"))');
+    await page.until('mine.report?.hints.length === 1 && !mine.isBusy');
+    expect('one hint gives no name and no place away', await page.run('one("#minelikely").hidden && one("#mineworst").hidden && mine.report.known.length === 0'));
+    await page.run('one("#hints").value = "3", one("#hints").dispatchEvent(new Event("change"))');
+    // Cancelled while names are tried: what the stages are stays.
+    await page.until('mine.isBusy && mine.report !== null');
+    await page.key('Escape');
+    await page.until('!mine.isBusy && mine.report !== null');
+    expect('after Cancel the stages stay', await page.run('mine.report.stages[2].verdict === "wrong here" && mine.report.known.length === 0'));
+    // Files by themselves, a scene of the page, and what is no buffer.
+    await give('', '#filesfield', [path.join(work, 'mine', 'color.npy'), path.join(work, 'mine', 'normal.npy')]);
+    expect('files by themselves are compared', await page.run('mine.files.length === 2 && mine.report.stages[5].buffers.length === 2'), await page.run('mine.report?.stages'));
+    fs.writeFileSync(path.join(work, 'notes.txt'), 'x');
+    const { root } = await page.ask('DOM.getDocument'), { nodeId } = await page.ask('DOM.querySelector', { nodeId: root.nodeId, selector: '#filesfield' });
+    await page.ask('DOM.setFileInputFiles', { nodeId, files: [path.join(work, 'notes.txt')] });
+    await page.until('!one("#wrong").hidden');
+    expect('other files are refused with all endings', await page.run('one("#wrong").textContent.includes("npy, png")'), await page.run('one("#wrong").textContent'));
+    fs.mkdirSync(path.join(work, 'broken'));
+    fs.writeFileSync(path.join(work, 'broken', 'color.png'), 'no picture');
+    await page.run('one("#minescene").value = whole.known[0].file, one("#minescene").dispatchEvent(new Event("change"))');
+    await page.until('!mine.isBusy');
+    await page.ask('DOM.setFileInputFiles', { nodeId: (await page.ask('DOM.querySelector', { nodeId: (await page.ask('DOM.getDocument')).root.nodeId, selector: '#folderfield' })).nodeId, files: [path.join(work, 'broken')] });
+    await page.until('!one("#minetrouble").hidden');
+    expect('a damaged file is said', await page.run('one("#minetrouble").textContent.includes("color.png")'), await page.run('one("#minetrouble").textContent'));
+    expect('the starter is there', (await page.run('zipOf(Object.fromEntries(Object.entries(whole.starter))).size')) > 10000);
+    const zip = Buffer.from(await page.run('zipOf({ "mine/check_me.toml": whole.starter["check_me.toml"], "mine/writer.py": whole.starter["writer.py"] }).arrayBuffer().then(all => btoa(String.fromCharCode(...new Uint8Array(all))))'), 'base64');
+    fs.writeFileSync(path.join(work, 'mine.zip'), zip);
+    const unpacked = spawnSync('python3', ['-c', 'import zipfile,sys; z=zipfile.ZipFile(sys.argv[1]); assert z.testzip() is None; print(z.read("mine/check_me.toml").decode(), end="")', path.join(work, 'mine.zip')], { encoding: 'utf8' });
+    expect('and unpacks to its files', unpacked.stdout === fs.readFileSync(starter + 'check_me.toml', 'utf8'), unpacked.stderr);
+    expect('the page asks nothing of the network', page.requests.every(one => /^(file|data|blob):/.test(one)), page.requests);
+    expect('the page is silent', page.log.length === 0 || page.log.every(line => line.includes('Nothing here is')), page.log);
+    await page.close();
+  }
+} finally {
+  await browser.close();
+  fs.rmSync(work, { recursive: true, force: true });
+}
+console.log(`${held} claims hold, ${failed} do not`);
+process.exitCode = failed === 0 ? 0 : 1;
