@@ -121,9 +121,9 @@ void WindowRenderer::chooseFolder() {
 }
 
 void WindowRenderer::chooseFiles() {
-    checkChosen(
-        QFileDialog::getOpenFileNames(&m_window, tr("What your renderer has written"), startFolder(),
-                                      tr("Buffers (*.npy *.png *.ppm *.pgm *.pfm *.exr *.csv);;All files (*)")));
+    checkChosen(QFileDialog::getOpenFileNames(
+        &m_window, tr("What your renderer has written"), startFolder(),
+        tr("Buffers (*.npy *.png *.ppm *.pgm *.pfm *.exr *.csv *.tga *.bmp);;All files (*)")));
 }
 
 void WindowRenderer::checkChosen(QStringList paths) {

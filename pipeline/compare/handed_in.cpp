@@ -22,6 +22,7 @@ constexpr std::array kAliases{
     Alias{"colour", "color"},
     Alias{"image", "color"},
     Alias{"picture", "color"},
+    Alias{"combined", "color"},
     Alias{"framebuffer", "color"},
     Alias{"depth", "z_view"},
     Alias{"z", "z_view"},
@@ -106,7 +107,8 @@ public:
             m_in.conventions = std::move(text).value(), m_in.conventionsName = path;
             return;
         }
-        const auto name = findHanded(stem, m_reference.scene().lights.size());
+        const std::size_t lights = m_reference.scene().lights.size();
+        const auto name = findHanded(stem, lights);
         if (!readsNumbers(ending)) {
             if (offered.asked) report({{{path}, "the ending is none of a file of numbers", numberFormats()}});
             if (!offered.asked && name)
@@ -114,15 +116,42 @@ public:
                     fmt::format("{} is not read: its ending is none of {}", inQuotes(file), numberFormats()));
             return;
         }
-        if (!name) {
-            m_in.others.push_back(fmt::format("{} is not known; {}", inQuotes(file), insteadOfHanded(stem)));
-            return;
-        }
+        const bool mayHaveLayers = sameLetters(ending, "exr");
+        if (!name && !mayHaveLayers) return notKnown(file, stem);
         auto bytes = offered.read(kMaxFileBytes);
         if (!bytes) return report(bytes.errors());
-        auto numbers = readNumbers(*bytes, path, mostNumbersOf(*name));
+        if (name) keep({*name, path, {}}, readNumbers(*bytes, path, mostNumbersOf(*name)));
+        // Passes of one file: those of which there is no file.
+        bool isKnown = name.has_value();
+        for (const std::string& layer : mayHaveLayers ? exrLayers(*bytes) : std::vector<std::string>()) {
+            const auto pass = nameOfLayer(layer, lights);
+            if (!pass || pass == name || (name && layer.empty())) continue;
+            isKnown = true;
+            m_passes.push_back({{*pass, path, {}}, readExrNumbers(*bytes, path, mostNumbersOf(*pass), layer)});
+        }
+        if (!isKnown) notKnown(file, stem);
+    }
+    // Layers count where no file of their own is handed in.
+    void addPasses() {
+        for (auto& [handed, numbers] : m_passes)
+            if (std::ranges::find(m_in.files, handed.name, &HandedFile::name) == m_in.files.end())
+                keep(std::move(handed), std::move(numbers));
+    }
+
+private:
+    // "ViewLayer.Depth." is a depth; colours without a layer are the picture, Z without one is the depth.
+    static std::optional<HandedName> nameOfLayer(const std::string& layer, std::size_t lights) {
+        if (layer.empty()) return findHanded("color", lights);
+        const std::string whole = layer.ends_with('.') ? layer.substr(0, layer.size() - 1) : layer;
+        if (const auto name = findHanded(whole, lights)) return name;
+        return findHanded(std::string_view(whole).substr(whole.rfind('.') + 1), lights);
+    }
+    void notKnown(const std::string& file, const std::string& stem) {
+        m_in.others.push_back(fmt::format("{} is not known; {}", inQuotes(file), insteadOfHanded(stem)));
+    }
+    void keep(HandedFile handed, Result<NumberFile> numbers) {
         if (!numbers) return report(numbers.errors());
-        HandedFile handed{*name, path, std::move(numbers).value()};
+        handed.numbers = std::move(numbers).value();
         if (const auto wrong = wrongSize(handed, m_reference)) return report({*wrong});
         const auto before = std::ranges::find(m_in.files, handed.name, &HandedFile::name);
         if (before == m_in.files.end()) {
@@ -133,8 +162,6 @@ public:
         m_in.others.push_back(fmt::format("{} is not read: {} holds more digits", inQuotes(handed.fileName()),
                                           inQuotes(before->fileName())));
     }
-
-private:
     void report(const Errors& errors) { m_in.errors.insert(m_in.errors.end(), errors.begin(), errors.end()); }
     // What such a buffer of the scene holds, with room for a fourth channel; one of twice the size is still read, to say so.
     std::size_t mostNumbersOf(const HandedName& name) const {
@@ -150,6 +177,7 @@ private:
 
     const Frame& m_reference;
     HandedIn& m_in;
+    std::vector<std::pair<HandedFile, Result<NumberFile>>> m_passes;
 };
 
 }  // namespace
@@ -189,6 +217,7 @@ HandedIn takeHandedIn(std::span<const OfferedFile> files, const Frame& reference
     Gathering gathering(reference, in);
     for (const OfferedFile& file : files)
         if (!stop.stop_requested()) gathering.add(file);
+    gathering.addPasses();
     std::ranges::stable_sort(in.files, {}, [](const HandedFile& file) { return index(file.name.buffer.id); });
     return in;
 }

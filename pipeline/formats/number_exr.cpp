@@ -48,13 +48,13 @@ std::vector<std::string> layersOf(const Imf::ChannelList& list, const std::strin
     }
     std::stable_partition(layers.begin() + 1, layers.end(), [&](const std::string& layer) {
         const std::string whole = layer.substr(0, layer.size() - 1);
-        return sameLetters(whole.substr(whole.rfind('.') + 1), stem);
+        return sameLetters(whole.substr(whole.rfind('.') + 1), stem) && !stem.empty();
     });
     return layers;
 }
 
-std::vector<std::string> channelsOf(const Imf::ChannelList& list, const std::string& file) {
-    for (const std::string& layer : layersOf(list, file)) {
+std::vector<std::string> channelsOf(const Imf::ChannelList& list, const std::vector<std::string>& layers) {
+    for (const std::string& layer : layers) {
         for (const std::vector<std::string>& wanted :
              {std::vector<std::string>{"R", "G", "B"}, std::vector<std::string>{"X", "Y", "Z"}}) {
             std::vector<std::string> names;
@@ -68,6 +68,7 @@ std::vector<std::string> channelsOf(const Imf::ChannelList& list, const std::str
     return list.begin() == list.end() ? std::vector<std::string>() : std::vector<std::string>{list.begin().name()};
 }
 
+constexpr const char* kDepthAlone = "Z";                   // a channel without a layer
 constexpr int kMostSide = 1 << 16;                         // of a picture or a tile
 constexpr std::size_t kMostBlock = std::size_t{64} << 20;  // bytes of the lines that are stored together
 
@@ -92,33 +93,41 @@ std::size_t bytesOfPixel(const Imf::ChannelList& list) {
     return bytes;
 }
 
-}  // namespace
+std::pair<std::int64_t, std::int64_t> sizeOf(const Imath::Box2i& window) {
+    return {std::int64_t(window.max.x) - window.min.x + 1, std::int64_t(window.max.y) - window.min.y + 1};
+}
 
-Result<NumberFile> readExrNumbers(std::string_view bytes, const std::string& name, std::size_t most) {
+void limitHeaders() {
+    Imf::Header::setMaxImageSize(kMostSide, kMostSide);  // of the table of lines, before it is made
+    Imf::Header::setMaxTileSize(kMostSide, kMostSide);
+}
+
+template <class Choose>
+Result<NumberFile> readExr(std::string_view bytes, const std::string& name, std::size_t most, const Choose& choose) {
     constexpr std::string_view kMagic("\x76\x2f\x31\x01", 4);
     if (!bytes.starts_with(kMagic)) return wrongAt(name, 0, "no OpenEXR file", "its magic number");
     try {
-        Imf::Header::setMaxImageSize(kMostSide, kMostSide);  // of the table of lines, before it is made
-        Imf::Header::setMaxTileSize(kMostSide, kMostSide);
+        limitHeaders();
         BytesStream stream(bytes, name);
         Imf::InputFile in(stream);
-        const Imath::Box2i window = in.header().dataWindow();
-        const std::int64_t width = std::int64_t(window.max.x) - window.min.x + 1,
-                           height = std::int64_t(window.max.y) - window.min.y + 1;
-        if (width < 1 || height < 1 || std::size_t(width) > most / 4 / std::size_t(height))
-            return wrongAt(name, 0, fmt::format("a picture of {} × {}", width, height),
-                           fmt::format("at most {} pixels", most / 4));
-        const std::vector<std::string> names = channelsOf(in.header().channels(), name);
+        const Imath::Box2i window = in.header().dataWindow(), shown = in.header().displayWindow();
+        for (const auto& [width, height] : {sizeOf(window), sizeOf(shown)})
+            if (width < 1 || height < 1 || std::size_t(width) > most / 4 / std::size_t(height))
+                return wrongAt(name, 0, fmt::format("a picture of {} × {}", width, height),
+                               fmt::format("at most {} pixels", most / 4));
+        const std::vector<std::string> names = choose(in.header().channels());
         if (names.empty()) return wrongAt(name, 0, "a picture without channels", "R G B, X Y Z, or one");
-        const std::size_t channels = names.size(), columns = std::size_t(width), rows = std::size_t(height);
+        const std::size_t channels = names.size(), columns = std::size_t(sizeOf(window).first),
+                          rows = std::size_t(sizeOf(window).second), wide = std::size_t(sizeOf(shown).first);
         const std::size_t together = std::min(linesTogether(in.header()), rows);
         if (columns * together * bytesOfPixel(in.header().channels()) > kMostBlock)
             return wrongAt(name, 0, fmt::format("{} lines of {} pixels stored together", together, columns),
                            fmt::format("at most {} bytes of them", kMostBlock));
         // Block by block: a file that ends early has taken no memory for what it announces.
-        NumberFile file{name, {rows, columns}, {}};
+        NumberFile file{name, {std::size_t(sizeOf(shown).second), wide}, {}};
         std::vector<float> numbers(columns * together * channels);
         const std::size_t step = sizeof(float) * channels, line = step * columns;
+        const int left = std::max(window.min.x, shown.min.x), right = std::min(window.max.x, shown.max.x);
         for (std::size_t done = 0; done < rows; done += together) {
             const int y = window.min.y + int(done), last = window.min.y + int(std::min(rows, done + together)) - 1;
             Imf::FrameBuffer pixels;
@@ -129,9 +138,17 @@ Result<NumberFile> readExrNumbers(std::string_view bytes, const std::string& nam
             }
             in.setFrameBuffer(pixels);
             in.readPixels(y, last);
-            file.values.insert(file.values.end(), numbers.begin(),
-                               numbers.begin() + std::ptrdiff_t(std::size_t(last - y + 1) * columns * channels));
+            for (int row = std::max(y, shown.min.y); row <= std::min(last, shown.max.y) && left <= right; ++row) {
+                const std::size_t end = (std::size_t(row - shown.min.y) + 1) * wide * channels;
+                if (file.values.size() < end) file.values.resize(end);
+                const auto from = numbers.begin() + (row - y) * std::ptrdiff_t(columns * channels);
+                std::copy(from + (left - window.min.x) * std::ptrdiff_t(channels),
+                          from + (right - window.min.x + 1) * std::ptrdiff_t(channels),
+                          file.values.begin() + std::ptrdiff_t(end - wide * channels) +
+                              (left - shown.min.x) * std::ptrdiff_t(channels));
+            }
         }
+        file.values.resize(file.shape[0] * wide * channels);
         if (channels > 1) file.shape.push_back(channels);
         const Imf::Channel* const first = in.header().channels().findChannel(names[0]);
         file.digits = first && first->type == Imf::HALF ? 11 : 24;
@@ -140,6 +157,37 @@ Result<NumberFile> readExrNumbers(std::string_view bytes, const std::string& nam
         throw;
     } catch (const std::exception& problem) {  // OpenEXR reports no other way
         return wrongAt(name, 0, std::string("a file that cannot be read: ") + problem.what(), {});
+    }
+}
+
+}  // namespace
+
+Result<NumberFile> readExrNumbers(std::string_view bytes, const std::string& name, std::size_t most) {
+    return readExr(bytes, name, most,
+                   [&](const Imf::ChannelList& list) { return channelsOf(list, layersOf(list, name)); });
+}
+
+Result<NumberFile> readExrNumbers(std::string_view bytes, const std::string& name, std::size_t most,
+                                  const std::string& layer) {
+    return readExr(bytes, name, most, [&](const Imf::ChannelList& list) {
+        return layer == kDepthAlone ? std::vector<std::string>{layer} : channelsOf(list, {layer});
+    });
+}
+
+std::vector<std::string> exrLayers(std::string_view bytes) {
+    try {
+        limitHeaders();
+        BytesStream stream(bytes, "exr");
+        const Imf::InputFile in(stream);
+        const Imf::ChannelList& list = in.header().channels();
+        std::vector<std::string> layers = layersOf(list, "");
+        if (!list.findChannel("R")) layers.erase(layers.begin());
+        if (list.findChannel(kDepthAlone) && !list.findChannel("X")) layers.emplace_back(kDepthAlone);
+        return layers;
+    } catch (const std::bad_alloc&) {
+        throw;
+    } catch (const std::exception&) {
+        return {};
     }
 }
 

@@ -18,6 +18,7 @@ constexpr std::array kNumberFormats{
     NumberFormat{"npy", readNpy}, NumberFormat{"png", readPngNumbers}, NumberFormat{"ppm", readPnm},
     NumberFormat{"pgm", readPnm}, NumberFormat{"pbm", readPnm},        NumberFormat{"pnm", readPnm},
     NumberFormat{"pfm", readPnm}, NumberFormat{"exr", readExrNumbers}, NumberFormat{"csv", readCsvNumbers},
+    NumberFormat{"tga", readTga}, NumberFormat{"bmp", readBmp},
 };
 
 const NumberFormat* numberFormat(std::string_view ending) {

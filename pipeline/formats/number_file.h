@@ -29,7 +29,7 @@ struct NumberFile {
     std::string sizeText() const;  // "640 × 480 × 3"
 };
 
-// The endings that are read: npy, png, ppm, pgm, pbm, pnm, pfm, exr, csv.
+// The endings that are read: npy, png, ppm, pgm, pbm, pnm, pfm, exr, csv, tga, bmp.
 bool readsNumbers(std::string_view ending);
 std::string numberFormats();  // "npy, png, …" for messages
 
@@ -42,8 +42,17 @@ Result<NumberFile> readNpy(std::string_view bytes, const std::string& name, std:
 Result<NumberFile> readPngNumbers(std::string_view bytes, const std::string& name, std::size_t most);
 // PBM, PGM and PPM, plain and raw, and PFM, whose rows are turned top-down.
 Result<NumberFile> readPnm(std::string_view bytes, const std::string& name, std::size_t most);
-// All channels: R G B, X Y Z, else the only one, or depth Z.
+// Colours or greys of 8 bits, packed or not; the rows and columns of the file are put in order.
+Result<NumberFile> readTga(std::string_view bytes, const std::string& name, std::size_t most);
+Result<NumberFile> readBmp(std::string_view bytes, const std::string& name, std::size_t most);
+// Of a layer, or of the file's own name: R G B, X Y Z, else the only one, or depth Z. The picture is its display window:
+// outside the data window it has zeros.
+Result<NumberFile> readExrNumbers(std::string_view bytes, const std::string& name, std::size_t most,
+                                  const std::string& layer);
 Result<NumberFile> readExrNumbers(std::string_view bytes, const std::string& name, std::size_t most);
+// The names of a file's layers, "ViewLayer.Depth."; of its colours without a layer "", of its Z without one "Z". None where
+// it is no such file.
+std::vector<std::string> exrLayers(std::string_view bytes);
 // One row a line; words in the first line are a heading. Leading columns named row, column, x, y, vertex, polygon, index
 // or id give the place where the heading says so.
 Result<NumberFile> readCsvNumbers(std::string_view bytes, const std::string& name, std::size_t most);

@@ -8,7 +8,7 @@
 #include "tests/fuzz/promises.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    constexpr std::array kEndings{"npy", "png", "ppm", "pfm", "exr", "csv"};
+    constexpr std::array kEndings{"npy", "png", "ppm", "pfm", "exr", "csv", "tga", "bmp"};
     constexpr std::size_t kMost = 1u << 16;
     if (size == 0) return 0;
     const std::string name = std::string("mine.") + kEndings[data[0] % kEndings.size()];

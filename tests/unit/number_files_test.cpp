@@ -1,11 +1,17 @@
 // Files of numbers that announce much and hold little: what they take is counted before it is stored.
+#include <ImfChannelList.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfOutputFile.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <fstream>
 #include <sstream>
 
 #include "pipeline/core/memory.h"
 #include "pipeline/formats/number_file.h"
+#include "tests/support/files.h"
 
 namespace pipeline {
 namespace {
@@ -95,6 +101,71 @@ TEST(NumberFiles, AnExrTakesMemoryForWhatItHolds) {
         EXPECT_FALSE(readExrNumbers(exrHeader(2000000000, 2, kZip), "color.exr", kMost));
     });
     EXPECT_LT(taken, 60 * kMiB);
+}
+
+// A picture of 4 × 2 of which the file has two pixels, (1, 1) and (2, 1); three passes in one file.
+TEST(NumberFiles, AnExrOfPassesIsTakenApartAndItsDataWindowHasItsPlace) {
+    const test::TemporaryFolder folder;
+    const std::string file = (folder / "passes.exr").string();
+    Imf::Header header(Imath::Box2i({0, 0}, {3, 1}), Imath::Box2i({1, 1}, {2, 1}));
+    const std::vector<std::string> names{"R", "G", "B", "Z", "View.Normal.X", "View.Normal.Y", "View.Normal.Z"};
+    std::vector<std::array<float, 2>> numbers;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        header.channels().insert(names[i], Imf::Channel(Imf::FLOAT));
+        numbers.push_back({float(10 * i + 1), float(10 * i + 2)});
+    }
+    {
+        Imf::OutputFile out(file.c_str(), header);
+        Imf::FrameBuffer pixels;
+        for (std::size_t i = 0; i < names.size(); ++i)
+            pixels.insert(names[i], Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(numbers[i].data()) - 4, 4, 0));
+        out.setFrameBuffer(pixels);
+        out.writePixels(1);
+    }
+    const std::string bytes = test::readText(file);
+    EXPECT_EQ(exrLayers(bytes), (std::vector<std::string>{"", "View.Normal.", "Z"}));
+    const auto color = readExrNumbers(bytes, "passes.exr", 1000, "");
+    ASSERT_TRUE(color) << format(color.errors());
+    EXPECT_EQ(color->shape, (std::vector<std::size_t>{2, 4, 3}));
+    std::vector<double> expected(24, 0);
+    for (const int x : {1, 2})
+        for (const int c : {0, 1, 2}) expected[std::size_t(12 + 3 * x + c)] = 10 * c + x;
+    EXPECT_EQ(color->values, expected);
+    EXPECT_EQ(readExrNumbers(bytes, "passes.exr", 1000, "Z")->values, (std::vector<double>{0, 0, 0, 0, 0, 31, 32, 0}));
+    EXPECT_EQ(readExrNumbers(bytes, "passes.exr", 1000, "View.Normal.")->values[15 + 2], 61);
+}
+
+// A TGA of 3 × 2 pixels, colours, packed, rows upwards (Truevision, TGA 2.0): a run of 4 pixels, then 2 as they are.
+TEST(NumberFiles, ATgaIsUnpackedAndItsRowsArePutInOrder) {
+    std::string tga(18, '\0');
+    tga[2] = 10, tga[12] = 3, tga[14] = 2, tga[16] = 24;
+    const std::string packets("\x83\1\2\3\x01\4\5\6\7\x08\x09", 11);  // blue, green, red
+    const auto read = readNumbers(tga + packets, "color.tga", 1000);
+    ASSERT_TRUE(read) << format(read.errors());
+    EXPECT_EQ(read->shape, (std::vector<std::size_t>{2, 3, 3}));
+    // The first three pixels of the file are the bottom row.
+    EXPECT_EQ(read->values, (std::vector<double>{3, 2, 1, 6, 5, 4, 9, 8, 7, 3, 2, 1, 3, 2, 1, 3, 2, 1}));
+    EXPECT_FALSE(readNumbers(tga + packets.substr(0, 9), "color.tga", 1000)) << "a packet ends early";
+    EXPECT_FALSE(readNumbers(tga + "\x84\1\2\3" + "\x84\1\2\3", "color.tga", 1000)) << "ten pixels of six";
+    EXPECT_FALSE(readNumbers(tga + packets, "color.tga", 6)) << "more than may be read";
+    tga[17] = 0x20;
+    EXPECT_EQ(readNumbers(tga + packets, "color.tga", 1000)->values[0], 3);
+}
+
+// A BMP of 1 × 2 pixels of 24 bits (a line is 4 bytes), its rows upwards; and with a height below 0, downwards.
+TEST(NumberFiles, ABmpHasItsRowsInOrder) {
+    std::string bmp(54, '\0');
+    bmp.replace(0, 2, "BM");
+    bmp[10] = 54, bmp[14] = 40, bmp[18] = 1, bmp[22] = 2, bmp[26] = 1, bmp[28] = 24;
+    const std::string lines("\1\2\3\0\4\5\6\0", 8);
+    const auto read = readNumbers(bmp + lines, "color.bmp", 1000);
+    ASSERT_TRUE(read) << format(read.errors());
+    EXPECT_EQ(read->values, (std::vector<double>{6, 5, 4, 3, 2, 1}));
+    EXPECT_FALSE(readNumbers(bmp + lines.substr(1), "color.bmp", 1000));
+    bmp.replace(22, 4, "\xfe\xff\xff\xff");
+    EXPECT_EQ(readNumbers(bmp + lines, "color.bmp", 1000)->values, (std::vector<double>{3, 2, 1, 6, 5, 4}));
+    bmp[28] = 16;
+    EXPECT_FALSE(readNumbers(bmp + lines, "color.bmp", 1000));
 }
 
 }  // namespace
