@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
+
+#include "pipeline/compare/picture_sample.h"
 
 namespace pipeline::foreign {
 
@@ -17,7 +20,8 @@ constexpr double kFloor = 0.02;          // tolerances: below that two readings 
 constexpr double kFarthest = 20;         // tolerances: one element counts no more
 constexpr double kMissing = 200;         // tolerances: of an element that is drawn in one alone
 constexpr std::size_t kSamples = 20000;  // elements whose numbers are compared
-constexpr double kTrimmed = 0.8;         // of the elements, the nearest
+constexpr std::size_t kSampleColumns = 160, kSampleRows = 120;
+constexpr double kTrimmed = 0.8;  // of the elements, the nearest
 
 struct PossibleReading {
     Reading reading;
@@ -40,7 +44,13 @@ struct Sounding {
     std::vector<PossibleReading> candidates;
     bool isPicture = false;
     std::vector<int> otherChannels{}, otherCodings{};  // nearly as close as what is taken
+    // The numbers of one reading, that of the least cost when they were read.
+    std::shared_ptr<const std::pair<Reading, Values>> nearest{};
+    double nearestCost = 0;
 
+    Values numbers(const Reading& reading, const ReadingContext& context, const Values& right) const {
+        return nearest && nearest->first == reading ? nearest->second : read(*file, reading, context, right);
+    }
     const PossibleReading& best() const { return *std::ranges::min_element(candidates, {}, &PossibleReading::cost); }
     double costWith(Axis axis, int value) const {
         double least = std::numeric_limits<double>::infinity();
@@ -279,7 +289,7 @@ std::optional<std::vector<std::uint8_t>> drawnLess(const std::vector<Sounding>& 
         const Values& right = reference.at(sounding.file->name.buffer.text());
         if (right.domain != Domain::Pixel) continue;
         std::vector<std::uint8_t> drawn =
-            drawnIn(sounding.file->name, read(*sounding.file, sounding.best().reading, context, right));
+            drawnIn(sounding.file->name, sounding.numbers(sounding.best().reading, context, right));
         if (drawn.empty()) continue;
         std::size_t missing = 0;
         for (std::size_t i = 0; i < drawn.size(); ++i) {
@@ -307,15 +317,34 @@ Conventions findConventions(const HandedIn& in, const ReferenceValues& reference
         }
     const ReadingContext& context = out.context;
     std::vector<Sounding> soundings;
-    const auto cost = [&](const HandedFile& file, const Reading& reading, const ReadingContext& where) {
+    const auto cost = [&](Sounding& sounding, const Reading& reading, const ReadingContext& where) {
+        const HandedFile& file = *sounding.file;
         const std::string name = file.name.buffer.text();
         const Values& right = reference.at(name);
-        return readingCost(file, read(file, reading, context, right), right, where, tolerances.at(name));
+        Values mine = read(file, reading, context, right);
+        const double found = readingCost(file, mine, right, where, tolerances.at(name));
+        if (!sounding.nearest || found < sounding.nearestCost)
+            sounding.nearest = std::make_shared<const std::pair<Reading, Values>>(reading, std::move(mine)),
+            sounding.nearestCost = found;
+        return found;
     };
+    // Of a large picture a sample tells which readings are worth being compared whole.
+    const PictureSample sample(context.width, context.height, kSampleColumns, kSampleRows);
+    const ReadingContext some = sample.of(context);
     for (const HandedFile& file : in.files) {
-        Sounding sounding{&file, {}, reference.at(file.name.buffer.text()).domain == Domain::Pixel};
+        const std::string name = file.name.buffer.text();
+        const Values& right = reference.at(name);
+        Sounding sounding{&file, {}, right.domain == Domain::Pixel};
+        const bool isSampled = sounding.isPicture && some.covered.size() < context.covered.size();
+        const HandedFile few{file.name, file.path, isSampled ? sample.of(file.numbers) : NumberFile()};
+        const Values fewRight = isSampled ? sample.of(right) : Values();
         for (const Reading& reading : readingsOf(file, context))
-            sounding.candidates.push_back({reading, cost(file, reading, context)});
+            sounding.candidates.push_back({reading, isSampled ? readingCost(few, read(few, reading, some, fewRight),
+                                                                            fewRight, some, tolerances.at(name))
+                                                              : cost(sounding, reading, context)});
+        const double best = sounding.best().cost;
+        for (PossibleReading& one : sounding.candidates)
+            if (isSampled && ratio(one.cost, best) <= kClear) one.cost = cost(sounding, one.reading, context);
         soundings.push_back(std::move(sounding));
     }
     const std::vector<Convention> before = out.said;
@@ -328,7 +357,7 @@ Conventions findConventions(const HandedIn& in, const ReferenceValues& reference
         for (Sounding& sounding : soundings) {
             const bool says = !drawnIn(sounding.file->name, reference.at(sounding.file->name.buffer.text())).empty();
             if (sounding.isPicture && !says)
-                for (PossibleReading& one : sounding.candidates) one.cost = cost(*sounding.file, one.reading, less);
+                for (PossibleReading& one : sounding.candidates) one.cost = cost(sounding, one.reading, less);
         }
         out.said = before;
         choosing.emplace(std::move(soundings), stated, together, out).chooseAll();
@@ -351,7 +380,7 @@ Conventions findConventions(const HandedIn& in, const ReferenceValues& reference
             }
         }
         const Values& right = reference.at(sounding.file->name.buffer.text());
-        out.files.push_back({sounding.file, reading, read(*sounding.file, reading, context, right), std::move(others)});
+        out.files.push_back({sounding.file, reading, sounding.numbers(reading, context, right), std::move(others)});
     }
     return out;
 }

@@ -119,18 +119,17 @@ private:
 };
 
 // Elements that right renderers need not agree on. saysDrawn: the file tells by itself where something is drawn.
-bool isLeft(const ReadFile& file, const Reference& reference, bool saysDrawn, std::size_t i) {
+// nDotL: of the light of an S; may be null.
+bool isLeft(const ReadFile& file, const Reference& reference, bool saysDrawn, const Values& right, const Values* nDotL,
+            std::size_t i) {
     const BufferName& name = file.file->name.buffer;
     if (name.id == PolygonsVerdict) {
         const auto verdicts = reference.frame->buffer({PolygonsVerdict});
         const auto verdict = Verdict(int(verdicts->flat(i)));
         return !goesOn(verdict) && verdict != Verdict::BackFacing;
     }
-    if (name.id == Shadow) {
-        const auto nDotL = reference.values.find("n_dot_l." + std::to_string(name.light));
-        if (nDotL != reference.values.end() && nDotL->second.numbers[i] <= 0) return true;
-    }
-    if (bufferInfo(name.id).domain != Domain::Pixel) return !reference.values.at(name.text()).there[i];
+    if (nDotL && nDotL->numbers[i] <= 0) return true;
+    if (right.domain != Domain::Pixel) return !reference.values.at(name.text()).there[i];
     // Where nothing is drawn these have no value.
     return !saysDrawn && !reference.context.covered[i];
 }
@@ -180,10 +179,12 @@ Finding compareValues(const ReadFile& file, const Values& right, const Reference
     std::size_t numbers = 0;
     const OpenPixels open(reference);
     const TheirShadows shadows(file, right, reference, row.measure, out.tolerance);
+    const auto ofLight = reference.values.find("n_dot_l." + std::to_string(buffer.light));
+    const Values* const nDotL = buffer.id == Shadow && ofLight != reference.values.end() ? &ofLight->second : nullptr;
     const auto classify = [&](std::size_t i, double& difference) {
         const bool here = file.mine.there[i] != 0, there = right.there[i] != 0;
         difference = 0;
-        if (isLeft(file, reference, saysDrawn, i)) return Class::Left;
+        if (isLeft(file, reference, saysDrawn, right, nDotL, i)) return Class::Left;
         if (!here && !there) return Class::Equal;
         const double allowed = file.mine.allowed(i, out.tolerance);
         if (here && there) {

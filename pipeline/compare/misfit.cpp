@@ -16,17 +16,6 @@ constexpr double kWorthAsking =
 
 bool isNames(BufferId id) { return toleranceOf(id)->measure == Measure::Same; }
 
-// Places spread over a line of pixels, as far from the one end as from the other.
-std::vector<std::size_t> spread(std::size_t pixels, std::size_t most) {
-    std::vector<std::size_t> out(std::min(pixels, most));
-    for (std::size_t i = 0; i < out.size(); ++i) {
-        const std::size_t j = std::min(i, out.size() - 1 - i);
-        const std::size_t at = j * (pixels - 1) / std::max<std::size_t>(1, out.size() - 1);
-        out[i] = i == j ? at : pixels - 1 - at;
-    }
-    return out;
-}
-
 // Blocks of factor × factor pixels as one, their mean; of names the first.
 NumberFile smaller(const NumberFile& of, std::size_t factor, bool names) {
     NumberFile out = of;
@@ -41,29 +30,6 @@ NumberFile smaller(const NumberFile& of, std::size_t factor, bool names) {
             for (std::size_t u = 0; u < side; ++u) sum += of.values[((y + v) * of.columns() + x + u) * channels + c];
         out.values[i] = sum / double(side * side);
     }
-    return out;
-}
-
-NumberFile picked(const NumberFile& of, const std::vector<std::size_t>& columns, const std::vector<std::size_t>& rows) {
-    NumberFile out = of;
-    const std::size_t channels = of.channels();
-    out.shape[0] = rows.size(), out.shape[1] = columns.size();
-    out.values.clear();
-    for (const std::size_t y : rows)
-        for (const std::size_t x : columns)
-            for (std::size_t c = 0; c < channels; ++c)
-                out.values.push_back(of.values[(y * of.columns() + x) * channels + c]);
-    return out;
-}
-
-Values picked(const Values& of, const std::vector<std::size_t>& columns, const std::vector<std::size_t>& rows) {
-    Values out{of.domain, rows.size(), columns.size(), of.channels, {}, {}};
-    for (const std::size_t y : rows)
-        for (const std::size_t x : columns) {
-            const std::size_t i = y * of.columns + x;
-            out.there.push_back(of.there[i]);
-            out.numbers.insert(out.numbers.end(), of.at(i), of.at(i) + of.channels);
-        }
     return out;
 }
 
@@ -88,16 +54,10 @@ FolderEvidence::FolderEvidence(const Conventions& conventions, const StatedConve
     : m_factor(factor), m_context(conventions.context) {
     const std::size_t width = m_context.width / factor, height = m_context.height / factor;
     m_context.width = width, m_context.height = height, m_context.unrounded.clear();
-    const auto scaled = [](View view, double x, double y) {
-        view.scale = {view.scale.x * x, view.scale.y * y}, view.centre = {view.centre.x * x, view.centre.y * y};
-        return view;
-    };
     m_context.view = scaled(m_context.view, 1 / double(factor), 1 / double(factor));
-    m_columns = spread(width, kSampleColumns), m_rows = spread(height, kSampleRows);
-    m_sampleContext = m_context;
-    m_sampleContext.width = m_columns.size(), m_sampleContext.height = m_rows.size();
-    m_sampleContext.view =
-        scaled(m_context.view, double(m_columns.size()) / double(width), double(m_rows.size()) / double(height));
+    if (factor > 1) m_context.covered.assign(width * height, 0);  // nobody reads them there
+    m_sample = PictureSample(width, height, kSampleColumns, kSampleRows);
+    m_sampleContext = m_sample.of(m_context);
     m_drawn = 0;
     for (const std::uint8_t covered : right.context.covered) m_drawn += covered;
     m_drawn = std::max(1.0, m_drawn / double(factor * factor));
@@ -117,9 +77,9 @@ FolderEvidence::FolderEvidence(const Conventions& conventions, const StatedConve
         one.readings = allowedReadings(one.file, conventions.context, stated);
         if (one.isPicture) {
             if (factor > 1) one.file.numbers = smaller(one.file.numbers, factor, isNames(name.id));
-            one.sample = {one.file.name, one.file.path, picked(one.file.numbers, m_columns, m_rows)};
+            one.sample = {one.file.name, one.file.path, m_sample.of(one.file.numbers)};
             const Values some =
-                picked(values, spread(values.columns, m_columns.size()), spread(values.rows, m_rows.size()));
+                PictureSample(values.columns, values.rows, m_sample.columns.size(), m_sample.rows.size()).of(values);
             std::erase_if(one.readings, [&](const Reading& reading) {
                 return one.readings.size() > 1 &&
                        isEmptyReading(one.sample, foreign::read(one.sample, reading, m_sampleContext, some));
@@ -175,13 +135,19 @@ double FolderEvidence::wrongIn(const Testimony& one, const Reading& reading, con
     const auto values = hypothesis.values.find(name);
     if (!one.counts) return 0;
     if (values == hypothesis.values.end() || (!one.isPicture && values->second.count() != one.elements)) return m_drawn;
-    Values right = values->second;
-    if (m_factor > 1 && one.file.name.buffer.id == BufferId::VerticesScreen)
-        for (std::size_t v = 0; v < right.count(); ++v)
-            right.at(v)[0] *= double(m_factor), right.at(v)[1] *= double(m_factor);
+    Values enlarged;
+    if (m_factor > 1 && one.file.name.buffer.id == BufferId::VerticesScreen) {
+        enlarged = values->second;
+        for (std::size_t v = 0; v < enlarged.count(); ++v)
+            enlarged.at(v)[0] *= double(m_factor), enlarged.at(v)[1] *= double(m_factor);
+    }
+    const Values& right = enlarged.numbers.empty() ? values->second : enlarged;
     ReadingContext encoded;
-    const bool isEncoded = reading.coding == Coding::Srgb || reading.coding == Coding::Gamma22;
-    if (isEncoded) encoded = m_context, encoded.unrounded = hypothesis.context.unrounded;
+    const bool isEncoded = one.file.name.buffer.id == BufferId::Color && reading.coding != Coding::AsIs;
+    if (isEncoded) {
+        encoded = m_context;
+        encoded.unrounded = hypothesis.context.unrounded, encoded.iMax = hypothesis.context.iMax;
+    }
     const ReadingContext& context = isEncoded ? encoded : m_context;
     ReadFile file{&one.file, reading, read(one.file, reading, context, right)};
     const Finding finding = compareValues(file, right, hypothesis);
@@ -194,15 +160,13 @@ Misfit FolderEvidence::misfit(const Reference& hypothesis) const {
         Misfit misfit;
         double least = 0;
     };
-    std::vector<std::uint8_t> covered;
-    for (const std::size_t y : m_rows)
-        for (const std::size_t x : m_columns) covered.push_back(hypothesis.context.covered[y * m_context.width + x]);
+    const std::vector<std::uint8_t> covered = m_sample.of(hypothesis.context.covered, m_context.width);
     std::vector<Tried> tried(m_geometries.size());
     for (std::size_t g = 0; g < tried.size(); ++g) tried[g].misfit.geometry = m_geometries[g];
     for (const Testimony& one : m_files) {
         const auto values = hypothesis.values.find(one.file.name.buffer.text());
         const bool isThere = one.isPicture && one.counts && values != hypothesis.values.end();
-        const Values some = isThere ? picked(values->second, m_columns, m_rows) : Values();
+        const Values some = isThere ? m_sample.of(values->second) : Values();
         for (Tried& t : tried) {
             double least = 0;
             t.misfit.readings.push_back(isThere ? bestOnSample(one, t.misfit.geometry, some, covered, least)

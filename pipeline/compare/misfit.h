@@ -1,5 +1,6 @@
 #pragma once
 #include "pipeline/compare/finding.h"
+#include "pipeline/compare/picture_sample.h"
 
 namespace pipeline::foreign {
 
@@ -51,8 +52,8 @@ private:
     std::size_t m_factor;
     ReadingContext m_context, m_sampleContext;
     std::vector<Geometry> m_geometries;
-    std::vector<std::size_t> m_columns, m_rows;  // of the sample, symmetrical in the picture
-    double m_drawn = 1;                          // pixels, by the right frame
+    PictureSample m_sample;
+    double m_drawn = 1;  // pixels, by the right frame
     std::vector<Testimony> m_files;
 };
 

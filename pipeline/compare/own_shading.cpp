@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "pipeline/compare/own_stage.h"
 #include "pipeline/core/elementary.h"
@@ -16,10 +17,14 @@ Vec3d vectorOf(const Values& values, std::size_t i) { return {values.at(i)[0], v
 // What they have handed in of the terms, and which of it was read.
 class TheirTerms {
 public:
-    TheirTerms(const Conventions& conventions, const Reference& reference)
-        : m_conventions(conventions), m_reference(reference) {}
+    TheirTerms(const Conventions& conventions, const Reference& reference) : m_reference(reference) {
+        for (const ReadFile& file : conventions.files) m_files.emplace(file.file->name.buffer.text(), &file.mine);
+    }
 
-    const Values* find(const std::string& name) { return handedValues(m_conventions, name); }
+    const Values* find(const std::string& name) const {
+        const auto found = m_files.find(name);
+        return found == m_files.end() ? nullptr : found->second;
+    }
     // Theirs at a pixel, else the reference's.
     Vec3d vector(const std::string& name, std::size_t i) {
         const Values* const theirs = find(name);
@@ -39,7 +44,7 @@ public:
     std::vector<std::string> from;
 
 private:
-    const Conventions& m_conventions;
+    std::map<std::string, const Values*> m_files;  // asked for each pixel
     const Reference& m_reference;
 };
 
@@ -91,7 +96,7 @@ std::vector<std::string> ownShading(const Conventions& conventions, const Refere
     const auto translucent = reference.frame->buffer({BufferId::Translucent});
     const std::string k = std::to_string(buffer.light);
     const auto has = [&](std::initializer_list<std::string> names) {
-        return std::ranges::any_of(names, [&](const std::string& name) { return handedValues(conventions, name); });
+        return std::ranges::any_of(names, [&](const std::string& name) { return terms.find(name); });
     };
     using enum BufferId;
     // A term with S at a pixel: from their dot product where they have one, else from their normal.

@@ -88,6 +88,7 @@ void readColor(const HandedFile& file, const FilePicture& picture, const Reading
         return coding == Coding::Srgb ? toLinear(v) : pipeline::pow(v, 2.2);
     };
     const bool encoded = reading.coding != Coding::AsIs;
+    const double share = whiteOf(reading.coding) / context.iMax;  // of I_max that is white
     const double own = toleranceOf(BufferId::Color)->value;
     const bool exact = encoded && context.unrounded.size() == out.numbers.size();
     if (encoded) out.slack.assign(out.count(), -own);
@@ -100,24 +101,39 @@ void readColor(const HandedFile& file, const FilePicture& picture, const Reading
         }
         return true;
     };
-    for (std::size_t i = 0; i < out.count(); ++i)
+    // A file of steps has few values: each is decoded once.
+    struct Decoded {
+        double value = -1, slack = 0;
+    };
+    std::vector<Decoded> ofSteps(encoded && holdsLevels(file.numbers) ? std::size_t(levelsOf(file.numbers)) + 1 : 0);
+    const auto decode = [&](double v) {
+        if (share > 0) return Decoded{v * share, kCodes * share - own};
+        const double step = linear(std::min(1.0, (v + kCodes) / 255)) - linear(std::max(0.0, (v - kCodes) / 255));
+        return Decoded{255 * linear(v / 255), 127.5 * step - own};
+    };
+    const auto decoded = [&](double raw, double v) {
+        const auto at = std::size_t(raw >= 0 ? raw : 0);
+        if (at >= ofSteps.size() || double(at) != raw) return decode(v);
+        if (ofSteps[at].value < 0) ofSteps[at] = decode(v);
+        return ofSteps[at];
+    };
+    for (std::size_t i = 0; i < out.count(); ++i) {
+        if (isBackground(i)) continue;  // zeros
         for (int c = 0; c < 3; ++c) {
-            if (isBackground(i)) {
-                out.at(i)[c] = 0;
-                continue;
-            }
             const double raw = picture.at(i % out.columns, i / out.columns, std::size_t(c));
             if (!std::isfinite(raw)) out.there[i] = 0;
             double v = std::clamp(scale * raw, 0.0, 255.0);
             if (encoded) {
-                const double step =
-                    linear(std::min(1.0, (v + kCodes) / 255)) - linear(std::max(0.0, (v - kCodes) / 255));
-                out.slack[i] = std::max(out.slack[i], 127.5 * step - own);
-                v = 255 * linear(v / 255);
+                const Decoded one = decoded(raw, v);
+                out.slack[i] = std::max(out.slack[i], one.slack);
+                v = one.value;
                 if (exact) v += reference.at(i)[c] - context.unrounded[3 * i + std::size_t(c)];
+                // What is cut off may be any brighter.
+                if (share > 0 && scale * raw > 254.5 && reference.at(i)[c] > v) v = reference.at(i)[c];
             }
             out.at(i)[c] = v;
         }
+    }
 }
 
 // The least or the largest of the numbers, whichever is there more often: what a buffer of them was cleared to.

@@ -59,7 +59,13 @@ enum class Coding : std::uint8_t {
     LinearOfOwnPlanes,
     // vertices in the picture again
     FromTheFoot,
+    // color again: intensities above the one that is white are cut off
+    WhiteIsOne,
+    WhiteIsHundred,
 };
+constexpr double whiteOf(Coding coding) {  // 0: I_max
+    return coding == Coding::WhiteIsOne ? 1 : coding == Coding::WhiteIsHundred ? 100 : 0;
+}
 struct CodingInfo {
     Coding id;
     std::string_view key, value;  // in mine.toml: depth = "window"

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "pipeline/compare/reading.h"
 
@@ -46,6 +47,9 @@ constexpr std::array kCodings{
     CodingInfo{C::LinearOfOwnPlanes, "depth", "linear-own-planes", "linear in z_view, of another unit and beginning"},
     CodingInfo{C::FromTheFoot, "screen", "y-up",
                "y from the bottom up, as the rows; if that is not meant, it is the error y-down"},
+    CodingInfo{C::WhiteIsOne, "encoding", "white-is-1", "white is the intensity 1, what is brighter is cut off"},
+    CodingInfo{C::WhiteIsHundred, "encoding", "white-is-100",
+               "white is the intensity 100, what is brighter is cut off"},
 };
 static_assert([] {
     for (std::size_t i = 0; i < kCodings.size(); ++i)
@@ -65,7 +69,7 @@ std::vector<Coding> codingsOf(const HandedFile& file, bool opensPlanes) {
     const bool levels = holdsLevels(file.numbers);
     using enum BufferId;
     switch (file.name.buffer.id) {
-        case Color: return {C::AsIs, C::Srgb, C::Gamma22};
+        case Color: return {C::AsIs, C::Srgb, C::Gamma22, C::WhiteIsOne, C::WhiteIsHundred};
         case ZView: return codingsOfDepth(levels, opensPlanes);
         case VerticesView: return {C::AsIs, C::TowardsViewer};
         case Normal:
@@ -116,6 +120,7 @@ std::vector<Reading> readingsOf(const HandedFile& file, const ReadingContext& co
     std::vector<Reading> readings;
     const Domain domain = bufferInfo(file.name.buffer.id).domain;
     for (const Coding coding : codingsOf(file, context.opensPlanes)) {
+        if (const double white = whiteOf(coding); white > 0 && std::abs(white - context.iMax) < 1e-6 * white) continue;
         if (domain != Domain::Pixel) {
             readings.push_back({false, false, false, coding});
             continue;

@@ -131,10 +131,13 @@ std::vector<std::uint8_t> coveredIn(const Frame& frame) {
 }
 
 std::optional<Values> valuesIn(const Frame& frame, const BufferName& name) {
+    return valuesIn(frame, name, coveredIn(frame));
+}
+std::optional<Values> valuesIn(const Frame& frame, const BufferName& name, const std::vector<std::uint8_t>& covered) {
     const auto buffer = frame.buffer(name);
     if (!buffer) return {};
     const bool ofSurface = name.id != BufferId::Color && name.id != BufferId::ZView;
-    Values out = valuesOf(*buffer, ofSurface ? coveredIn(frame) : std::vector<std::uint8_t>());
+    Values out = valuesOf(*buffer, ofSurface ? covered : std::vector<std::uint8_t>());
     if (name.id == BufferId::ZView) {  // cleared, as files of others are read
         const View view = readStages(frame, [](const auto& data) { return data.transform->view; });
         for (std::size_t i = 0; i < out.count(); ++i) {
@@ -175,7 +178,9 @@ bool drawFrames(Reference& out, const std::shared_ptr<const Scene>& scene, const
     if (!isLit || !castsShadows(*scene)) return true;
     Scene without = *scene;
     for (Light& light : without.lights) light.castsShadow = false;
-    out.unshadowed = runFrame(std::make_shared<const Scene>(without), request, out.frame);
+    FrameRequest terms = request;
+    terms.wanted = BufferSet().set(index(BufferId::Diffuse)).set(index(BufferId::Specular));
+    out.unshadowed = runFrame(std::make_shared<const Scene>(without), terms, out.frame);
     return out.unshadowed != nullptr;
 }
 
@@ -191,7 +196,8 @@ void readFrame(Reference& out, const BufferSet& wanted) {
     out.context.width = std::size_t(settings.width), out.context.height = std::size_t(settings.height);
     for (const BufferName& name : allBuffers(scene.lights.size()))
         if (toleranceOf(name.id) && wanted[index(name.id)])
-            if (auto values = valuesIn(*out.frame, name)) out.values.emplace(name.text(), std::move(*values));
+            if (auto values = valuesIn(*out.frame, name, out.context.covered))
+                out.values.emplace(name.text(), std::move(*values));
     const auto intensity = out.values.find("intensity"), color = out.values.find("color");
     if (intensity == out.values.end() || color == out.values.end() || !(out.context.iMax > 0)) return;
     for (std::size_t i = 0; i < intensity->second.numbers.size(); ++i) {

@@ -39,6 +39,7 @@ inline constexpr int kShadowBand = 3;  // pixels around an edge of a shadow: tex
 
 // The values of one buffer of a frame; nothing where it has none.
 std::optional<Values> valuesIn(const Frame& frame, const BufferName& name);
+std::optional<Values> valuesIn(const Frame& frame, const BufferName& name, const std::vector<std::uint8_t>& covered);
 std::vector<std::uint8_t> coveredIn(const Frame& frame);
 
 // `overrides`: by the buffer's name without a light's index, in its unit. Nothing where it was stopped.

@@ -35,6 +35,8 @@ std::string askedBack(const Report& report) {
     if (isRead(
             [](const Finding& f) { return f.reading.coding == Coding::Srgb || f.reading.coding == Coding::Gamma22; }))
         text += " Your picture is encoded as sRGB. If you do not mean that, it is the error gamma.";
+    if (isRead([](const Finding& f) { return whiteOf(f.reading.coding) > 0; }))
+        text += " Your picture cuts off what is brighter than white. The program's own colours are scaled by I_max.";
     if (report.reference && report.reference->corner != PixelCorner::None)
         text += " Your pixels are sampled at their corners. If you do not mean that, they are half a pixel off.";
     return text;

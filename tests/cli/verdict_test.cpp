@@ -175,6 +175,35 @@ TEST(Verdict, theWorstPixelShowsTheFilesOwnNumber) {
     EXPECT_TRUE(test::has(right.said(), "mine 51 51 77")) << right.said();
 }
 
+// A picture that cuts off what is brighter than white, of a scene whose I_max is above it: by hand from the intensities.
+TEST(Verdict, whatIsBrighterThanWhiteMayBeCutOff) {
+    const test::TemporaryFolder folder;
+    const std::string scene = (kHandedIn / "scene.toml").string();
+    ASSERT_EQ(
+        test::run({"export", scene, "--format", "npy", "--buffers", "color,intensity,z_view", "-o", folder / "all"})
+            .status,
+        0);
+    const Right right;
+    right.give("z_view", right.all("z_view"));
+    test::Npy color = test::readNpy(folder / "all/intensity.npy");
+    std::size_t cut = 0;
+    for (double& v : color.values) {
+        cut += v > 100;
+        v = std::floor(std::clamp(v / 100, 0.0, 1.0) * 255 + 0.5);
+    }
+    EXPECT_GT(cut, 50u) << "else nothing is tried";
+    right.give("color", color);
+    const Json report = verdictOf(right.folder());
+    EXPECT_EQ(report["exit"], 0) << report["headline"];
+    bool isSaid = false;
+    for (const Json& one : report["conventions"]) isSaid = isSaid || one["value"] == "white-is-100";
+    EXPECT_TRUE(isSaid) << report["conventions"].dump(1);
+    // Half as bright all over is no such picture.
+    for (double& v : color.values) v = std::floor(v / 2);
+    right.give("color", color);
+    EXPECT_EQ(verdictOf(right.folder(), {"--no-known"})["exit"], 1);
+}
+
 // The frames of known errors are not kept: they were 4.8 GB.
 TEST(Verdict, namesTakeLessThanOneGB) {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
