@@ -61,9 +61,10 @@ std::vector<SharedMistake> mistakesOf(const Graded& graded);
 
 // The same as a table for a spreadsheet, as JSON, and as a page for the teacher.
 std::string toCsv(const Graded& graded);
+std::string studentsCsv(const Graded& graded);  // one row a student
 std::string toJson(const Graded& graded);
 std::string toHtml(const Graded& graded);
-// class.csv, class.json and class.html, all or none. Gives their names.
+// class.csv, students.csv, class.json and class.html, all or none. Gives their names.
 std::vector<std::string> gradedFiles();  // their names
 pipeline::Result<std::vector<std::string>> writeGraded(const Graded& graded, const std::filesystem::path& folder);
 

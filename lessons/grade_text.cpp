@@ -2,14 +2,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
+#include "lessons/class_page.h"
 #include "lessons/csv_text.h"
 #include "lessons/grade.h"
-#include "lessons/handout_figure.h"
 #include "lessons/misconceptions.h"
 #include "pipeline/core/printable.h"
 #include "pipeline/core/text.h"
-#include "pipeline/core/version.h"
 #include "pipeline/export/html_text.h"
 #include "pipeline/export/json_value.h"
 #include "pipeline/export/staging.h"
@@ -22,15 +22,6 @@ using pipeline::element;
 using pipeline::Json;
 
 constexpr std::size_t kMostShown = 3;  // misconceptions of the class
-constexpr std::string_view kClassStyle = R"(
-section { margin-top: 2rem; padding-top: 1.25rem; border-top: 1px solid #D0D5DC; }
-.number { text-align: right; } .remark, footer { color: #4A525D; font-size: .875rem; }
-table { border-collapse: collapse; } th, td { padding: .25rem .75rem .25rem 0; text-align: left; vertical-align: top; }
-th { border-bottom: 1px solid #171A1F; } td { border-bottom: 1px solid #D0D5DC; }
-.bar { display: inline-block; width: 8rem; height: .6rem; background: #E3E8EE; } .bar span { display: block; height: 100%; background: #137244; }
-footer { margin-top: 3rem; }
-@media print { main { max-width: none; padding: 0; } body { font-size: 11pt; } tr, li { break-inside: avoid; } }
-)";
 
 std::string plain(double value) { return pipeline::shortestText(value); }
 
@@ -73,10 +64,6 @@ std::string nameOf(const std::string& id) {
     return row ? row->name : id;
 }
 
-std::string percent(std::size_t part, std::size_t all) {
-    return all == 0 ? "–" : fmt::format("{:.0f} %", 100.0 * double(part) / double(all));
-}
-
 std::string mistakeItems(const std::vector<SharedMistake>& shared, std::size_t students) {
     std::string list;
     for (std::size_t i = 0; i < std::min(kMostShown, shared.size()); ++i) {
@@ -103,13 +90,10 @@ std::string questionRows(const Graded& graded) {
         });
         std::vector<std::string> words;
         for (const auto& [students, name] : mistakes) words.push_back(fmt::format("{} ({})", name, students));
-        const double share = one.answers == 0 ? 0 : 100.0 * double(one.right) / double(one.answers);
         rows += "<tr>" + element("td", one.lesson) +
                 element("td", one.page.empty() ? one.heading : one.page + ' ' + one.heading) +
-                element("td class=number", std::to_string(one.answers)) +
-                fmt::format("<td><span class=bar><span style=\"width: {:.0f}%\"></span></span> {}</td>", share,
-                            percent(one.right, one.answers)) +
-                element("td class=number", percent(one.atOnce, one.answers)) +
+                element("td class=number", std::to_string(one.answers)) + "<td>" + shareBar(one.right, one.answers) +
+                "</td>" + element("td class=number", percent(one.atOnce, one.answers)) +
                 element("td", fmt::format("{}", fmt::join(words, ", "))) + "</tr>\n";
     }
     return rows;
@@ -132,6 +116,23 @@ std::string toCsv(const Graded& graded) {
                             csvCell(fmt::format("{}", fmt::join(mistakes, " "))), tries.size(), answer.progress.hints,
                             plain(tries.empty() ? 0 : tries.back().seconds), plain(answer.points), plain(answer.full),
                             csvCell(answer.note));
+    }
+    return text;
+}
+
+std::string studentsCsv(const Graded& graded) {
+    std::string text = "student,points,of,answers,right,mistakes\n";
+    for (const Graded::Student& student : graded.students) {
+        std::size_t answers = 0, right = 0;
+        std::set<std::string> mistakes;
+        for (const GradedAnswer& answer : graded.answers) {
+            if (answer.student != student.name) continue;
+            answers += !answer.progress.tries.empty(), right += answer.progress.outcome == Progress::Outcome::Right;
+            for (const Try& one : answer.progress.tries) mistakes.insert(one.mistake);
+        }
+        mistakes.erase("");
+        text += fmt::format("{},{},{},{},{},{}\n", csvCell(student.name), plain(student.points), plain(student.full),
+                            answers, right, csvCell(fmt::format("{}", fmt::join(mistakes, " "))));
     }
     return text;
 }
@@ -188,36 +189,29 @@ std::string toHtml(const Graded& graded) {
             notes += element("li", fmt::format("{}, {}, {}: {}", answer.student, answer.lesson, answer.heading,
                                                answer.note)) +
                      '\n';
-    const auto section = [](std::string_view heading, const std::string& body) {
-        return "<section>\n" + element("h2", heading) + '\n' + body + "</section>\n";
-    };
-    std::string body = section("Misconceptions of the class", mistakeItems(graded.shared, graded.students.size()));
-    body += section("Questions",
-                    "<table><thead><tr><th>Lesson</th><th>Question</th><th class=number>Answers</th><th>Right</th><th "
-                    "class=number>At once</th><th>Mistakes (students)</th></tr></thead><tbody>\n" +
-                        questionRows(graded) + "</tbody></table>\n");
-    body +=
-        section("Students",
-                "<table><thead><tr><th>Student</th><th class=number>Points</th><th class=number>of</th></tr></thead>"
-                "<tbody>\n" +
-                    students + "</tbody></table>\n");
-    if (!notes.empty()) body += section("Not counted", "<ul>\n" + notes + "</ul>\n");
-    if (!refused.empty()) body += section("Hand-ins that could not be read", "<ul>\n" + refused + "</ul>\n");
-    return fmt::format(
-        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-        "<meta name=\"viewport\" content=\"width=device-width\">\n<title>Class</title>\n<style>{}{}</style>\n</head>\n"
-        "<body>\n<main>\n<h1>{}</h1>\n{}<footer>Shadescope {}</footer>\n</main>\n</body>\n</html>\n",
-        paperStyle(), kClassStyle,
-        fmt::format("{}, {}", pipeline::plural(std::int64_t(graded.students.size()), "student"),
-                    pipeline::plural(std::int64_t(graded.answers.size()), "answer")),
-        body, pipeline::escapedHtml(pipeline::programVersion()));
+    std::string body = classSection("Misconceptions of the class", mistakeItems(graded.shared, graded.students.size()));
+    body += classSection("Questions",
+                         classTable("<th>Lesson</th><th>Question</th><th class=number>Answers</th><th>Right</th><th "
+                                    "class=number>At once</th><th>Mistakes (students)</th>",
+                                    questionRows(graded)));
+    body += classSection("Students",
+                         classTable("<th>Student</th><th class=number>Points</th><th class=number>of</th>", students));
+    if (!notes.empty()) body += classSection("Not counted", "<ul>\n" + notes + "</ul>\n");
+    if (!refused.empty()) body += classSection("Hand-ins that could not be read", "<ul>\n" + refused + "</ul>\n");
+    return classPage("Class",
+                     fmt::format("{}, {}", pipeline::plural(std::int64_t(graded.students.size()), "student"),
+                                 pipeline::plural(std::int64_t(graded.answers.size()), "answer")),
+                     body);
 }
 
-std::vector<std::string> gradedFiles() { return {"class.csv", "class.json", "class.html"}; }
+std::vector<std::string> gradedFiles() { return {"class.csv", "students.csv", "class.json", "class.html"}; }
 
 pipeline::Result<std::vector<std::string>> writeGraded(const Graded& graded, const std::filesystem::path& folder) {
     const std::vector<std::string> names = gradedFiles();
-    return pipeline::writeFiles({{names[0], toCsv(graded)}, {names[1], toJson(graded)}, {names[2], toHtml(graded)}},
+    return pipeline::writeFiles({{names[0], toCsv(graded)},
+                                 {names[1], studentsCsv(graded)},
+                                 {names[2], toJson(graded)},
+                                 {names[3], toHtml(graded)}},
                                 folder);
 }
 

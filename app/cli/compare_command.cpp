@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "app/cli/class_job.h"
 #include "app/cli/commands.h"
 #include "app/cli/compare_report.h"
 #include "app/cli/interrupt.h"
@@ -20,9 +21,12 @@
 #include "pipeline/compare/compare_text.h"
 #include "pipeline/core/text.h"
 #include "pipeline/export/byte_file.h"
+#include "pipeline/export/obj_kit.h"
 #include "pipeline/export/staging.h"
 #include "pipeline/formats/built_in_scenes.h"
 #include "pipeline/formats/scene_folder.h"
+#include "pipeline/formats/scene_reader.h"
+#include "pipeline/formats/text_scanner.h"
 
 namespace app {
 
@@ -36,6 +40,7 @@ struct CompareArguments {
     std::string stage, output;
     int hints = 3;
     std::string starter;
+    ClassRequest ofClass;
     bool strict = false, noKnown = false, json = false, watch = false;
 };
 
@@ -95,15 +100,22 @@ int writeStarter(const CompareArguments& arguments) {
     const std::filesystem::path target(arguments.output);
     std::error_code failed;
     std::filesystem::create_directories(target, failed);
+    std::vector<std::pair<std::string, std::string>> files;
     for (const std::string_view name : {std::string_view("check_me.toml"), starter->file}) {
-        const auto text = pipeline::readFile(pipeline::resourceFolder() / "starter" / name);
+        auto text = pipeline::readFile(pipeline::resourceFolder() / "starter" / name);
         if (!text) return printErrors(text.errors()), kBadInput;
+        files.emplace_back(name, std::move(text).value());
+    }
+    const auto scene = pipeline::readScene(pipeline::resourceFolder() / "starter" / "check_me.toml");
+    if (!scene) return printErrors(scene.errors()), kBadInput;
+    std::ranges::move(pipeline::objKit(*scene, "check_me"), std::back_inserter(files));
+    for (const auto& [name, text] : files) {
         if (std::filesystem::exists(target / name, failed)) {
             tell("{} is there already: it stays as it is\n", (target / name).string());
             continue;
         }
         pipeline::ByteFile file(target / name);
-        file.write(*text);
+        file.write(text);
         if (const auto written = file.close(); !written) return printErrors(written.errors()), kCouldNotWrite;
         say("{}\n", (target / name).string());
     }
@@ -158,6 +170,11 @@ int watchRenderer(const CompareArguments& arguments, const pipeline::Scene& scen
 }
 
 int runCompare(const CompareArguments& arguments) {
+    if (!arguments.ofClass.course.empty()) {
+        ClassRequest request = arguments.ofClass;
+        request.handedIn = arguments.scene.scene, request.folder = arguments.output;
+        return runClass(request);
+    }
     if (!arguments.starter.empty()) return writeStarter(arguments);
     if (arguments.scene.scene.empty()) return wrongCompare("SCENE is missing");
     if (arguments.paths.empty()) return wrongCompare("FOLDER is missing: where your renderer has written its buffers");
@@ -194,7 +211,9 @@ void declareCompare(CLI::App& program, const CliHost&, int& status) {
         ->type_name("REPORT.html|DIR");
     std::vector<std::string> languages;
     for (const Starter& starter : kStarters) languages.emplace_back(starter.language);
-    command->add_option("--starter", arguments->starter, "Write a scene and a writer of files into the folder -o")
+    command
+        ->add_option("--starter", arguments->starter,
+                     "Write a scene, also as OBJ, and a writer of files into the folder -o")
         ->type_name("LANGUAGE")
         ->check(CLI::IsMember(languages));
     command->add_flag("--watch", arguments->watch, "Compare again whenever the files change, until Ctrl+C");
@@ -212,6 +231,32 @@ void declareCompare(CLI::App& program, const CliHost&, int& status) {
     command->add_flag("--strict", arguments->strict, "Conventions other than the program's count as errors");
     command->add_flag("--no-known", arguments->noKnown, "Do not look for known errors");
     command->add_flag("--json", arguments->json, "Print JSON");
+    const std::vector<CLI::Option*> notOfClass = command->get_options([](const CLI::Option* option) {
+        return !option->check_name("SCENE") && !option->check_name("--help") && !option->check_name("--output");
+    });
+    CLI::Option* ofClass = command
+                               ->add_option("--class", arguments->ofClass.course,
+                                            "Mark the hand-ins of a class, one folder a student in place of SCENE, by "
+                                            "the points of this file")
+                               ->type_name("COURSE.toml");
+    for (CLI::Option* option : notOfClass) ofClass->excludes(option);
+    command
+        ->add_option("--pass", arguments->ofClass.pass,
+                     "Of a class: exit with 1 where somebody has fewer per cent of the points")
+        ->check(CLI::Range(0.0, 100.0))
+        ->type_name("PERCENT")
+        ->needs(ofClass);
+    command->add_option("--shard", arguments->ofClass.shard, "Of a class: only the I-th of N parts of the hand-ins")
+        ->type_name("I/N")
+        ->needs(ofClass);
+    command
+        ->add_option("--commands", arguments->ofClass.commands,
+                     "Of a class: write one command a line instead of running, for several machines")
+        ->type_name("FILE")
+        ->needs(ofClass);
+    command->add_flag("--restart", arguments->ofClass.restart, "Of a class: mark again what is marked already")
+        ->needs(ofClass);
+    declareForce(*command, arguments->ofClass.force)->needs(ofClass);
     command->callback([arguments, &status] { status = runCompare(*arguments); });
 }
 

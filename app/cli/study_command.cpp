@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "app/cli/class_job.h"
 #include "app/cli/commands.h"
 #include "app/cli/error_argument.h"
 #include "app/cli/frame_argument.h"
@@ -21,12 +22,13 @@ namespace app {
 
 namespace {
 
-constexpr std::size_t kPictures = 4;  // of points on the front, in the report
+constexpr std::size_t kPictures = 4;    // of points on the front, in the report
+constexpr std::size_t kMostParts = 64;  // of --commands
 
 struct StudyOptions {
     SceneArgument scene;
     std::vector<std::string> sweeps;
-    std::string folder, error, shard;
+    std::string folder, error, shard, commands;
     double errorLimit = 0, timeLimit = 0;
     int threads = 1, warmups = 2, repeats = 20, processes = 3;
     bool restart = false, json = false, partial = false, force = false;
@@ -71,6 +73,28 @@ std::vector<std::string> filesOf(const pipeline::StudyRequest& request) {
     return pipeline::studyFiles();
 }
 
+// A command for each part, for GNU parallel or an array of jobs.
+int writeStudyCommands(const StudyOptions& options, std::size_t points) {
+    const std::size_t parts = std::min(points, kMostParts);
+    std::vector<std::vector<std::string>> commands;
+    for (std::size_t i = 0; i < parts; ++i) {
+        StudyOptions part = options;
+        part.shard = fmt::format("{}/{}", i + 1, parts);
+        commands.push_back(argumentsOf(part));
+        commands.back().insert(commands.back().end(), {"--processes", std::to_string(options.processes)});
+        if (!options.error.empty()) commands.back().insert(commands.back().end(), {"--error", options.error});
+        if (options.restart) commands.back().emplace_back("--restart");
+        if (options.force) commands.back().emplace_back("--force");
+    }
+    if (const auto written = writeCommands(options.commands, commands); !written) {
+        printErrors(written.errors());
+        return kCouldNotWrite;
+    }
+    say("{} in {}; then shadescope study merge {}/study-*-of-{}.json -o {}\n",
+        pipeline::plural(std::int64_t(parts), "command"), options.commands, options.folder, parts, options.folder);
+    return kDone;
+}
+
 int runStudyCommand(const StudyOptions& options) {
     if (options.scene.scene.empty()) return wrongUsage("SCENE is missing");
     if (options.folder.empty()) return wrongUsage("-o needs the name of a folder");
@@ -111,6 +135,7 @@ int runStudyCommand(const StudyOptions& options) {
         if (const std::string why = whyNoError(*job.request.scene, *job.request.choice); !why.empty())
             return wrongUsage(fmt::format("--error {}: {}", pipeline::inQuotes(options.error), why));
     }
+    if (!options.commands.empty()) return writeStudyCommands(options, pointCount(job.request.sweep.axes));
     job.request.threads = options.threads, job.request.warmups = options.warmups, job.request.repeats = options.repeats;
     job.request.shard = std::size_t(shard->x - 1), job.request.shards = std::size_t(shard->y);
     if (!options.timesInto.empty()) return takeTimes(job.request, options.timesInto, options.timesOf, interrupt);
@@ -219,6 +244,11 @@ void declareStudy(CLI::App& program, const CliHost&, int& status) {
     number("--processes", options->processes, 1, "Processes that take the times one after the other");
     command->add_option("--shard", options->shard, "Only the I-th of N parts of the points; join them by study merge")
         ->type_name("I/N");
+    command
+        ->add_option("--commands", options->commands,
+                     "Write one command a line instead of running, each a part of the study; join them by study merge")
+        ->type_name("FILE")
+        ->excludes("--shard");
     command->add_flag("--restart", options->restart,
                       "Begin anew where an earlier study of this folder was interrupted");
     command->add_option("--times-into", options->timesInto)->group("");  // of the processes that take times

@@ -2,10 +2,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -106,8 +109,9 @@ TEST(Compare, readsWhatTheStarterWrites) {
     const test::TemporaryFolder folder;
     for (const char* language : {"cpp", "python", "c", "java", "js"})
         EXPECT_EQ(test::run({"compare", "--starter", language, "-o", folder.path().string()}).status, 0) << language;
-    EXPECT_EQ(folder.names(), (std::vector<std::string>{"Writer.java", "check_me.toml", "writer.c", "writer.cpp",
-                                                        "writer.js", "writer.py"}));
+    EXPECT_EQ(folder.names(),
+              (std::vector<std::string>{"Writer.java", "check_me.mtl", "check_me.obj", "check_me.toml", "check_me.txt",
+                                        "writer.c", "writer.cpp", "writer.js", "writer.py"}));
     const Handed handed;
     const test::Npy color = handed.all("color"), z = handed.all("z_view");
     writePpm(handed.file("color.ppm").string(), int(color.shape[1]), int(color.shape[0]),
@@ -116,6 +120,45 @@ TEST(Compare, readsWhatTheStarterWrites) {
     EXPECT_EQ(handed.json()["exit"], 0);
     EXPECT_EQ(test::run({"compare", "--starter", "cobol", "-o", folder.path().string()}).status, 2);
     EXPECT_EQ(test::run({"compare", "--starter", "c"}).status, 2);
+}
+
+// With x = c_x + s_x x_v / z_v and y = c_y − s_y y_v / z_v the vertices of the OBJ file, seen by the numbers of the text, are
+// those of the program, which writes floats: to a thousandth of a pixel.
+TEST(Compare, theStartersObjAndCameraAreTheScene) {
+    const test::TemporaryFolder folder;
+    ASSERT_EQ(test::run({"compare", "--starter", "c", "-o", folder.path().string()}).status, 0);
+    ASSERT_EQ(
+        test::run({"export", kScene, "--format", "npy", "--buffers", "vertices.screen", "-o", folder / "all"}).status,
+        0);
+    const test::Npy screen = test::readNpy(folder / "all/vertices.screen.npy");
+    std::map<std::string, std::array<double, 3>> camera;
+    double scaleX = 0, scaleY = 0, centreX = 0, centreY = 0;
+    std::istringstream text(test::readText(folder / "check_me.txt"));
+    for (std::string line, key; std::getline(text, line);) {
+        std::istringstream words(line);
+        std::array<double, 3> numbers{};
+        words >> key;
+        if (key == "#")
+            std::sscanf(line.c_str(), "# x = %lf + %lf x_v / z_v, y = %lf - %lf", &centreX, &scaleX, &centreY, &scaleY);
+        for (double& number : numbers) words >> number;
+        camera.try_emplace(key, numbers);
+    }
+    std::istringstream obj(test::readText(folder / "check_me.obj"));
+    std::size_t vertex = 0;
+    for (std::string line; std::getline(obj, line);) {
+        std::array<double, 3> p{}, v{};
+        if (std::sscanf(line.c_str(), "v %lf %lf %lf", &p[0], &p[1], &p[2]) != 3) continue;
+        const std::array axes{"right", "up", "forward"};
+        for (std::size_t a = 0; a < 3; ++a)
+            for (std::size_t c = 0; c < 3; ++c) v[a] += camera.at(axes[a])[c] * (p[c] - camera.at("eye")[c]);
+        ASSERT_LT(vertex, screen.shape[0]);
+        EXPECT_NEAR(centreX + scaleX * v[0] / v[2], screen.values[3 * vertex], 1e-3) << vertex;
+        EXPECT_NEAR(centreY - scaleY * v[1] / v[2], screen.values[3 * vertex + 1], 1e-3) << vertex;
+        ++vertex;
+    }
+    EXPECT_EQ(vertex, screen.shape[0]);
+    const double fov = 2 * std::atan(100 / scaleY) * 180 / std::acos(-1.0);
+    EXPECT_NEAR(camera.at("fov_y")[0], fov, 1e-9);
 }
 
 TEST(Compare, conventionsAreNoErrors) {
