@@ -134,7 +134,7 @@ std::string lessonText(const NamedError& error) {
     return error.lesson.empty() ? "" : fmt::format("{}, page “{}”", error.lesson, error.heading);
 }
 
-std::string jsonOf(const MarkedClass& all) {
+std::string classAsJson(const MarkedClass& all) {
     Json json{{"version", 1},
               {"program", pipeline::programMark()},
               {"title", all.title},
@@ -238,7 +238,7 @@ Files classFiles(const MarkedClass& all) {
             {"moodle.csv", moodleCsv(all)},
             {"junit.xml", junitXml(all)},
             {"class.html", classHtml(all)},
-            {"class.json", jsonOf(all)}};
+            {"class.json", classAsJson(all)}};
 }
 
 Files studentFiles(const Course& course, const StudentMarks& student, Files pages) {

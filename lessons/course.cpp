@@ -23,8 +23,8 @@ using pipeline::Errors;
 using pipeline::TomlEntry;
 using pipeline::TomlValues;
 
-constexpr double kMostMb = 1024, kMostPoints = 1000;
-constexpr std::size_t kMostTasks = 50, kMostName = 40;
+constexpr double kMostMb = 1024, kMostCheckPoints = 1000;
+constexpr std::size_t kMostTasks = 50, kMostTaskName = 40;
 
 // The name of a folder and of a page.
 bool isPlainName(const std::string& name) {
@@ -32,7 +32,7 @@ bool isPlainName(const std::string& name) {
     const auto isPlain = [](char c) {
         return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_';
     };
-    return !name.empty() && name.size() <= kMostName && std::ranges::all_of(name, isPlain) &&
+    return !name.empty() && name.size() <= kMostTaskName && std::ranges::all_of(name, isPlain) &&
            std::ranges::find(kTaken, name) == kTaken.end();
 }
 
@@ -135,7 +135,7 @@ private:
     void readPoints(const toml::table& table, Course::Task& task) {
         for (const TomlEntry& entry : pipeline::inFileOrder(table)) {
             const std::string name(entry.key->str());
-            const auto points = m_values.number(*entry.node, "points." + name, 0, kMostPoints);
+            const auto points = m_values.number(*entry.node, "points." + name, 0, kMostCheckPoints);
             Course::Check check{name, pipeline::findStage(name), {}, points.value_or(0)};
             if (!check.stage) {
                 const auto buffer = pipeline::foreign::findHanded(name, task.scene->lights.size());
