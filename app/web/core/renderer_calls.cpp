@@ -12,6 +12,12 @@ namespace pipeline {
 Result<NumberFile> readExrNumbers(std::string_view, const std::string& name, std::size_t) {
     return wrongAt(name, 0, "an OpenEXR file", "npy or pfm: only the installed program reads it");
 }
+Result<NumberFile> readExrNumbers(std::string_view bytes, const std::string& name, std::size_t most,
+                                  const std::string&) {
+    return readExrNumbers(bytes, name, most);
+}
+// None: the whole file is refused.
+std::vector<std::string> exrLayers(std::string_view) { return {}; }
 
 }  // namespace pipeline
 
