@@ -25,13 +25,12 @@ glm::vec3 frameBufferColor(Vec3d intensity, double iMax) {
 
 // Phong shading evaluates per pixel; a vertex of this view is one such pixel, taken as lit.
 Vec3d intensityAt(const pipeline::Scene& scene, const std::vector<pipeline::Light>& lights,
-                  const pipeline::Material& material, Vec3d position, Vec3d normal, Vec3d towardsEye) {
+                  const pipeline::Material& material, const pipeline::Surface<double>& at) {
     const pipeline::Illumination illumination = pipeline::illuminationOf(scene.settings);
     Vec3d sum = pipeline::emissionTerm<double>(illumination.model, material) +
-                pipeline::ambientTerm<double>(illumination.model, scene.ambient, material);
+                at.color * pipeline::ambientTerm<double>(illumination.model, scene.ambient, material);
     for (const pipeline::Light& light : lights) {
-        const auto sample =
-            pipeline::sampleLight<double>(illumination, light, material, {position, normal, towardsEye});
+        const auto sample = pipeline::sampleLight<double>(illumination, light, material, at);
         sum += sample.ambient + sample.diffuse + sample.specular;
     }
     return sum;
@@ -55,14 +54,16 @@ void colorFaces(const pipeline::Frame& frame, const pipeline::Topology& topology
     const auto phongColor = [&](std::size_t vertex, const pipeline::Material& material) {
         const Vec3d position = mesh.positions[vertex];
         const Vec3d towardsEye = eye.perspective ? pipeline::normalized(eye.eye - position) : -eye.forward;
-        return frameBufferColor(intensityAt(scene, lights, material, position, row3(*normals, vertex), towardsEye),
-                                iMax);
+        return frameBufferColor(
+            intensityAt(scene, lights, material,
+                        {position, row3(*normals, vertex), towardsEye, topology.vertexColor(vertex)}),
+            iMax);
     };
     const auto vertexColor = [&](std::size_t vertex, const pipeline::Material& material) {
         if (hasRun && shading == pipeline::Shading::Gouraud && gouraud)
             return frameBufferColor(row3(*gouraud, vertex), iMax);
         if (hasRun && shading == pipeline::Shading::Phong && normals) return phongColor(vertex, material);
-        return glm::vec3(material.diffuse);
+        return glm::vec3(material.diffuse * topology.vertexColor(vertex));
     };
     if (hasRun && shading == pipeline::Shading::Flat && flat) {
         mesh.polygonColors.reserve(topology.polygonCount());

@@ -84,6 +84,8 @@ constexpr std::array<BufferInfo, kBufferCount> kTable{{
     {B::Shadow, "shadow", S::Shading, D::Pixel, E::Real, 1, true, "", "",
      "S: 1 lit, 0 in shadow or if the polygon faces away from the light; always 1 for a light without shadows.",
      P::Sequential, 1, partsOf(R::Light, R::ShadowLookup)},
+    {B::DiffuseCoefficient, "k_d", S::Shading, D::Pixel, E::Real, 3, false, "", "",
+     "k_d of the visible point, with the colours of its polygon's vertices.", P::Color, 0},
     {B::Ambient, "ambient", S::Shading, D::Pixel, E::Real, 3, false, "intensity", "", "The ambient term.", P::Color, 0},
     {B::Diffuse, "diffuse", S::Shading, D::Pixel, E::Real, 3, true, "intensity", "", "The diffuse term of a light.",
      P::Color, 0, partsOf(R::Light)},

@@ -37,6 +37,7 @@ enum class BufferId : std::uint8_t {
     RDotV,
     NDotH,
     Shadow,
+    DiffuseCoefficient,
     Ambient,
     Diffuse,
     Specular,

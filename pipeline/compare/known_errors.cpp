@@ -34,6 +34,7 @@ std::shared_ptr<const Mesh> reshaped(const Mesh& mesh, std::vector<Vec3d> positi
     Mesh out;
     for (const Vec3d& p : positions) out.positions.push_back(p);
     for (const Vec3d& n : normals) out.normals.push_back(n);
+    out.colors = mesh.colors;
     for (std::size_t p = 0; p < mesh.polygonCount(); ++p) {
         const auto corners = mesh.polygon(p);
         std::vector<std::uint32_t> order(corners.begin(), corners.end());

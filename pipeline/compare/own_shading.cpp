@@ -56,6 +56,7 @@ public:
 
     Surface<double> surface(std::size_t i) {
         Surface<double> out;
+        out.color = color(i);
         out.N = m_terms.vector("normal", i);
         out.V = vectorOf(m_reference.values.at("view_vector"), i);
         out.position = vectorOf(m_reference.values.at("position"), i);
@@ -76,6 +77,18 @@ public:
     }
 
 private:
+    // Of the vertices of what the reference sees there.
+    Vec3d color(std::size_t i) const {
+        const auto& data = *dataOf<double>(*m_reference.frame);
+        if (!m_inputs.colored || data.zBuffer->triangle->pixels[i] == kNoTriangle) return Vec3d(1);
+        const std::uint32_t triangle = data.zBuffer->triangle->pixels[i];
+        const auto width = int(m_reference.context.width);
+        RowCrossings row;
+        return pixelColor(m_inputs, data.shadingSources(), data.transform->topology->polygonOf(triangle),
+                          vertexWeights(m_inputs.interpolation, *data.transform, triangle,
+                                        data.zBuffer->barycentric.pixels[i], {int(i) % width, int(i) / width}, row));
+    }
+
     TheirTerms& m_terms;
     const Reference& m_reference;
     const ShadingInputs& m_inputs;

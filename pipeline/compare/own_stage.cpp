@@ -83,6 +83,7 @@ public:
             const Mesh& mesh = *out.objects[o].mesh;
             const bool mirrored = data.transform->mirrored[o] != 0;
             Mesh theirs;
+            theirs.colors = mesh.colors;
             for (std::size_t v = 0; v < mesh.positions.size(); ++v)
                 theirs.positions.push_back((drops ? m_drawn : m_vertices)[firstVertex + v]);
             const Values& normals = m_normals ? *m_normals : m_reference.values.at("vertices.normal");

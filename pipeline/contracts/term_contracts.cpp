@@ -5,6 +5,7 @@
 #include "pipeline/core/elementary.h"
 #include "pipeline/core/numerics.h"
 #include "pipeline/scene/model_facts.h"
+#include "pipeline/scene/topology.h"
 
 namespace pipeline {
 namespace {
@@ -13,6 +14,9 @@ using Found = std::optional<ContractFinding>;
 using B = BufferId;
 
 // The terms of both lectures: k_d I (N·L), and k_s I times a power of a cosine.
+std::string notOfOneCoefficient(const Scene& scene) {
+    return hasVertexColors(scene) ? "Colours of vertices change k_d and k_a from pixel to pixel." : "";
+}
 std::string notOfLecture(const Scene& scene, std::size_t k) {
     const ModelFacts& facts = modelFacts(scene.settings.model);
     if (facts.lobe == Lobe::None || facts.found.glLights) return "Another model than the lectures' has other terms.";
@@ -91,6 +95,7 @@ Found ambientTerm(const ContractData& data, std::size_t pixel) {
 std::string notAmbient(const Scene& scene, std::size_t) {
     if (modelFacts(scene.settings.model).found.glLights)
         return "In OpenGL's model lights have ambient parts of their own.";
+    if (std::string why = notOfOneCoefficient(scene); !why.empty()) return why;
     return whyNotLit(scene);
 }
 
@@ -100,6 +105,10 @@ Vec3d reflected(const ContractData& data, std::size_t pixel, const Vec3d& coeffi
     return data.number(B::Shadow, pixel) * light.intensity * light.color * coefficient;
 }
 
+std::string notLambert(const Scene& scene, std::size_t k) {
+    const std::string why = notOfOneCoefficient(scene);
+    return why.empty() ? notOfLecture(scene, k) : why;
+}
 Found diffuseTerm(const ContractData& data, std::size_t pixel) {
     const Material* material = materialAt(data, pixel);
     if (!material) return {};
@@ -248,7 +257,7 @@ std::span<const Contract> termContracts() {
                  "8 u of the term: four factors and as many products",
                  "Lecture 1, diffuse reflection",
                  diffuseTerm,
-                 notOfLecture},
+                 notLambert},
         Contract{"specular-positive",
                  StageId::Shading,
                  "The specular term of a light is never negative.",

@@ -244,7 +244,7 @@ namespace {
 template <class Corners>
 std::shared_ptr<const Mesh> withCorners(const Mesh& mesh, Corners corners) {
     Mesh out;
-    out.file = mesh.file, out.positions = mesh.positions, out.normals = mesh.normals;
+    out.file = mesh.file, out.positions = mesh.positions, out.normals = mesh.normals, out.colors = mesh.colors;
     out.polygonPlaces = mesh.polygonPlaces;
     out.reservePolygons(mesh.polygonCount(), mesh.cornerCount());
     for (std::size_t p = 0; p < mesh.polygonCount(); ++p) {
@@ -258,7 +258,7 @@ std::shared_ptr<const Mesh> withCorners(const Mesh& mesh, Corners corners) {
 
 bool areAlike(const Mesh& a, const Mesh& b) {
     return a.triangles == b.triangles && a.corners == b.corners && a.firstCorner == b.firstCorner &&
-           a.positions == b.positions && a.normals == b.normals;
+           a.positions == b.positions && a.normals == b.normals && a.colors == b.colors;
 }
 
 }  // namespace

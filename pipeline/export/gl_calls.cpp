@@ -312,6 +312,7 @@ std::string glRefuses(const Scene& scene) {
         return "OpenGL interpolates perspective-correct: set interpolation to perspective";
     if (scene.settings.forms != Forms())
         return "OpenGL's calls know one form of each formula: set numerics to its defaults";
+    if (hasVertexColors(scene)) return "OpenGL's calls have one material an object, and no colours of vertices";
     if (scene.settings.antialiasing > 1) return "OpenGL's calls draw one sample a pixel: set antialiasing to 1";
     if (scene.settings.visibility == Visibility::None)
         return "OpenGL's calls fill polygons: set visibility to z-buffer";

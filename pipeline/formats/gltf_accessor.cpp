@@ -281,7 +281,7 @@ std::optional<GltfAccessor> accessorAt(const GltfValue& index, std::string_view 
     if (!component) componentValue.refuse("5120, 5121, 5122, 5123, 5125 or 5126");
     if (*given != type) typeValue.refuse(fmt::format("\"{}\" for {}", type, index.pointer()));
     if (!component || *given != type) return {};
-    accessor.elementBytes = component->bytes * (type == "VEC3" ? 3 : 1);
+    accessor.elementBytes = component->bytes * (type == "SCALAR" ? 1 : type == "VEC3" ? 3 : 4);
 
     // Section 5.1.1, accessor.bufferView: without one all elements are 0.
     if ((*value)["bufferView"].isThere()) {

@@ -122,9 +122,8 @@ private:
         if (primitive["targets"].isThere())
             remark(m_file, "Morph targets are not read; the mesh stays as it is written.", "primitive");
         const GltfValue attributes = primitive["attributes"];
-        for (const char* key : {"COLOR_0", "TEXCOORD_0"})
-            if (attributes[key].isThere())
-                remark(m_file, "Colours and picture coordinates of vertices are not read.", "attribute");
+        if (attributes["TEXCOORD_0"].isThere())
+            remark(m_file, "Picture coordinates of vertices are not read.", "attribute");
         const GltfValue positionIndex = attributes["POSITION"];
         // Without positions the specification has nothing drawn.
         if (!positionIndex.isThere()) return remark(m_file, "A primitive without positions is left out.", "primitive");
@@ -140,12 +139,13 @@ private:
         if (count == 0) return;
         auto positions = readVectors(m_file, *position);
         auto normals = readNormals(attributes["NORMAL"], position->count);
+        const auto colors = readColors(attributes["COLOR_0"], position->count);
         if (!positions || !place(instance, *positions, normals)) return;
         addObject(instance, primitive, hasTwins, [&](Mesh& mesh) {
             const bool mirrored = glm::determinant(glm::dmat3(instance.toWorld)) < 0;
             // Without normals a primitive is flat (section 3.7.2.1), also beside others that have some.
             const bool isFlat = !attributes["NORMAL"].isThere() && m_someNormals;
-            WeldedVertices welded(mesh, isFlat || !normals.empty());
+            WeldedVertices welded(mesh, isFlat || !normals.empty(), !colors.empty());
             welded.reserve(positions->size());
             for (std::size_t i = 0; i < count; ++i) {
                 if (m_file.check.stopped(3) || !m_meter->goesOn(m_told + kShares * i / count, m_file.errors)) return;
@@ -159,7 +159,8 @@ private:
                                 .value_or(Vec3d(0, 0, 1));
                 std::array<std::uint32_t, 3> polygon{};
                 for (std::size_t k = 0; k < 3; ++k)
-                    polygon[k] = welded.at(placeOf(k), normals.empty() ? ofAll : normals[cornerOf(k)]);
+                    polygon[k] = welded.at(placeOf(k), normals.empty() ? ofAll : normals[cornerOf(k)],
+                                           colors.empty() ? Vec3d(0.0) : colors[cornerOf(k)]);
                 // A strip may repeat a corner to go on elsewhere.
                 if (!addPolygon(mesh, polygon) && *mode == kTriangles) ++m_leftOut;
             }
@@ -205,6 +206,7 @@ private:
             return primitive.fail(fmt::format("more than {} objects", groupedDigits(kMaxObjects)));
         mesh.file = m_file.meshFile;
         Object& object = m_objects.emplace_back();
+        object.material = defaultMaterial(mesh);
         object.mesh = makeMesh(std::move(mesh), m_progress.stop);
         object.transform.up = UpAxis::Y;
         const GltfValue materialIndex = primitive["material"];
@@ -270,6 +272,33 @@ private:
         }
         dropErrors(m_file, errors, "the normals are not used", "primitive");
         return normals.value_or(std::vector<Vec3d>());
+    }
+
+    // Section 3.7.2.1: three or four components, the fourth of which is opacity; floats or normalised whole numbers. They
+    // multiply the base colour. Empty where the primitive has none that can be used, or white alone.
+    std::vector<Vec3d> readColors(const GltfValue& index, std::size_t vertexCount) {
+        if (!index.isThere()) return {};
+        const std::size_t errors = m_file.errors.size();
+        const auto named = index.element("accessors");
+        const bool hasFour = named && (*named)["type"].text() == "VEC4";
+        const auto accessor = accessorAt(index, hasFour ? "VEC4" : "VEC3", m_buffers);
+        std::vector<Vec3d> colors;
+        bool isWhite = true;
+        if (accessor && accessor->count != vertexCount)
+            index.fail(fmt::format("{}/count is {}", accessor->pointer, groupedDigits(accessor->count)),
+                       fmt::format("{}, as many as positions", groupedDigits(vertexCount)));
+        for (std::size_t i = 0; accessor && accessor->count == vertexCount && i < vertexCount; ++i) {
+            if (m_file.check.stopped(3)) return {};
+            Vec3d color(1.0);
+            for (std::size_t c = 0; c < 3; ++c) {
+                const double value = accessor->component(i, c);
+                color[glm::length_t(c)] = isColor(value) ? std::min(value, 1.0) : 1.0;
+            }
+            isWhite = isWhite && color == Vec3d(1.0);
+            colors.push_back(color);
+        }
+        dropErrors(m_file, errors, "the colours are not used", "primitive");
+        return isWhite ? std::vector<Vec3d>() : colors;
     }
 
     GltfFile& m_file;

@@ -14,6 +14,14 @@ namespace pipeline {
 inline constexpr double kFarthestVertex = 1e9;
 inline bool isCoordinate(double value) { return value >= -kFarthestVertex && value <= kFarthestVertex; }
 
+// Of a colour of a vertex.
+inline bool isColor(double value) { return value >= 0 && value <= 1e6; }
+// The colours of a file's vertices as meshes hold them. White alone is none. Where one is above 1 all were written up to
+// 255, which a remark says.
+void settleColors(VertexVectors& colors, const std::string& file, std::vector<Remark>& remarks);
+// Where the file gives no material: the colours of vertices, if any, are k_d and k_a.
+Material defaultMaterial(const Mesh& mesh);
+
 // The direction of a vector of any length; nothing for one without length.
 std::optional<Vec3d> unitVector(const Vec3d& vector);
 
@@ -36,7 +44,7 @@ std::string fileNameOf(const std::string& path);
 std::string meshFileOf(const SourceText& source);
 
 // Adds an object of this mesh, without the vertices that no polygon uses; none if the mesh has no polygon.
-void addObject(Mesh mesh, const SourceText& source, std::string name, std::vector<Object>& objects);
+void addObject(Mesh mesh, const SourceText& source, std::string name, LoadedModel& model);
 
 // A name from a file where a window can show it, else the other one.
 std::string shownName(std::string_view name, const std::string& otherwise);

@@ -121,11 +121,13 @@ void dropUnusedVertices(Mesh& mesh) {
     for (std::size_t i = 0; i < number.size(); ++i) {
         if (number[i] == 0) continue;
         mesh.positions.set(used, mesh.positions[i]);
-        if (!mesh.normals.empty()) mesh.normals.set(used, mesh.normals[i]);
+        for (VertexVectors* const of : {&mesh.normals, &mesh.colors})
+            if (!of->empty()) of->set(used, (*of)[i]);
         number[i] = used++;
     }
     mesh.positions.resize(used);
-    if (!mesh.normals.empty()) mesh.normals.resize(used);
+    for (VertexVectors* const of : {&mesh.normals, &mesh.colors})
+        if (!of->empty()) of->resize(used);
     mesh.renumberVertices(number);
 }
 
@@ -135,12 +137,34 @@ std::string meshFileOf(const SourceText& source) {
     return source.called.empty() ? fileNameOf(source.name) : source.called;
 }
 
-void addObject(Mesh mesh, const SourceText& source, std::string name, std::vector<Object>& objects) {
+void settleColors(VertexVectors& colors, const std::string& file, std::vector<Remark>& remarks) {
+    double largest = 0;
+    bool isWhite = true;
+    for (const Vec3d& color : colors) {
+        largest = std::max({largest, color.x, color.y, color.z});
+        isWhite = isWhite && color == Vec3d(1);
+    }
+    if (isWhite) return colors.clear();
+    if (largest > 1) {
+        for (std::size_t i = 0; i < colors.size(); ++i) colors.set(i, colors[i] / 255.0);
+        remarks.push_back({file, "Colours of vertices are above 1: all are taken as written from 0 to 255."});
+    }
+}
+
+Material defaultMaterial(const Mesh& mesh) {
+    Material material;
+    if (!mesh.colors.empty()) material.diffuse = material.ambient = Vec3d(1);
+    return material;
+}
+
+void addObject(Mesh mesh, const SourceText& source, std::string name, LoadedModel& model) {
     if (mesh.polygonCount() == 0) return;
     dropUnusedVertices(mesh);
     mesh.file = meshFileOf(source);
-    Object& object = objects.emplace_back();
+    Object& object = model.objects.emplace_back();
     object.name = std::move(name);
+    settleColors(mesh.colors, source.name, model.remarks);
+    object.material = defaultMaterial(mesh);
     object.mesh = makeMesh(std::move(mesh), source.progress.stop);
 }
 

@@ -48,13 +48,14 @@ struct ObjGroup {
 
 // What the file has and the reader leaves out or treats otherwise.
 struct ObjTallies {
-    CaseTally badNormals, unknownNormals, fewCorners, vertexColors, points, lines, freeForms, calls, unknownStatements,
+    CaseTally badNormals, unknownNormals, fewCorners, badColors, points, lines, freeForms, calls, unknownStatements,
         furtherGroups;
     std::string firstUnknown;
 };
 
 struct ObjFile {
     VertexVectors positions, normals;  // a normal without direction is (0, 0, 0)
+    VertexVectors colors;              // of the first positions; empty where no vertex has one
     std::vector<ObjGroup> groups;
     bool smooths = false;  // a face has a smoothing group
     ObjTallies tallies;

@@ -107,7 +107,7 @@ private:
         count(m_file.tallies.unknownStatements);
     }
 
-    // Behind x, y and z may stand a weight, which only curves have, or a colour.
+    // Behind x, y and z may stand a weight, which only curves have, or a colour. Vertices without one are white.
     void readVertex() {
         Vec3d vector(0.0);
         for (int axis = 0; axis < 3; ++axis) {
@@ -122,7 +122,14 @@ private:
             vector[axis] = *value;
         }
         m_file.positions.push_back(vector);
-        if (!m_scanner.next().empty() && !m_scanner.next().empty()) count(m_file.tallies.vertexColors);
+        std::string_view words[]{m_scanner.next(), m_scanner.next(), m_scanner.next(), m_scanner.next()};
+        if (words[1].empty()) return;
+        if (!words[3].empty()) std::shift_left(words, words + 4, 1);  // a weight as well
+        const std::optional<double> color[]{parseNumber(words[0]), parseNumber(words[1]), parseNumber(words[2])};
+        if (!std::ranges::all_of(color, [](const auto& one) { return one && isColor(*one); }))
+            return count(m_file.tallies.badColors);
+        while (m_file.colors.size() + 1 < m_file.positions.size()) m_file.colors.push_back(Vec3d(1));
+        m_file.colors.push_back({*color[0], *color[1], *color[2]});
     }
 
     void readNormal() {

@@ -43,9 +43,14 @@ public:
         Mesh mesh;
         mesh.positions.reserve(m_corners.size());
         if (hasNormals) mesh.normals.reserve(m_corners.size());
+        const bool hasColors = std::ranges::any_of(
+            m_corners, [&](const ObjCorner& corner) { return corner.position < m_file.colors.size(); });
         for (const ObjCorner& corner : m_corners) {
             mesh.positions.push_back(m_file.positions[corner.position]);
             if (hasNormals) mesh.normals.push_back(m_file.normals[corner.normal]);
+            if (hasColors)
+                mesh.colors.push_back(corner.position < m_file.colors.size() ? m_file.colors[corner.position]
+                                                                             : Vec3d(1));
             m_first[corner.position] = kNone;
         }
         return mesh;
@@ -104,7 +109,7 @@ std::vector<Mesh> meshesOf(ObjFile& file, const std::string& name, StopCheck& ch
         VertexMaker maker(file, check);
         for (ObjGroup& group : file.groups) meshes.push_back(maker.verticesOf(group.faces));
     }
-    file.positions.clear(), file.normals.clear();
+    file.positions.clear(), file.normals.clear(), file.colors.clear();
     giveBackFreedMemory();
     for (std::size_t i = 0; i < meshes.size(); ++i)
         addPolygons(std::move(file.groups[i].faces), meshes[i], name, file.tallies.fewCorners, check);
@@ -144,7 +149,7 @@ void say(const ObjTallies& of, const CaseTally& mixed, const CaseTally& unknown,
     of.unknownNormals.say("normal", "of corners, named by a number that the file has not above,", "taken as missing",
                           remarks);
     mixed.say("object", "with normals at some corners and none at others", "shown without the file's normals", remarks);
-    of.vertexColors.say("colour", "of vertices", "left out", remarks);
+    of.badColors.say("colour", "of vertices, not three numbers from 0 up,", "taken as white", remarks);
     of.points.say("statement", "of points", "left out", remarks);
     of.lines.say("statement", "of lines", "left out", remarks);
     of.freeForms.say("curve and surface statement", "", "left out", remarks);
@@ -167,10 +172,11 @@ Result<LoadedModel> readObj(const SourceText& source, const FileLoader& load) {
     StopCheck check(source.progress.stop);
     smoothNormals(file, check);
     if (check.stopped(0)) return readingStopped(source.name);
-    std::vector<Mesh> meshes = meshesOf(file, source.name, check);
-    if (check.stopped(0)) return readingStopped(source.name);
     LoadedModel model;
     model.remarks = materials.remarks();
+    settleColors(file.colors, source.name, model.remarks);
+    std::vector<Mesh> meshes = meshesOf(file, source.name, check);
+    if (check.stopped(0)) return readingStopped(source.name);
     say(file.tallies, mixed, unknown, model.remarks);
     for (std::size_t i = 0; i < meshes.size(); ++i) {
         const ObjGroup& group = file.groups[i];
@@ -179,6 +185,7 @@ Result<LoadedModel> readObj(const SourceText& source, const FileLoader& load) {
         Object& object = model.objects.emplace_back();
         object.name = group.name;
         if (groupsOf[group.object] > 1) object.name += ", " + shownName(group.material, "no material");
+        object.material = defaultMaterial(meshes[i]);
         object.mesh = makeMesh(std::move(meshes[i]), source.progress.stop);
         if (const Material* material = materials.find(group.material)) object.material = *material;
     }

@@ -30,7 +30,7 @@ public:
                       model.remarks);
         m_painted.say("polygon", "with a colour", "shown with the default material", model.remarks);
         remarkOnLeftOut(m_fewCorners.count(), m_fewCorners.about(), model.remarks);
-        addObject(std::move(m_mesh), m_source, stemOf(m_source.name), model.objects);
+        addObject(std::move(m_mesh), m_source, stemOf(m_source.name), model);
         return model;
     }
 

@@ -12,7 +12,7 @@ enum class PlyType : std::uint8_t { Int8, Uint8, Int16, Uint16, Int32, Uint32, F
 std::size_t byteCount(PlyType type);
 
 // What a property is to a mesh.
-enum class PlyRole : std::uint8_t { X, Y, Z, NormalX, NormalY, NormalZ, Corners, Other };
+enum class PlyRole : std::uint8_t { X, Y, Z, NormalX, NormalY, NormalZ, Red, Green, Blue, Corners, Other };
 
 struct PlyProperty {
     std::string name{};

@@ -12,7 +12,7 @@
 #include "pipeline/formats/tally.h"
 
 // PLY (G. Turk, The PLY Polygon File Format, 1994): vertices with or without normals, and faces.
-// Colours, other properties and other elements are left out, with a remark.
+// Colours of faces, other properties and other elements are left out, with a remark.
 namespace pipeline {
 namespace {
 
@@ -150,7 +150,7 @@ private:
 };
 
 struct PlyRow {
-    double values[6] = {};  // x, y, z and the normal
+    double values[9] = {};  // x, y, z, the normal and the colour
     std::vector<std::uint32_t> corners;
 };
 
@@ -188,6 +188,20 @@ bool readList(PlyBody& body, const PlyProperty& property, std::size_t vertexCoun
     return true;
 }
 
+// What stands for 1 in a colour of whole numbers.
+double wholeOf(const PlyProperty& property) {
+    if (property.role < PlyRole::Red || property.role > PlyRole::Blue) return 1;
+    return property.type == PlyType::Uint8 ? 255 : property.type == PlyType::Uint16 ? 65535 : 1;
+}
+// Whether all three roles from this one on are there.
+bool hasThree(const PlyElement& element, PlyRole first) {
+    int found = 0;
+    for (int i = 0; i < 3; ++i)
+        found += std::ranges::find(element.properties, PlyRole(int(first) + i), &PlyProperty::role) !=
+                 element.properties.end();
+    return found == 3;
+}
+
 // False when the rest of the file cannot be made sense of.
 bool readRow(PlyBody& body, const PlyElement& element, std::size_t index, std::size_t vertexCount, PlyRow& row) {
     for (const PlyProperty& property : element.properties) {
@@ -198,7 +212,7 @@ bool readRow(PlyBody& body, const PlyElement& element, std::size_t index, std::s
         const std::optional<double> value = body.next(property.type, "a number", property.role > PlyRole::Z);
         if (!value) return false;
         if (property.role == PlyRole::Other) continue;
-        row.values[static_cast<std::size_t>(property.role)] = *value;
+        row.values[static_cast<std::size_t>(property.role)] = *value / wholeOf(property);
         if (property.role <= PlyRole::Z && !isCoordinate(*value)) {
             body.refuse(
                 fmt::format("a coordinate of vertex {}, {}", index, numberFrom(-kFarthestVertex, kFarthestVertex)));
@@ -239,6 +253,7 @@ void addStrips(Mesh& mesh, std::span<const std::uint32_t> corners, TextPosition 
 struct Counts {
     std::size_t leftOut = 0;         // polygons
     std::size_t unknownNormals = 0;  // of vertices
+    std::size_t unknownColors = 0;   // likewise
 };
 
 Counts readElements(PlyBody& body, const PlyHeader& header, std::size_t fileSize, Mesh& mesh) {
@@ -251,13 +266,12 @@ Counts readElements(PlyBody& body, const PlyHeader& header, std::size_t fileSize
             std::ranges::find(element.properties, PlyRole::Corners, &PlyProperty::role) != element.properties.end();
         const bool isVertex = element.name == "vertex", isFace = element.name == "face" && hasCorners;
         const bool strips = isStrips(element) && hasCorners;
-        const bool hasNormals =
-            isVertex && std::ranges::count_if(element.properties, [](const PlyProperty& property) {
-                            return property.role >= PlyRole::NormalX && property.role <= PlyRole::NormalZ;
-                        }) == 3;
+        const bool hasNormals = isVertex && hasThree(element, PlyRole::NormalX);
+        const bool hasColors = isVertex && hasThree(element, PlyRole::Red);
         if (isVertex) hasAllNormals = hasNormals;
         if (isVertex) mesh.positions.reserve(element.count);
         if (hasNormals) mesh.normals.reserve(element.count);
+        if (hasColors) mesh.colors.reserve(element.count);
         if (isFace) mesh.reservePolygons(element.count, 3 * element.count);  // mostly they are triangles
         for (std::size_t i = 0; i < element.count; ++i) {
             if (!body.goesOn() || !readRow(body, element, i, mesh.positions.size(), row)) return counts;
@@ -267,6 +281,12 @@ Counts readElements(PlyBody& body, const PlyHeader& header, std::size_t fileSize
                 const std::optional<Vec3d> normal = unitVector({row.values[3], row.values[4], row.values[5]});
                 if (!normal) ++counts.unknownNormals;
                 mesh.normals.push_back(normal.value_or(Vec3d(0.0)));
+            }
+            if (hasColors) {
+                const double* const color = &row.values[std::size_t(PlyRole::Red)];
+                const bool isOne = std::all_of(color, color + 3, isColor);
+                counts.unknownColors += !isOne;
+                mesh.colors.push_back(isOne ? Vec3d(color[0], color[1], color[2]) : Vec3d(1));
             }
             if (strips) addStrips(mesh, row.corners, body.place());
             if (isFace && !addPolygon(mesh, row.corners, body.place())) ++counts.leftOut;
@@ -297,11 +317,13 @@ void remarkOnProperties(const PlyElement& element, const std::string& file, std:
                                          "g",
                                          "b",
                                          "a"};
+    const bool isColored = element.name == "vertex" && hasThree(element, PlyRole::Red);
     bool hasColor = false;
     std::vector<std::string> names;
     for (const PlyProperty& property : element.properties) {
-        if (property.role != PlyRole::Other) continue;
-        if (std::ranges::find(kColors, property.name) != std::end(kColors))
+        const bool isPart = property.role >= PlyRole::Red && property.role <= PlyRole::Blue;
+        if (isPart ? isColored : property.role != PlyRole::Other) continue;
+        if (!isColored && std::ranges::find(kColors, property.name) != std::end(kColors))
             hasColor = true;
         else if (names.size() < 5)
             names.push_back(inQuotes(property.name));
@@ -355,10 +377,16 @@ Result<LoadedModel> readPly(const SourceText& source, const FileLoader&) {
              fmt::format("{} no direction; the normals of the file are not used.",
                          counts.unknownNormals == 1 ? "1 normal has"
                                                     : groupedDigits(counts.unknownNormals) + " normals have")});
+    if (counts.unknownColors > 0)
+        model.remarks.push_back(
+            {source.name, fmt::format("{} not three numbers from 0 up; it is taken as white.",
+                                      counts.unknownColors == 1
+                                          ? "1 colour of a vertex is"
+                                          : groupedDigits(counts.unknownColors) + " colours of vertices are")});
     remarkOnLeftOut(counts.leftOut, source.name, model.remarks);
     if (std::string rest = body.rest(); !rest.empty()) model.remarks.push_back({source.name, std::move(rest)});
     if (!errors.empty()) return errors;
-    addObject(std::move(mesh), source, stemOf(source.name), model.objects);
+    addObject(std::move(mesh), source, stemOf(source.name), model);
     return model;
 }
 

@@ -88,7 +88,7 @@ Result<LoadedModel> readBinary(const SourceText& source) {
                                       rest == 1 ? "byte" : groupedDigits(rest) + " bytes", groupedDigits(count),
                                       count == 1 ? "" : "s", rest == 1 ? "is" : "are")});
     vertices.clear(), giveBackFreedMemory();
-    addObject(std::move(mesh), source, stemOf(source.name), model.objects);
+    addObject(std::move(mesh), source, stemOf(source.name), model);
     return model;
 }
 
@@ -205,7 +205,7 @@ Result<LoadedModel> readText(const SourceText& source) {
             finishLoop(false);
             readName(scanner, true);
             vertices.clear();
-            addObject(std::exchange(mesh, {}), source, name, model.objects);
+            addObject(std::exchange(mesh, {}), source, name, model);
             ended = true;
         } else if (!is("loop") && --ofNormal < 0) {
             scanner.refuse("solid, facet, outer loop, vertex, endloop, endfacet or endsolid");

@@ -19,13 +19,13 @@ public:
         if (!vertices || !polygons) return {};
         readVectors(*vertices, "vertices", m_mesh.positions);
         const bool hasVertices = !m_wrong;
-        if (m_object.contains("normals")) {
-            const toml::array* normals = rows("normals");
-            if (!normals) return {};
-            readVectors(*normals, "normals", m_mesh.normals);
-            if (normals->size() != vertices->size())
-                fail(*normals, fmt::format("{} normals for {} vertices", normals->size(), vertices->size()),
-                     "one a vertex");
+        for (const auto& [key, of] : {std::pair{"normals", &m_mesh.normals}, {"colors", &m_mesh.colors}}) {
+            if (!m_object.contains(key)) continue;
+            const toml::array* each = rows(key);
+            if (!each) return {};
+            readVectors(*each, key, *of);
+            if (each->size() != vertices->size())
+                fail(*each, fmt::format("{} {} for {} vertices", each->size(), key, vertices->size()), "one a vertex");
         }
         if (hasVertices) readPolygons(*polygons);  // of which those that could not be read are no news
         if (m_wrong) return {};
@@ -53,10 +53,11 @@ private:
     }
 
     void readVectors(const toml::array& from, std::string_view key, VertexVectors& to) {
-        const Setting& range = settingRow("object.#.tx");
+        const Setting& range = settingRow(key == "colors" ? "material.#.kr" : "object.#.tx");
+        const double least = key == "colors" ? 0 : range.min;
         for (const toml::node& node : from) {
             if (m_check.stopped(3)) return;
-            const auto v = m_values.numbers(node, fmt::format("{}.{}", m_path, key), 3, range.min, range.max);
+            const auto v = m_values.numbers(node, fmt::format("{}.{}", m_path, key), 3, least, range.max);
             if (!v) m_wrong = true;
             if (m_wrong) return;
             to.push_back({(*v)[0], (*v)[1], (*v)[2]});

@@ -16,6 +16,7 @@ std::optional<Shape> tomlShape(const toml::table& object);
 //     vertices = [[x, y, z], ...]    object space
 //     polygons = [[a, b, c, ...]]    indices of vertices, from 0, at least three, counter-clockwise from outside
 //     normals = [[x, y, z], ...]     one a vertex, or no such key
+//     colors = [[r, g, b], ...]      likewise; 0 and up
 // Nothing where something is wrong; `values` has the errors then. Not completed by makeMesh.
 std::optional<Mesh> readTomlMesh(const toml::table& object, const std::string& path, TomlValues& values,
                                  const Stop& stop);

@@ -33,8 +33,9 @@ constexpr double kMaxFactor = 1e9;  // of attenuation, as other intensities
 
 constexpr std::array<std::string_view, 4> kTopKeys{"title", "look", "light", "object"};
 constexpr std::array<std::string_view, 1> kTomlLightKeys{"attenuation"};
-constexpr std::array<std::string_view, 10> kObjectKeys{"name",     "shape",   "mesh",  "model",    "vertices",
-                                                       "polygons", "normals", "turns", "material", "back_material"};
+constexpr std::array<std::string_view, 11> kObjectKeys{"name",     "shape",    "mesh",         "model",
+                                                       "vertices", "polygons", "normals",      "colors",
+                                                       "turns",    "material", "back_material"};
 
 // Stands for a component that the file has not given.
 constexpr double kNotGiven = std::numeric_limits<double>::quiet_NaN();
@@ -190,7 +191,8 @@ private:
         const toml::node* shape = table.get("shape");
         const toml::node* mesh = table.get("mesh");
         const toml::node* model = table.get("model");
-        const bool inPlace = table.contains("vertices") || table.contains("polygons") || table.contains("normals");
+        const bool inPlace = table.contains("vertices") || table.contains("polygons") || table.contains("normals") ||
+                             table.contains("colors");
         if ((shape ? 1 : 0) + (mesh ? 1 : 0) + (model ? 1 : 0) + (inPlace ? 1 : 0) != 1)
             m_values.fail(table.source(),
                           fmt::format("{} has none or several of shape, mesh, model and vertices", path),

@@ -145,6 +145,7 @@ private:
         };
         vectors("vertices", mesh.positions);
         if (!mesh.normals.empty()) vectors("normals", mesh.normals);
+        if (!mesh.colors.empty()) vectors("colors", mesh.colors);
         m_text += "polygons = [\n";
         for (std::size_t p = 0; p < mesh.polygonCount() && m_text.size() <= kMaxTomlBytes; ++p)
             m_text += fmt::format("  [{}],\n", fmt::join(mesh.polygon(p), ", "));

@@ -43,6 +43,8 @@ LightSample<Real> sampleLight(const Illumination& illumination, const Light& lig
          halfway, attenuated},
         s);
     if (detail.planted) spoilTerms(illumination, light, material, at, attenuated, s);
+    // Both terms are linear in their coefficients.
+    s.diffuse *= at.color, s.ambient *= at.color;
     return s;
 }
 

@@ -14,6 +14,7 @@ namespace pipeline {
 template <class Real>
 struct Surface {  // where a light is evaluated; world space, N and V unit
     Vec3<Real> position, N, V;
+    Vec3<Real> color = Vec3<Real>(1);  // of the mesh's vertices: multiplies k_d and k_a
 };
 
 // How a light is computed. First what beyond what its terms need: all of it by default; the plan leaves

@@ -101,9 +101,9 @@ double EquationTerms::valueOf(Quantity quantity, double index, const Evaluation&
     const Light* const source = light ? &scene.lights[std::size_t(light->light)] : nullptr;
     switch (quantity) {
         case Emission: return material().emission[c];
-        case Ambient: return material().ambient[c];
+        case Ambient: return e.color[c] * material().ambient[c];
         case AmbientLight: return scene.ambient.lightIn(scene.settings.model)[c];
-        case Diffuse: return material().diffuse[c];
+        case Diffuse: return e.color[c] * material().diffuse[c];
         case Specular: return material().specular[c];
         case Exponent: return effectiveExponent(scene.settings.model, scene.settings.exponentFactor, material());
         case Shadow: return light->shadow;

@@ -81,8 +81,9 @@ Evaluation evaluate(const ShadingInputs& inputs, const Surface<Real>& at, const 
                     double weight, const std::vector<double>& shadow) {
     const Model model = inputs.illumination.model;
     Evaluation e{std::move(where), weight, Vec3d(at.position), Vec3d(at.N), Vec3d(at.V), {}, {}, {}};
+    e.color = Vec3d(at.color);
     e.emission = Vec3d(Vec3<Real>(0) + emissionTerm<Real>(model, material));
-    Vec3<Real> ambient = Vec3<Real>(0) + ambientTerm<Real>(model, inputs.ambient, material);
+    Vec3<Real> ambient = Vec3<Real>(0) + at.color * ambientTerm<Real>(model, inputs.ambient, material);
     for (std::size_t k = 0; k < inputs.lights.size(); ++k) {
         const LightSample<Real> sample = sampleLight(inputs.illumination, inputs.lights[k], material, at);
         e.lights.push_back(reportLight(k, inputs.lights[k], sample,

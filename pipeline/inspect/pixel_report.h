@@ -55,6 +55,7 @@ struct Evaluation {
     std::vector<LightReport> lights;
     Vec3d emission{0.0}, ambient{0.0}, intensity{0.0};
     int vertex = -1;       // of Gouraud shading, over all objects
+    Vec3d color{1.0};      // of the mesh's vertices: k_d and k_a are multiplied by it
     bool clamped = false;  // OpenGL: the colour was above 1 (or below 0), and its terms shrank
 };
 

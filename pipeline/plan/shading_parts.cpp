@@ -7,6 +7,7 @@
 #include "pipeline/illumination/illumination.h"
 #include "pipeline/plan/lit_scene.h"
 #include "pipeline/plan/part_rows.h"
+#include "pipeline/scene/topology.h"
 #include "pipeline/simd/kernels.h"
 
 namespace pipeline {
@@ -287,7 +288,11 @@ constexpr auto kRowsOfShading = std::to_array<PartInfo>({
     {.id = R::ShadedInVectors,
      .stage = S::Shading,
      .name = "pixels in vectors",
-     .need = [](auto& d, auto) { return Need{whyNotShadedInVectors(d.scene.settings, d.wanted())}; },
+     .need =
+         [](auto& d, auto) {
+             if (hasVertexColors(d.scene)) return Need{"It takes no colours of vertices."};
+             return Need{whyNotShadedInVectors(d.scene.settings, d.wanted())};
+         },
      .runs = [](auto&, auto& needs, auto) -> std::string {
          return needs[R::FastVectors] ? "Several at a time, in fast arithmetic."
                                       : "Several at a time, the same bits as one by one.";

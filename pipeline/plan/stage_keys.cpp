@@ -31,6 +31,7 @@ StageKeys stageKeys(const Scene& scene, const Needs& needs, std::shared_ptr<cons
         keys.shading.layers = {true, bool(needs[Part::LayerSort]), settings.translucency,
                                settings.visibility == Visibility::ZBuffer, keys.zBuffer.translucent};
     keys.shading.firstVertexNormal = lightsFirstVertex(settings);
+    keys.shading.colored = hasVertexColors(scene);
     keys.shading.samples = settings.antialiasing;
     keys.shading.samplePattern = settings.antialiasingPattern;
     for (const Object& object : scene.objects) {

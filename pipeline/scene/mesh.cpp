@@ -200,7 +200,8 @@ double offUnitOf(const Mesh& mesh, StopCheck& check) {
 
 // What the lists have kept to grow into: up to as much again, for as long as the mesh is there.
 void giveBackReserves(Mesh& mesh) {
-    mesh.positions.shrink_to_fit(), mesh.normals.shrink_to_fit(), mesh.polygonPlaces.shrink_to_fit();
+    mesh.positions.shrink_to_fit(), mesh.normals.shrink_to_fit(), mesh.colors.shrink_to_fit();
+    mesh.polygonPlaces.shrink_to_fit();
     mesh.triangles.shrink_to_fit(), mesh.corners.shrink_to_fit(), mesh.firstCorner.shrink_to_fit();
 }
 

@@ -49,6 +49,8 @@ struct Mesh {
     VertexVectors positions;  // object space; 12 or 24 bytes a vertex
     // Per vertex, as the file or shape gives them; empty: none. Of neither any number is -0 once the mesh is made.
     VertexVectors normals;
+    // Per vertex, red, green and blue from 0 up, as the file gives them; they multiply k_d and k_a. Empty: none.
+    VertexVectors colors;
     std::vector<TextPosition> polygonPlaces;  // where each polygon stands there, 8 bytes; may be empty
 
     // Polygon by polygon, 12 bytes each. While all polygons are triangles these are the polygons, and the lists below

@@ -9,6 +9,16 @@ std::size_t Topology::objectOfVertex(std::size_t vertex) const {
     return std::size_t(next - firstVertex.begin()) - 1;
 }
 
+Vec3d Topology::vertexColor(std::size_t vertex) const {
+    const std::size_t object = objectOfVertex(vertex);
+    const VertexVectors& colors = meshes[object]->colors;
+    return colors.empty() ? Vec3d(1) : colors[vertex - firstVertex[object]];
+}
+
+bool hasVertexColors(const Scene& scene) {
+    return std::ranges::any_of(scene.objects, [](const Object& object) { return !object.mesh->colors.empty(); });
+}
+
 std::size_t polygonCount(const Scene& scene) {
     std::size_t count = 0;
     for (const Object& object : scene.objects) count += object.mesh->polygonCount();

@@ -26,6 +26,8 @@ struct Topology {
     std::size_t vertexCount() const { return firstVertex.back(); }
     std::size_t polygonCount() const { return firstPolygon.back(); }
     std::size_t objectOfVertex(std::size_t vertex) const;
+    // What a vertex' mesh gives as its colour; 1 where it gives none.
+    Vec3d vertexColor(std::size_t vertex) const;
     std::uint32_t polygonOf(std::size_t triangle) const {
         return polygons.empty() ? std::uint32_t(triangle) : polygons[triangle];
     }
@@ -57,6 +59,7 @@ struct Topology {
 };
 
 std::size_t polygonCount(const Scene& scene);
+bool hasVertexColors(const Scene& scene);  // of an object at least
 std::vector<std::shared_ptr<const Mesh>> meshesOf(const Scene& scene);
 Topology makeTopology(std::vector<std::shared_ptr<const Mesh>> meshes);
 

@@ -11,7 +11,8 @@ namespace {
 // Buffers of a pixel's surface in Phong shading, where each pixel has its own.
 BufferSet ofSurfaces() {
     using enum BufferId;
-    return setOf({Normal, ViewVector, LightVector, ReflectionVector, HalfwayVector, NDotL, RDotV, NDotH});
+    return setOf(
+        {DiffuseCoefficient, Normal, ViewVector, LightVector, ReflectionVector, HalfwayVector, NDotL, RDotV, NDotH});
 }
 // Buffers in every shading; the last four are computed from the intensity.
 BufferSet always() {

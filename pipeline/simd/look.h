@@ -32,10 +32,12 @@ struct Look {
     float exponent;
     Mirrors mirrors;
     BaseTerms<float> base;
+    Vec3<float> diffuseCoefficient;
     std::vector<Reflected> lights;
     bool isFinite = true;  // all of them are finite, so times 0 they are 0
 
-    Look(const ShadingInputs& inputs, const Material& material) : base(baseTerms<float>(inputs, material)) {
+    Look(const ShadingInputs& inputs, const Material& material)
+        : base(baseTerms<float>(inputs, material)), diffuseCoefficient(material.diffuse) {
         const bool halfway = usesHalfway(inputs.illumination.model, material);
         if (shines(inputs.illumination.model, material) || inputs.illumination.detail.dull)
             highlight = halfway ? SpecularForm::Halfway : SpecularForm::Reflection;

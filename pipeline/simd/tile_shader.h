@@ -188,6 +188,7 @@ private:
                 keep(BufferId::Position, load(m_row.surface.position, i), mask, i);
                 keep(BufferId::Normal, load(m_row.surface.N, i), mask, i);
                 keep(BufferId::ViewVector, load(m_row.V, i), mask, i);
+                keep(BufferId::DiffuseCoefficient, all(look.diffuseCoefficient), mask, i);
                 keep(BufferId::Emission, all(look.base.emission), mask, i);
                 keep(BufferId::Ambient, all(look.base.ambient), mask, i);
             }

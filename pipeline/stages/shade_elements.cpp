@@ -39,7 +39,7 @@ template <class Real>
 void shadeElement(const ShadingInputs& inputs, const Surface<Real>& at, const Material& material, std::size_t place,
                   typename ShadingOutput<Real>::Elements& out, ShadingCounts& counts) {
     const std::size_t lights = inputs.lights.size();
-    BaseTerms<Real> base = baseTerms<Real>(inputs, material);
+    BaseTerms<Real> base = baseTerms(inputs, material, at.color);
     for (std::size_t k = 0; k < lights; ++k) {
         if (!inputs.parts.of(Part::Light, k)) continue;
         const LightSample<Real> sample =
@@ -59,6 +59,27 @@ void shadeElement(const ShadingInputs& inputs, const Surface<Real>& at, const Ma
 }
 
 }  // namespace
+
+template <class Real>
+Vec3<Real> polygonColor(const ShadingInputs& inputs, const ShadingSources<Real>& in, std::size_t polygon) {
+    const Topology& topology = *in.transform.topology;
+    if (topology.meshes[topology.objectOfPolygon(polygon)]->colors.empty()) return Vec3<Real>(1);
+    const Topology::Corners corners = topology.corners(polygon);
+    const Vec3<Real> first(topology.vertexColor(corners[0]));
+    if (modelFacts(inputs.illumination.model).firstVertex) return first;
+    Vec3<Real> sum(0);
+    for (std::size_t i = 1; i < corners.size(); ++i) sum += Vec3<Real>(topology.vertexColor(corners[i])) - first;
+    return first + sum / Real(corners.size());
+}
+
+template <class Real>
+Vec3<Real> pixelColor(const ShadingInputs& inputs, const ShadingSources<Real>& in, std::uint32_t polygon,
+                      const VertexWeights<Real>& weights) {
+    const Topology& topology = *in.transform.topology;
+    if (inputs.shading == Shading::Flat) return polygonColor(inputs, in, polygon);
+    if (topology.meshes[topology.objectOfPolygon(polygon)]->colors.empty()) return Vec3<Real>(1);
+    return interpolated(weights, [&](std::uint32_t vertex) { return Vec3<Real>(topology.vertexColor(vertex)); });
+}
 
 template <class Real>
 ShadingCounts shadePolygons(const ShadingInputs& inputs, const ShadingSources<Real>& in, std::size_t begin,
@@ -98,6 +119,9 @@ ShadingCounts shadeVertices(const ShadingInputs& inputs, const ShadingSources<Re
 }
 
 #define SHADESCOPE_INSTANTIATE(Real)                                                                                  \
+    template Vec3<Real> polygonColor(const ShadingInputs&, const ShadingSources<Real>&, std::size_t);                 \
+    template Vec3<Real> pixelColor(const ShadingInputs&, const ShadingSources<Real>&, std::uint32_t,                  \
+                                   const VertexWeights<Real>&);                                                       \
     template ShadingCounts shadePolygons(const ShadingInputs&, const ShadingSources<Real>&, std::size_t, std::size_t, \
                                          ShadingOutput<Real>&);                                                       \
     template ShadingCounts shadeVertices(const ShadingInputs&, const ShadingSources<Real>&, std::size_t, std::size_t, \

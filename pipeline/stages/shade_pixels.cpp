@@ -54,7 +54,7 @@ void lightAtPixel(const ShadingInputs& inputs, const ShadingSources<Real>& in, c
 template <class Real>
 BaseTerms<Real> baseAtPixel(const ShadingInputs& inputs, const ShadingOutput<Real>& out, const Pixel<Real>& pixel) {
     switch (inputs.shading) {
-        case Shading::Phong: return baseTerms<Real>(inputs, pixel.material);
+        case Shading::Phong: return baseTerms(inputs, pixel.material, pixel.surface.color);
         case Shading::Flat: return out.polygons.baseOf(pixel.polygon);
         case Shading::Gouraud: {
             const auto& elements = vertexElements(out, pixel.back);
@@ -92,6 +92,8 @@ Vec3<Real> shade(const ShadingInputs& inputs, const ShadingSources<Real>& in, co
     counts.affineInstead += weights.used != inputs.interpolation;
     const Pixel<Real> pixel{shown, weights, material, back,
                             shownSurface(inputs, in, id, at, barycentric, weights, wanted.surfaces)};
+    if (wanted.any)
+        write.put(BufferId::DiffuseCoefficient, pixelColor(inputs, in, shown, weights) * Vec3<Real>(material.diffuse));
     write.put(BufferId::Position, pixel.surface.position);
     write.put(BufferId::Normal, pixel.surface.N);
     write.put(BufferId::ViewVector, pixel.surface.V);

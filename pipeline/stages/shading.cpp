@@ -36,7 +36,7 @@ Surface<Real> polygonSurface(const ShadingInputs& inputs, const ShadingSources<R
     }
     const Vec3<Real> normal = flatNormal(inputs, in, polygon);
     Surface<Real> surface{at, showsBack(inputs, in, polygon) ? -normal : normal,
-                          viewVector(inputs, in.transform.view, at)};
+                          viewVector(inputs, in.transform.view, at), polygonColor(inputs, in, polygon)};
     if (inputs.planted) spoilSurface(inputs, surface);
     return surface;
 }
@@ -45,7 +45,8 @@ template <class Real>
 Surface<Real> vertexSurface(const ShadingInputs& inputs, const ShadingSources<Real>& in, std::size_t vertex,
                             bool back) {
     const Vec3<Real> position = in.transform.world[vertex], normal = in.normals.vertex[vertex];
-    Surface<Real> surface{position, back ? -normal : normal, viewVector(inputs, in.transform.view, position)};
+    Surface<Real> surface{position, back ? -normal : normal, viewVector(inputs, in.transform.view, position),
+                          Vec3<Real>(in.transform.topology->vertexColor(vertex))};
     if (inputs.planted) spoilSurface(inputs, surface);
     return surface;
 }
@@ -67,7 +68,8 @@ Surface<Real> pixelSurface(const ShadingInputs& inputs, const ShadingSources<Rea
         V = modelFacts(inputs.illumination.model).viewer == Viewer::Setting
                 ? viewVector(inputs, in.transform.view, position)
                 : towardsEye<Real>(in.transform.view, pixel, inputs.illumination.detail.unit);
-    Surface<Real> surface{position, showsBack(inputs, in, polygon) ? -normal : normal, V};
+    Surface<Real> surface{position, showsBack(inputs, in, polygon) ? -normal : normal, V,
+                          pixelColor(inputs, in, polygon, weights)};
     if (inputs.planted) spoilPixel(inputs, in, weights, surface);
     return surface;
 }
@@ -81,6 +83,7 @@ ShadingInputs withAllVectors(ShadingInputs inputs) {
 
 double logContrast(const ShadingInputs& inputs) {
     constexpr double kUnknown = std::numeric_limits<double>::infinity();
+    if (inputs.colored) return kUnknown;  // the base may be as dark as a vertex' colour
     double contrast = 0;
     for (const auto* materials : {&inputs.materials, &inputs.backMaterials}) {
         for (const Material& material : *materials) {

@@ -58,6 +58,7 @@ struct ShadingInputs {
     int samples = 1;  // along a side of a pixel; above 1 the frame buffer shows their mean
     SamplePattern samplePattern = SamplePattern::Grid;
     bool firstVertexNormal = false;  // lightsFirstVertex
+    bool colored = false;            // hasVertexColors
     Planted planted{};
     bool operator==(const ShadingInputs&) const = default;
 };
@@ -115,6 +116,13 @@ template <class Real>
 bool showsBack(const ShadingInputs& inputs, const ShadingSources<Real>& in, std::size_t polygon) {
     return inputs.illumination.twoSided && in.cull && in.cull->isBack(polygon);
 }
+// The colour that k_d and k_a are multiplied by. Of a polygon that is lit once: the mean of its vertices', in OpenGL's model
+// the first one's. At a pixel the vertices', interpolated with the weights; in flat shading the polygon's. 1 without colours.
+template <class Real>
+Vec3<Real> polygonColor(const ShadingInputs& inputs, const ShadingSources<Real>& in, std::size_t polygon);
+template <class Real>
+Vec3<Real> pixelColor(const ShadingInputs& inputs, const ShadingSources<Real>& in, std::uint32_t polygon,
+                      const VertexWeights<Real>& weights);
 inline const Material& materialOf(const ShadingInputs& inputs, std::size_t object, bool back) {
     return back ? inputs.backMaterials[object] : inputs.materials[object];
 }

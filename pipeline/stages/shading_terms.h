@@ -4,13 +4,13 @@
 // What the halves of stage 6 share: elements (polygons, vertices) and pixels.
 namespace pipeline {
 
-// Emission and ambient light; 0 for what the plan leaves out. Never -0, like a light's terms.
+// Emission and ambient light; 0 for what the plan leaves out. Never -0, like a light's terms. color: Surface::color.
 template <class Real>
-BaseTerms<Real> baseTerms(const ShadingInputs& inputs, const Material& material) {
+BaseTerms<Real> baseTerms(const ShadingInputs& inputs, const Material& material, Vec3<Real> color = Vec3<Real>(1)) {
     const Model model = inputs.illumination.model;
     return {Vec3<Real>(0) + emissionTerm<Real>(model, material),
-            Vec3<Real>(0) +
-                (inputs.parts[Part::Ambient] ? ambientTerm<Real>(model, inputs.ambient, material) : Vec3<Real>(0))};
+            Vec3<Real>(0) + (inputs.parts[Part::Ambient] ? color * ambientTerm<Real>(model, inputs.ambient, material)
+                                                         : Vec3<Real>(0))};
 }
 
 // Vertices as seen from the front or from behind.

@@ -20,7 +20,7 @@ void bindEvaluation(const FrameData<Real>& data, const Evaluation& at, std::uint
     const bool halfway = usesHalfway(model, material);
     out.vector("N", at.N), out.vector("V", at.V);
     out.vector("emission", Vec3d(emissionTerm<Real>(model, material)), kIntensityDigits);
-    out.vector("ambient", Vec3d(ambientTerm<Real>(model, inputs.ambient, material)), kIntensityDigits);
+    out.vector("ambient", at.color * Vec3d(ambientTerm<Real>(model, inputs.ambient, material)), kIntensityDigits);
     for (const LightReport& light : at.lights) {
         Bindings& turn = out.loops["lights"].emplace_back();
         turn.whole("light", light.light, light.note);

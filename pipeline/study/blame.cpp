@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "pipeline/scene/topology.h"
 #include "pipeline/study/errors.h"
 #include "pipeline/study/ray_light.h"
 
@@ -51,7 +52,8 @@ std::vector<StageBlame> blame(const Scene& scene, const Picture& ours, const Pic
         std::ranges::any_of(scene.objects, [](const Object& o) { return o.backMaterial.has_value(); });
     const std::size_t lights = scene.lights.size();
     const double white = whiteOf(scene);
-    if ((twoSided && hasBacks) || !isComplete(ours, lights) || !isComplete(reference, lights) || !(white > 0))
+    if (hasVertexColors(scene) || (twoSided && hasBacks) || !isComplete(ours, lights) ||
+        !isComplete(reference, lights) || !(white > 0))
         return {};
 
     const auto lighting = rays::makeLighting<double>(scene);

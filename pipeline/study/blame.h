@@ -18,7 +18,7 @@ namespace pipeline {
 //
 // Errors are RMSE over the pixels that either of the two sees, in shares of white (I_max); nothing is black. The shares
 // need not sum to 1: errors of two stages can cancel, or take effect only together. In the order of the stages; empty
-// where the picture lacks a buffer, and with two-sided materials, of which a picture does not say the side.
+// where the picture lacks a buffer, and with two-sided materials and colours of vertices, of which a picture does not say which they are.
 std::vector<StageBlame> blame(const Scene& scene, const Picture& ours, const Picture& reference);
 
 }  // namespace pipeline

@@ -49,8 +49,11 @@ public:
         }
         const bool turned = out.at.back && m_lighting.twoSided;
         out.shaded.normal = turned ? -out.at.normal : out.at.normal;
-        out.shaded.intensity = shade<Real>(m_lighting, m_lighting.material(out.at.object, out.at.back),
-                                           {out.at.position, out.shaded.normal}, out.shadow);
+        Material material = m_lighting.material(out.at.object, out.at.back);
+        if (out.at.triangle != ~0u)
+            material = facetMaterial(*m_scene.objects[std::size_t(out.at.object)].mesh,
+                                     m_rays.triangles[out.at.triangle].triangle, Vec3d(out.at.weights), material);
+        out.shaded.intensity = shade<Real>(m_lighting, material, {out.at.position, out.shaded.normal}, out.shadow);
     }
 
 private:

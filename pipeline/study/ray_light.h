@@ -57,6 +57,12 @@ struct LitPoint {
 template <class Real>
 Vec3<Real> towards(const RayLight<Real>& light, Vec3<Real> position);
 
+// A material of an object whose mesh has this colour there.
+inline Material colored(Material material, const Vec3d& color) {
+    material.diffuse *= color, material.ambient *= color;
+    return material;
+}
+
 // What is there without any light's shadow: emission and all ambient parts.
 template <class Real>
 Vec3<Real> unshadowed(const RayLighting<Real>& lighting, const Material& material, const LitPoint<Real>& at);

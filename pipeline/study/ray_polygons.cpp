@@ -146,6 +146,30 @@ Mixture<Real> mixtureAt(const Mesh& mesh, const RayScene<Real>& rays, Interpolat
 
 }  // namespace
 
+namespace {
+
+// Of a polygon that is lit once, and of a vertex; 1 where the mesh has no colours.
+Vec3d colorOfPolygon(const Mesh& mesh, Model model, std::size_t polygon) {
+    if (mesh.colors.empty()) return Vec3d(1);
+    const auto corners = mesh.polygon(polygon);
+    if (modelFacts(model).firstVertex) return mesh.colors[corners[0]];
+    Vec3d sum(0);
+    for (const std::uint32_t corner : corners) sum += mesh.colors[corner];
+    return sum / double(corners.size());
+}
+Vec3d colorOfVertex(const Mesh& mesh, std::size_t vertex) {
+    return mesh.colors.empty() ? Vec3d(1) : mesh.colors[vertex];
+}
+
+}  // namespace
+
+Material facetMaterial(const Mesh& mesh, std::size_t triangle, const Vec3d& weights, const Material& material) {
+    if (mesh.colors.empty()) return material;
+    Vec3d color(0);
+    for (int i = 0; i < 3; ++i) color += weights[i] * mesh.colors[mesh.triangles[triangle].vertices[i]];
+    return colored(material, color);
+}
+
 template <class Real>
 PolygonShading<Real> makePolygonShading(const Scene& scene, const RayScene<Real>& rays,
                                         const RayLighting<Real>& lighting) {
@@ -166,9 +190,11 @@ PolygonShading<Real> makePolygonShading(const Scene& scene, const RayScene<Real>
                 const LitPoint<Real> at{
                     placeOf(lighting.model, object.positions, mesh.polygon(p)),
                     ofFirstVertex ? out.vertexNormals[o][mesh.polygon(p)[0]] : object.polygonNormals[p]};
-                evaluate(lighting, lighting.material(int(o), false), at, out.front[o]);
+                const Vec3d color = colorOfPolygon(mesh, lighting.model, p);
+                evaluate(lighting, colored(lighting.material(int(o), false), color), at, out.front[o]);
                 if (lighting.twoSided)
-                    evaluate(lighting, lighting.material(int(o), true), {at.position, -at.N}, out.back[o]);
+                    evaluate(lighting, colored(lighting.material(int(o), true), color), {at.position, -at.N},
+                             out.back[o]);
             }
             continue;
         }
@@ -176,9 +202,10 @@ PolygonShading<Real> makePolygonShading(const Scene& scene, const RayScene<Real>
         if (out.shading == Shading::Phong) continue;
         for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
             const LitPoint<Real> at{object.positions[v], out.vertexNormals[o][v]};
-            evaluate(lighting, lighting.material(int(o), false), at, out.front[o]);
+            const Vec3d color = colorOfVertex(mesh, v);
+            evaluate(lighting, colored(lighting.material(int(o), false), color), at, out.front[o]);
             if (lighting.twoSided)
-                evaluate(lighting, lighting.material(int(o), true), {at.position, -at.N}, out.back[o]);
+                evaluate(lighting, colored(lighting.material(int(o), true), color), {at.position, -at.N}, out.back[o]);
         }
     }
     return out;
@@ -205,7 +232,11 @@ ShadedPoint<Real> shadePolygon(const Scene& scene, const RayScene<Real>& rays, c
         out.normal = unit(mean([&](std::uint32_t vertex) { return polygons.vertexNormals[o][vertex]; }));
     if (turned) out.normal = -out.normal;
     if (polygons.shading == Shading::Phong) {
-        out.intensity = shade(lighting, lighting.material(at.object, at.back), {at.position, out.normal}, shadow);
+        const Mesh& mesh = *scene.objects[o].mesh;
+        const Vec3d color(mean([&](std::uint32_t vertex) { return Vec3<Real>(colorOfVertex(mesh, vertex)); }));
+        const Material& material = lighting.material(at.object, at.back);
+        out.intensity = shade(lighting, mesh.colors.empty() ? material : colored(material, color),
+                              {at.position, out.normal}, shadow);
         return out;
     }
     const RayElements<Real>& elements = (turned ? polygons.back : polygons.front)[o];

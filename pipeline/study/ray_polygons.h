@@ -24,6 +24,9 @@ template <class Real>
 PolygonShading<Real> makePolygonShading(const Scene& scene, const RayScene<Real>& rays,
                                         const RayLighting<Real>& lighting);
 
+// The material at a point of a mesh's triangle, of whose vertices `weights` are.
+Material facetMaterial(const Mesh& mesh, std::size_t triangle, const Vec3d& weights, const Material& material);
+
 // N and I at a point of a polygon, with S per light.
 template <class Real>
 struct ShadedPoint {

@@ -87,7 +87,7 @@ std::string markOf(const Scene& scene) {
         for (const std::size_t count : {mesh.positions.size(), mesh.normals.size(), mesh.polygonCount(),
                                         object.transform.turns.size(), std::size_t(object.backMaterial.has_value())})
             mark.add(std::uint64_t(count));
-        for (const auto* vectors : {&mesh.positions, &mesh.normals})
+        for (const auto* vectors : {&mesh.positions, &mesh.normals, &mesh.colors})
             for (const Vec3d& v : *vectors) mark.add(v);
         for (std::size_t i = 0; i < mesh.polygonCount(); ++i)
             for (const std::uint32_t corner : mesh.polygon(i)) mark.add(std::uint64_t(corner));

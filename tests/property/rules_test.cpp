@@ -27,6 +27,7 @@ TEST_P(LeavingOut, ChangesNoBit) {
             if (seed % 11 == 0) object.material.diffuse = Vec3d(0);
         std::mt19937 random(seed);
         if (seed / 2 % 3 == 0) test::giveNormals(scene, random);
+        if (seed % 5 == 0) test::giveColors(scene, random);
         if (seed % 7 < 2) scene.settings.forms = test::randomForms(random);
         // Each rule with every kind of scene: their number has factors in common with those above.
         const Rule rule = Rule((seed + seed / kRuleCount) % kRuleCount);

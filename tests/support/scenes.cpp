@@ -103,6 +103,17 @@ Forms randomForms(std::mt19937& random) {
     return forms;
 }
 
+void giveColors(Scene& scene, std::mt19937& random) {
+    for (Object& object : scene.objects) {
+        if (random() % 4 == 0) continue;
+        Mesh own = *object.mesh;
+        own.colors.clear();
+        for (std::size_t i = 0; i < own.positions.size(); ++i)
+            own.colors.push_back(random() % 8 == 0 ? Vec3d(0) : glm::abs(inBox(random, 1)));
+        object.mesh = makeMesh(std::move(own)), object.shape.reset();
+    }
+}
+
 void giveNormals(Scene& scene, std::mt19937& random) {
     scene.settings.normalWeight = NormalWeight::Given;
     for (Object& object : scene.objects) {

@@ -162,6 +162,8 @@ Forms randomForms(std::mt19937& random);
 // Gives the meshes of some objects normals of their own, among them some that are 0, tiny or huge, and flattens some
 // objects; they are used where the setting normals is `given`.
 void giveNormals(Scene& scene, std::mt19937& random);
+// Colours of vertices from 0 to 1, some of them black, to most objects.
+void giveColors(Scene& scene, std::mt19937& random);
 
 // One change of a kind that a user makes: a light, a material, the camera, a setting…
 void changeSomething(Scene& scene, std::mt19937& random);

@@ -21,7 +21,9 @@ constexpr const char* kSpecification[] = {
     // Of the specification's translucent surfaces.
     "translucent", "transmittance", "layers",
     // Of several samples a pixel.
-    "antialiased"};
+    "antialiased",
+    // Of colours of vertices.
+    "k_d"};
 
 TEST(BufferTable, HasEveryBufferOfTheSpecificationAndNoOther) {
     std::set<std::string> expected(std::begin(kSpecification), std::end(kSpecification)), found;

@@ -181,7 +181,6 @@ TEST(ObjExports, WhatIsNoPolygonIsCounted) {
         "parm u 0 1\nend\nsurf 0 1 0 1 1 2 3\ncall other.obj\ncsh rm x\nf 1 2 3\nwhat 1\nlod 3\n");
     EXPECT_EQ(polygonsOf(model), 1u);
     EXPECT_EQ(remarksOf(model),
-              "m.obj:1: 2 colours of vertices are left out.\n"
               "m.obj:4: 1 statement of points is left out.\n"
               "m.obj:5: 2 statements of lines are left out.\n"
               "m.obj:8: 2 curve and surface statements are left out.\n"
