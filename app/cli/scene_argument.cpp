@@ -82,6 +82,16 @@ void declareSceneArgument(CLI::App& command, SceneArgument& argument, SceneArgum
     command.add_option("--set", argument.set, "Change a setting of the scene; may be repeated; plan --json lists them")
         ->type_name("KEY=VALUE")
         ->allow_extra_args(false);
+    command
+        .add_option("--camera", argument.views.camera,
+                    "Of a glTF file: its N-th camera, from 0, in place of the one added")
+        ->type_name("N");
+    command
+        .add_option_function<std::string>(
+            "--lights", [&argument](const std::string&) { argument.views.lights = true; },
+            "Of a glTF file: its own lights in place of the one added")
+        ->type_name("file")
+        ->check(CLI::IsMember({"file"}));
     command.add_flag("--no-leave-out", argument.noLeaveOut, "Run everything, also what the scene does not need");
 }
 
@@ -104,6 +114,10 @@ std::shared_ptr<const Scene> loadScene(const SceneArgument& argument, const pipe
     if (argument.state)
         if (const Errors errors = checkCue(*argument.state, *read, argument.folder); !errors.empty())
             return refuse(errors, kBadInput);
+    if (argument.views.any()) {
+        read = withGltfViews(std::move(read).value(), argument.scene, argument.views, progress);
+        if (!read) return refuse(read.errors(), kWrongUsage);
+    }
     auto changed = applySettings(std::move(read).value(), argument);
     if (!changed) return refuse(changed.errors(), kWrongUsage);
     if (const Errors errors = checkScene(*changed); !errors.empty())

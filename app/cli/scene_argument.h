@@ -8,6 +8,7 @@
 #include "lessons/state/window_state.h"
 #include "pipeline/core/result.h"
 #include "pipeline/core/stop.h"
+#include "pipeline/formats/gltf_views.h"
 #include "pipeline/run/frame.h"
 #include "pipeline/scene/scene.h"
 
@@ -23,6 +24,7 @@ struct SceneArgument {
     std::vector<std::string> set;                    // KEY=VALUE, applied in order
     std::string size;                                // WxH; empty: the scene's
     bool noLeaveOut = false;                         // everything runs
+    pipeline::GltfViews views = {};                  // what of a glTF file takes the place of what is added to it
     std::optional<lessons::WindowState> state = {};  // what it shows in place of `scene`, its files from `folder`
     std::filesystem::path folder = {};
     enum class Need { Always, Maybe };

@@ -52,6 +52,8 @@ std::vector<std::string> argumentsOf(const StudyOptions& options) {
     };
     for (const std::string& set : options.scene.set) add("--set", set);
     if (!options.scene.size.empty()) add("--size", options.scene.size);
+    if (options.scene.views.camera) add("--camera", std::to_string(*options.scene.views.camera));
+    if (options.scene.views.lights) add("--lights", "file");
     if (options.scene.noLeaveOut) arguments.emplace_back("--no-leave-out");
     for (const std::string& sweep : options.sweeps) add("--sweep", sweep);
     if (!options.shard.empty()) add("--shard", options.shard);

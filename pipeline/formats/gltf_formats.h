@@ -9,14 +9,18 @@
 // What the parts of the reader of glTF share (Khronos Group, glTF 2.0 Specification, 2021).
 namespace pipeline {
 
-// A node that draws a mesh.
-struct GltfInstance {
-    GltfValue node, mesh;
+struct GltfNode {
+    GltfValue node;
     glm::dmat4 toWorld;  // +y up
 };
+// A node that draws a mesh.
+struct GltfInstance : GltfNode {
+    GltfValue mesh;
+};
 
-// The nodes of the file's scene, parents before children. The nodes must be a tree of at most 1024
+// The nodes of the file's scene, parents before children, and those that draw. The nodes must be a tree of at most 1024
 // levels; what is not as it must be is reported.
+std::vector<GltfNode> nodesOf(GltfFile& file);
 std::vector<GltfInstance> instancesOf(GltfFile& file);
 
 // Its factors come before those of pbrMetallicRoughness: k_d = diffuse, k_s = specular, roughness = 1 - glossiness.

@@ -143,11 +143,11 @@ void refuseRings(const GltfValue& nodes, const Graph& graph, const std::vector<b
 
 }  // namespace
 
-std::vector<GltfInstance> instancesOf(GltfFile& file) {
+std::vector<GltfNode> nodesOf(GltfFile& file) {
     const GltfValue top(file), nodes = top["nodes"];
-    std::vector<GltfInstance> instances;
+    std::vector<GltfNode> all;
     Graph graph;
-    if (!readGraph(nodes, graph)) return instances;
+    if (!readGraph(nodes, graph)) return all;
 
     struct Visit {
         std::size_t node, level;
@@ -170,11 +170,20 @@ std::vector<GltfInstance> instancesOf(GltfFile& file) {
             break;
         }
         const glm::dmat4 toWorld = visit.parent * transformOf(node);
-        if (node["skin"].isThere()) remark(file, "Skins are not read; what they move stays as it is written.", "node");
-        if (const auto mesh = node["mesh"].element("meshes")) instances.push_back({node, *mesh, toWorld});
+        all.push_back({node, toWorld});
         push(graph.children[visit.node], visit.level + 1, toWorld);
     }
     if (file.errors.empty()) refuseRings(nodes, graph, seen);
+    return all;
+}
+
+std::vector<GltfInstance> instancesOf(GltfFile& file) {
+    std::vector<GltfInstance> instances;
+    for (const GltfNode& of : nodesOf(file)) {
+        if (of.node["skin"].isThere())
+            remark(file, "Skins are not read; what they move stays as it is written.", "node");
+        if (const auto mesh = of.node["mesh"].element("meshes")) instances.push_back({of, *mesh});
+    }
     return instances;
 }
 

@@ -101,7 +101,7 @@ private:
             for (std::size_t i = 0; i < list.size(); ++i)
                 if (const auto name = list.at(i).text(); name && *name == kQuantized)
                     m_quantized = true;
-                else if (name && *name == kSpecularGlossiness)
+                else if (name && (*name == kSpecularGlossiness || *name == "KHR_lights_punctual"))
                     continue;
                 else if (name && !isIn(required, *name))
                     remark(m_file, fmt::format("The extension {} is not read.", quotedInput(*name)));
@@ -110,7 +110,12 @@ private:
                                                "not depend on it.",
                                                quotedInput(*name)));
         if (top["animations"].isThere()) remark(m_file, "Animations are not read; every node stays as it is written.");
-        if (top["cameras"].isThere()) remark(m_file, "Cameras are not read.");
+        if (const std::size_t cameras = top["cameras"].size(); cameras > 0)
+            remark(m_file, fmt::format("The file has {}; --camera 0 takes its first.",
+                                       plural(std::int64_t(cameras), "camera")));
+        if (const std::size_t lights = top["extensions"]["KHR_lights_punctual"]["lights"].size(); lights > 0)
+            remark(m_file, fmt::format("The file has {}; --lights file takes {}.",
+                                       plural(std::int64_t(lights), "light"), lights == 1 ? "it" : "them"));
     }
 
     void readPrimitive(const GltfInstance& instance, const GltfValue& primitive, bool hasTwins) {
