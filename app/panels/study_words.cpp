@@ -37,11 +37,11 @@ StudyWords::StudyWords(QWidget* parent) : QWidget(parent) {
     m_time->setObjectName("timeLimit");
     m_orderTitle = label(tr("Observed order"), 1);
     m_meaning = label({}, 2);
-    m_orders = new QTableWidget(0, 3, this);
+    m_orders = new QTableWidget(0, 2, this);
     m_orders->setTabKeyNavigation(false);
     m_orders->setObjectName("studyOrders");
     m_orders->setAccessibleName(m_orderTitle->text());
-    m_orders->setHorizontalHeaderLabels({tr("Method"), tr("last two levels"), tr("all levels")});
+    m_orders->setHorizontalHeaderLabels({tr("Method"), tr("order, 95 % interval")});
     m_orders->setEditTriggers(QTableWidget::NoEditTriggers);
     m_orders->setSelectionMode(QTableWidget::NoSelection);
     m_orders->setShowGrid(false);
@@ -98,18 +98,15 @@ void StudyWords::setStudy(const pipeline::StudyReport& report, pipeline::StudyAn
     m_orders->setRowCount(0);
     const QFont mono = Theme::current().mono(12);
     for (const pipeline::MethodCurve& curve : m_analysis.curves) {
-        if (!curve.order.last && !curve.order.fit) continue;
+        if (!curve.order.within) continue;
         const int row = m_orders->rowCount();
         m_orders->insertRow(row);
         m_orders->setItem(row, 0,
                           new QTableWidgetItem(curve.name.empty() ? tr("the only method") : onOneLine(curve.name)));
-        int column = 1;
-        for (const auto& order : {curve.order.last, curve.order.fit}) {
-            auto* item = new QTableWidgetItem(order ? toQString(pipeline::orderText(*order)) : QString("–"));
-            item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
-            item->setFont(mono);
-            m_orders->setItem(row, column++, item);
-        }
+        auto* item = new QTableWidgetItem(toQString(pipeline::orderText(curve.order)));
+        item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+        item->setFont(mono);
+        m_orders->setItem(row, 1, item);
     }
     m_orders->resizeColumnsToContents();
     showAnswers();

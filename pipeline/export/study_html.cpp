@@ -53,18 +53,14 @@ std::string htmlPointTable(const StudyReport& report, const StudyAnalysis& analy
 std::string htmlOrderTable(const StudyReport& report, const StudyAnalysis& analysis) {
     std::string rows;
     for (const MethodCurve& curve : analysis.curves) {
-        if (!curve.order.last && !curve.order.fit) continue;
-        const auto text = [](std::optional<double> order) { return order ? orderText(*order) : "\u2013"; };
-        std::string steps;
-        for (const std::optional<double>& step : curve.order.steps) steps += (steps.empty() ? "" : ", ") + text(step);
-        rows += "<tr>" + cell(curve.name.empty() ? "the only method" : curve.name) + number(text(curve.order.last)) +
-                number(text(curve.order.fit)) + number(steps) + "</tr>\n";
+        if (!curve.order.within) continue;
+        rows += "<tr>" + cell(curve.name.empty() ? "the only method" : curve.name) + number(orderText(curve.order)) +
+                "</tr>\n";
     }
     if (rows.empty()) return {};
     return "<h2>Observed order</h2>\n" + element("p", orderMeaning(report.axes[*analysis.refined])) +
-           "\n<table><thead><tr><th>Method</th><th class=n>last two levels</th><th class=n>all levels, least "
-           "squares</th>"
-           "<th class=n>from level to level</th></tr></thead>\n<tbody>\n" +
+           "\n<table><thead><tr><th>Method</th><th class=n>all levels, least squares, "
+           "95 % interval</th></tr></thead>\n<tbody>\n" +
            rows + "</tbody></table>\n";
 }
 

@@ -76,14 +76,13 @@ std::string pointTable(const StudyReport& report, const StudyAnalysis& analysis)
 }
 
 std::string orderTable(const StudyReport& report, const StudyAnalysis& analysis) {
-    TextTable table({false, true, true});
-    table.row({"Observed order", "last two levels", "all levels"});
+    TextTable table({false, true});
+    table.row({"Observed order", "95 % interval"});
     bool any = false;
     for (const MethodCurve& curve : analysis.curves) {
-        if (!curve.order.last && !curve.order.fit) continue;
+        if (!curve.order.within) continue;
         any = true;
-        const auto text = [](std::optional<double> order) { return order ? orderText(*order) : std::string(); };
-        table.row({curve.name.empty() ? "the only method" : curve.name, text(curve.order.last), text(curve.order.fit)});
+        table.row({curve.name.empty() ? "the only method" : curve.name, orderText(curve.order)});
     }
     if (!any) return {};
     return fmt::format("\n{}\n{}", orderMeaning(report.axes[*analysis.refined]), table.text());

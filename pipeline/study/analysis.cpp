@@ -142,6 +142,14 @@ void findCurves(const StudyReport& report, StudyAnalysis& analysis) {
     }
 }
 
+// Student's t of 97.5 %, for so many degrees of freedom >= 1.
+double studentQuantile(std::size_t freedom) {
+    constexpr double kTable[]{12.706, 4.303, 3.182, 2.776, 2.571, 2.447, 2.365, 2.306, 2.262, 2.228};
+    // Beyond, Cornish and Fisher's series, 1937: within 0.001.
+    return freedom <= std::size(kTable) ? kTable[freedom - 1]
+                                        : 1.960 + 2.372 / double(freedom) + 2.82 / (double(freedom) * double(freedom));
+}
+
 // The smallest of 1, 2, 5 times a power of ten that is not below value > 0.
 double roundUp(double value) {
     const double decade = std::floor(std::log10(value));
@@ -203,6 +211,15 @@ ObservedOrder observedOrder(const std::vector<std::optional<double>>& widths, co
         xy += (x - meanX) * (y - meanY);
     }
     if (xx > 0) order.fit = xy / xx;
+    if (xx > 0 && logs.size() > 2) {
+        double rest = 0;  // sum of squares that the line leaves
+        for (const auto& [x, y] : logs) {
+            const double off = y - meanY - *order.fit * (x - meanX);
+            rest += off * off;
+        }
+        const auto freedom = double(logs.size() - 2);
+        order.within = studentQuantile(logs.size() - 2) * std::sqrt(rest / freedom / xx);
+    }
     return order;
 }
 

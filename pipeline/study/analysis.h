@@ -36,6 +36,8 @@ struct ObservedOrder {
     std::vector<std::optional<double>> steps;  // one for each two neighbours; nothing where one has no error but 0
     std::optional<double> last;                // of the last two levels
     std::optional<double> fit;                 // least squares through the logarithms of all errors above 0
+    std::optional<double>
+        within;  // half of fit's 95 % interval, Student's, from three such errors on; else not printed
 };
 
 // The points of one method, from coarse to fine.

@@ -62,6 +62,10 @@ std::string orderText(double order) {
     return order < 0 && digits != "0.00" ? "\u2212" + digits : digits;
 }
 
+std::string orderText(const ObservedOrder& order) {
+    return order.within ? fmt::format("{} ± {:.2f}", orderText(*order.fit), *order.within) : std::string();
+}
+
 std::string pictureSizeText(const StudyReport& report) {
     const bool changes = std::ranges::any_of(
         report.axes, [](const SweepAxis& axis) { return axis.key == "width" || axis.key == "height"; });

@@ -13,6 +13,8 @@ std::string errorText(double error);
 std::string timeText(double milliseconds);
 // "1.98"; "−0.50" with the sign U+2212.
 std::string orderText(double order);
+// "1.98 ± 0.10"; empty without an interval, for then it is not printed.
+std::string orderText(const ObservedOrder& order);
 
 // "1 thread", "4 threads"; 0 stands for as many as the machine has: "all threads".
 std::string threadsText(int threads);

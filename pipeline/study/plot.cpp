@@ -22,7 +22,7 @@ std::string subtitle(const StudyReport& report, const StudyAnalysis& analysis) {
 PlotSeries seriesOf(const MethodCurve& curve, const StudyAnalysis& analysis) {
     PlotSeries series;
     series.name = curve.name;
-    if (curve.order.last) series.note = "order " + orderText(*curve.order.last);
+    if (curve.order.within) series.note = "order " + orderText(curve.order);
     for (const std::size_t i : curve.points) {
         const PointAnalysis& point = analysis.points[i];
         series.points.push_back({i, *point.time, *point.error, point.interval.first, point.interval.second,

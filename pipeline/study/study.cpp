@@ -14,9 +14,19 @@ bool TimeSamples::empty() const {
 }
 
 SampleSummary TimeSamples::summary() const {
-    std::vector<double> all;
-    for (const std::vector<double>& samples : processes) all.insert(all.end(), samples.begin(), samples.end());
-    return summarize(std::move(all));
+    std::vector<double> all, medians;
+    for (const std::vector<double>& samples : processes) {
+        all.insert(all.end(), samples.begin(), samples.end());
+        if (!samples.empty()) medians.push_back(summarize(samples).median);
+    }
+    SampleSummary summary = summarize(std::move(all));
+    if (summary.medianInterval && medians.size() > 1) {
+        const auto [least, most] = std::ranges::minmax(medians);
+        const auto between = summarize(medians).medianInterval.value_or(std::pair(least, most));
+        auto& [low, high] = *summary.medianInterval;
+        low = std::min(low, between.first), high = std::max(high, between.second);
+    }
+    return summary;
 }
 
 namespace {

@@ -54,7 +54,9 @@ struct ErrorChoice {
 struct TimeSamples {
     std::vector<std::vector<double>> processes;
     bool empty() const;
-    SampleSummary summary() const;  // of all samples together; not empty
+    // Of all samples together; not empty. Frames of a process are alike: where there are several processes, the interval of the
+    // median holds that of each process as well, but for the outermost ones of six and more (SampleSummary).
+    SampleSummary summary() const;
     bool operator==(const TimeSamples&) const = default;
 };
 

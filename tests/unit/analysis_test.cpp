@@ -202,6 +202,18 @@ TEST(Analysis, AMeasureOfWhichMoreIsBetterIsNoError) {
 }
 
 // Six samples are the fewest whose order bounds the median; of fewer all are taken.
+// Three processes of six frames, which agree among themselves: their medians are 1.5, 2.5 and 9.5. Of all 18 frames, by
+// order statistics, the interval goes from the 5th to the 14th, 2 to 9.
+TEST(Analysis, AnIntervalHoldsTheMedianOfEachProcess) {
+    StudyPoint point = studyPoint(0, {"a"}, 1, 0.1);
+    point.frame.processes = {{1, 1, 1, 2, 2, 2}, {2, 2, 2, 3, 3, 3}, {9, 9, 9, 10, 10, 10}};
+    const std::pair<double, double> interval = analysisOf({point}).points[0].interval;
+    EXPECT_EQ(interval.first, 1.5);
+    EXPECT_EQ(interval.second, 9.5);
+    point.frame.processes = {{1, 1, 1, 2, 2, 2}};
+    EXPECT_EQ(analysisOf({point}).points[0].interval, (std::pair{1.0, 2.0}));
+}
+
 TEST(Analysis, FewSamplesMakeAnIntervalOfThemAll) {
     StudyPoint point = studyPoint(0, {"a"}, 1, 0.1);
     point.frame.processes = {{3, 1}, {2}};
@@ -229,6 +241,12 @@ TEST(Analysis, FitsTheOrderThroughAllLevels) {
     const ObservedOrder order = observedOrder({1, 0.5, 0.25, 0.125}, {1, 0.25, 0.0625, 0.03125});
     EXPECT_NEAR(*order.fit, 1.7, 1e-12);
     EXPECT_NEAR(*order.last, 1, 1e-12);
+    // The line leaves 0.2, -0.1, -0.4, 0.3: squares sum to 0.3. t of 97.5 % with two degrees of freedom is 4.303, and
+    // 4.303 √(0.3 / 2 / 5) = 0.745.
+    EXPECT_NEAR(*order.within, 0.7453, 1e-4);
+    EXPECT_EQ(orderText(order), "1.70 ± 0.75");
+    // Two levels have an order and no interval, so it is not printed.
+    EXPECT_EQ(orderText(observedOrder({1, 0.5}, {1, 0.25})), "");
 }
 
 TEST(Analysis, HasNoOrderWhereAnErrorIsZeroOrAWidthIsNone) {
