@@ -57,7 +57,7 @@ export function handIn(core, paths) {
     const names = readdirSync(given).filter(name => statSync(join(given, name)).isFile());
     for (const name of names.sort((a, b) => Buffer.compare(Buffer.from(a), Buffer.from(b)))) {
       const path = given.endsWith('/') ? given + name : `${given}/${name}`;
-      core.ask('hand', path, statSync(path).size <= mostBytes && /\.(npy|png|ppm|pgm|pbm|pnm|pfm|exr|csv|toml)$/i.test(name) ? readFileSync(path) : '', 0);
+      core.ask('hand', path, statSync(path).size <= mostBytes && /\.(npy|png|tga|bmp|ppm|pgm|pbm|pnm|pfm|exr|csv|toml)$/i.test(name) ? readFileSync(path) : '', 0);
     }
   }
 }

@@ -84,7 +84,7 @@ function takeDrop(drop) {
     go('mine');
     return takeMine(drop);
   }
-  if (!own) throw new Error('Nothing here is a scene, a model or a buffer: toml, scene; obj, ply, stl, off, gltf, glb; npy, png, ppm, pgm, pfm, csv.');
+  if (!own) throw new Error('Nothing here is a scene, a model or a buffer: toml, scene; obj, ply, stl, off, gltf, glb; npy, png, tga, bmp, ppm, pgm, pfm, csv.');
   if (isMine) {
     Object.assign(mine, { scene: { name: lastName(own.path), list: list.map(file => ({ name: lastName(file.path), bytes: file.bytes })) }, isChosen: true, report: null });
     return void compareMine();

@@ -35,7 +35,7 @@ const mine = {
   /** @type {?Side} */
   side: null,
 };
-const kNumbers = /\.(npy|png|ppm|pgm|pbm|pnm|pfm|exr|csv)$/i, kScenes = /\.(toml|scene)$/i, kModels = /\.(obj|ply|stl|off|gltf|glb)$/i;
+const kNumbers = /\.(npy|png|tga|bmp|ppm|pgm|pbm|pnm|pfm|exr|csv)$/i, kScenes = /\.(toml|scene)$/i, kModels = /\.(obj|ply|stl|off|gltf|glb)$/i;
 const kOfScene = /\.(toml|scene|des|obj|mtl|ply|stl|off|gltf|glb|bin)$/i;
 const kSigns = { 'agrees': 'ok', 'wrong here': 'bad', 'given what it got': 'given', 'no file': 'none', 'cannot tell': 'unclear' };
 const lastName = path => path.slice(path.lastIndexOf('/') + 1);
