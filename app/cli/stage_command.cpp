@@ -192,7 +192,7 @@ int runStage(const StageArguments& arguments) {
     if (!function && !arguments.starter.empty()) return wrongStage("--starter writes functions, not whole stages");
     if (!arguments.starter.empty()) {
         if (arguments.output.empty()) return wrongStage("--starter needs -o with the name of a folder");
-        const auto written = writeStarter(ownContract(*function), arguments.starter, arguments.output);
+        const auto written = writeFunctionStarter(ownContract(*function), arguments.starter, arguments.output);
         if (!written) return printErrors(written.errors()), kCouldNotWrite;
         say("{}\n", *written);
         return kDone;

@@ -120,12 +120,13 @@ std::vector<std::string> starterLanguages() {
     return names;
 }
 
-pipeline::Result<std::string> writeStarter(const pipeline::OwnContract& contract, const std::string& language,
-                                           const std::filesystem::path& folder) {
+pipeline::Result<std::string> writeFunctionStarter(const pipeline::OwnContract& contract, const std::string& language,
+                                                   const std::filesystem::path& folder) {
     const Language& of = *std::ranges::find(kLanguages, language, &Language::name);
     const std::string name = fmt::format("{}{}", contract.name, of.extension);
     const std::filesystem::path file = folder / name;
-    const auto text = pipeline::readFile(pipeline::resourceFolder() / "starter" / fmt::format("stage{}.in", of.extension));
+    const auto text =
+        pipeline::readFile(pipeline::resourceFolder() / "starter" / fmt::format("stage{}.in", of.extension));
     if (!text) return text.errors();
     std::error_code failed;
     std::filesystem::create_directories(folder, failed);

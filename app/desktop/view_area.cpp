@@ -94,7 +94,7 @@ void ViewArea::giveHolds() {
 }
 
 void ViewArea::setHeld(bool held) {
-    for (const auto& [number, view] : m_grid->views().buffers()) view->setHeld(held);
+    for (const auto& [number, view] : m_grid->views().buffers()) view->features().holds->setHeld(held);
 }
 
 // The sentence takes some of the views' height: where it stands, more of them may have no room, but never fewer.

@@ -38,7 +38,7 @@ public:
     bool hasThumbnails() const;
     void setThumbnails(bool shown);
 
-    void setHeld(bool held);  // the buffer views on show, as BufferView has it
+    void setHeld(bool held);  // the buffer views on show, as BufferHolds has it
 
     void showBuffer(const pipeline::BufferName& buffer);                 // in the active buffer view
     void showBuffers(const std::vector<pipeline::BufferName>& buffers);  // one in each view, as far as they go

@@ -9,6 +9,7 @@
 #include "app/core/text.h"
 #include "app/core/theme.h"
 #include "app/panels/buffer_canvas.h"
+#include "app/panels/buffer_header.h"
 #include "app/panels/buffer_view.h"
 #include "app/panels/held_files.h"
 #include "app/panels/hold_grip.h"
@@ -70,6 +71,15 @@ void BufferHolds::setOn(bool on) {
     m_isOn = on;
     m_files->setOn(on);
     make();
+}
+
+void BufferHolds::setHeld(bool held) {
+    if (held == m_isHeld) return;
+    m_isHeld = held;
+    view().header().setVisible(!held);
+    view().canvas()->setGround(held ? Qt::black : QColor());
+    show();
+    view().refresh();
 }
 
 void BufferHolds::make() {
@@ -266,7 +276,7 @@ void BufferHolds::paint(QPainter& painter) const {
             }
     }
     const std::optional<glm::ivec2> pixel = view().document().pointing().pixel();
-    if (view().isHeld() && pixel) {
+    if (m_isHeld && pixel) {
         painter.setBrush(Qt::NoBrush);
         for (const auto& [color, width] : {std::pair(Qt::black, 2.5), std::pair(Qt::white, 1.25)}) {
             painter.setPen(QPen(color, width * thin));

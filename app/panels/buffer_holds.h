@@ -21,6 +21,9 @@ public:
 
     // One view of the window has them.
     void setOn(bool on);
+    // As a page of a lesson has it whose picture is held: on black, without the header.
+    void setHeld(bool held);
+    bool isHeld() const { return m_isHeld; }
     HeldFiles& files() const { return *m_files; }  // to stand beside the canvas
 
     pipeline::BufferSet want() override;
@@ -52,7 +55,7 @@ private:
     Layer* m_layer;
     HeldFiles* m_files;
     std::vector<HoldGrip*> m_grips;
-    bool m_isOn = false, m_fits = false;
+    bool m_isOn = false, m_isHeld = false, m_fits = false;
     std::optional<std::size_t> m_dragged;
     QPointF m_last, m_at;  // of the pointer, and of what it holds: Shift moves by a tenth
     std::optional<pipeline::PictureVectors> m_vectors;

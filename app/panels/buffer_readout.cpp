@@ -9,6 +9,7 @@
 #include "app/core/theme.h"
 #include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_compare.h"
+#include "app/panels/buffer_holds.h"
 #include "app/panels/buffer_step.h"
 #include "app/panels/buffer_view.h"
 
@@ -71,7 +72,7 @@ void PixelReadout::show() {
                                      : texelOf(document.pointing().hovered()));
     const std::optional<QPoint> pixel = saidPixel();
     // Where a picture is held, the words stand beside the hand.
-    const bool isSaid = pixel && view().shown() && (!view().isHeld() || canvas.content().hovered);
+    const bool isSaid = pixel && view().shown() && (!view().features().holds->isHeld() || canvas.content().hovered);
     m_label->setText(isSaid ? at(*pixel) : QString());
     m_label->setVisible(!m_label->text().isEmpty());
     if (!view().shown()) return;

@@ -161,15 +161,6 @@ void BufferView::setBare(bool bare) {
     place();
 }
 
-void BufferView::setHeld(bool held) {
-    if (held == m_isHeld) return;
-    m_isHeld = held;
-    m_header->setVisible(!held);
-    m_canvas->setGround(held ? Qt::black : QColor());
-    m_features.holds->show();
-    refresh();
-}
-
 lessons::BufferShown BufferView::state() const {
     lessons::BufferShown state{m_name.text()};
     for (const BufferFeature* feature : m_features.all) feature->write(state);

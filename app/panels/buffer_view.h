@@ -27,8 +27,6 @@ public:
     const pipeline::BufferName& buffer() const { return m_name; }
     void setBuffer(const pipeline::BufferName& name);
     void setBare(bool bare);  // without the header, the buffer's name over the picture
-    void setHeld(bool held);  // as a page of a lesson has it whose picture is held: on black, without the header
-    bool isHeld() const { return m_isHeld; }
     // Saves and restores zoom, palette and overlays. Returns an error for each name that the scene no longer has.
     lessons::BufferShown state() const;
     pipeline::Errors lookAt(const lessons::BufferShown& state);
@@ -71,7 +69,6 @@ private:
     ShowJob m_showing;
     pipeline::FramePtr m_frame;
     std::optional<ShownBuffer> m_shown;
-    bool m_isHeld = false;
     bool m_missed = false;    // a refresh, while it was put away
     bool m_keysWait = false;  // for the picture
     BufferHeader* m_header;

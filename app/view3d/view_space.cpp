@@ -15,8 +15,6 @@ Vec3d toView(const View& view, Vec3d world) {
     return {glm::dot(d, view.right), glm::dot(d, view.up), glm::dot(d, view.forward)};
 }
 
-Vec3d fromView(const View& view, Vec3d p) { return view.eye + p.x * view.right + p.y * view.up + p.z * view.forward; }
-
 // 0 at the near plane, 1 at the far plane: a − b / z in perspective.
 double toDepth(const View& view, double z) {
     const double range = view.far - view.near;

@@ -91,7 +91,7 @@ TEST_F(RendererPanelTest, PicksTheWorstPixelAndGoesToTheNext) {
     for (std::size_t i = 0; i < worst.size(); ++i)
         for (std::size_t j = 0; j < i; ++j) {
             const glm::ivec2 apart = glm::abs(worst[i] - worst[j]);
-            EXPECT_GE(std::max(apart.x, apart.y), kApart);
+            EXPECT_GE(std::max(apart.x, apart.y), pipeline::foreign::kApart);
         }
 }
 

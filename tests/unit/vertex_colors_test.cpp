@@ -33,7 +33,7 @@ std::string colorsOf(const LoadedModel& model) {
         for (const Vec3d& c : object.mesh->colors) text += fmt::format("{:g} {:g} {:g}, ", c.x, c.y, c.z);
     return text;
 }
-std::string remarksOf(const LoadedModel& model) {
+std::string remarkTextOf(const LoadedModel& model) {
     std::string text;
     for (const Remark& remark : model.remarks) text += remark.text + '\n';
     return text;
@@ -42,7 +42,7 @@ std::string remarksOf(const LoadedModel& model) {
 TEST(VertexColors, AreReadFromObj) {
     const LoadedModel model = modelOf("v 0 0 0 1 0 0\nv 4 0 0 0 1 0\nv 4 3 0\nf 1 2 3\n", ".obj");
     EXPECT_EQ(colorsOf(model), "1 0 0, 0 1 0, 1 1 1, ");  // one without is white
-    EXPECT_EQ(remarksOf(model), "");
+    EXPECT_EQ(remarkTextOf(model), "");
     EXPECT_EQ(model.objects[0].material.diffuse, Vec3d(1));
     EXPECT_EQ(model.objects[0].material.ambient, Vec3d(1));
     // With a weight before them; a lone weight is none.
@@ -50,10 +50,10 @@ TEST(VertexColors, AreReadFromObj) {
               "0.5 0 0, 1 1 1, 1 1 1, ");
     const LoadedModel bytes = modelOf("v 0 0 0 255 0 51\nv 4 0 0 0 0 1\nv 4 3 0 0 0 0\nf 1 2 3\n", ".obj");
     EXPECT_EQ(colorsOf(bytes), "1 0 0.2, 0 0 0.00392157, 0 0 0, ");
-    EXPECT_EQ(remarksOf(bytes), "Colours of vertices are above 1: all are taken as written from 0 to 255.\n");
+    EXPECT_EQ(remarkTextOf(bytes), "Colours of vertices are above 1: all are taken as written from 0 to 255.\n");
     const LoadedModel wrong = modelOf("v 0 0 0 -1 0 0\nv 4 0 0 0 x 0\nv 4 3 0 0 0 0\nf 1 2 3\n", ".obj");
     EXPECT_EQ(colorsOf(wrong), "1 1 1, 1 1 1, 0 0 0, ");
-    EXPECT_EQ(remarksOf(wrong), "2 colours of vertices, not three numbers from 0 up, are taken as white.\n");
+    EXPECT_EQ(remarkTextOf(wrong), "2 colours of vertices, not three numbers from 0 up, are taken as white.\n");
     // Many programs write white.
     EXPECT_EQ(colorsOf(modelOf("v 0 0 0 1 1 1\nv 4 0 0 1 1 1\nv 4 3 0 1 1 1\nf 1 2 3\n", ".obj")), "");
     // k_d of the file's material is multiplied by them.
@@ -84,10 +84,10 @@ TEST(VertexColors, AreReadFromPly) {
               "1 0 0, 0 0.5 0, 1 1 1, ");
     const LoadedModel opaque =
         modelOf(ply("uchar", "rgba", "0 0 0 255 0 0 9\n9 9 9 1 1 1 9\n1 0 0 0 51 0 9\n0 1 0 0 0 102 9\n"), ".ply");
-    EXPECT_EQ(remarksOf(opaque), "\"alpha\" of 4 rows of the element \"vertex\" is not read.\n");
+    EXPECT_EQ(remarkTextOf(opaque), "\"alpha\" of 4 rows of the element \"vertex\" is not read.\n");
     const LoadedModel two = modelOf(ply("uchar", "rg", "0 0 0 255 0\n9 9 9 1 1\n1 0 0 0 51\n0 1 0 0 0\n"), ".ply");
     EXPECT_EQ(colorsOf(two), "");
-    EXPECT_EQ(remarksOf(two), "The colours of 4 rows of the element \"vertex\" are not read.\n");
+    EXPECT_EQ(remarkTextOf(two), "The colours of 4 rows of the element \"vertex\" are not read.\n");
 }
 
 // Normalised 16-bit colours with opacity: 65535 is 1. Two corners at one place with different colours stay two vertices.
@@ -106,7 +106,7 @@ TEST(VertexColors, AreReadFromGltf) {
     const LoadedModel model = modelOf(test::fileOf(parts), ".gltf");
     EXPECT_EQ(colorsOf(model), "1 0 0, 0 0.2 0, 0 0 0, 0 0 1, ");
     EXPECT_EQ(model.objects.at(0).material.diffuse, Vec3d(1));
-    EXPECT_EQ(remarksOf(model), "");
+    EXPECT_EQ(remarkTextOf(model), "");
 }
 
 // Facing the eye: red, green and blue at the vertices.
