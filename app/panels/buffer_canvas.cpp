@@ -18,6 +18,7 @@ void mark(QWidget& canvas, Mark& now, Mark mark) {
 
 BufferCanvas::BufferCanvas(QWidget* parent) : QWidget(parent) {
     setMouseTracking(true);
+    setMinimumSize(120, 90);
     setFocusPolicy(Qt::StrongFocus);
     speakAs(*this, QAccessible::Graphic);
     setCursor(Qt::CrossCursor);

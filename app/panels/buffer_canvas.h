@@ -46,7 +46,6 @@ public:
     void cancelPainting() { m_base.cancel(), m_otherBase.cancel(); }
     void retryPainting();
     QSize sizeHint() const override;
-    QSize minimumSizeHint() const override { return {120, 90}; }
 
 signals:
     void sizeChanged();  // the widget's
