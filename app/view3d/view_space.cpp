@@ -15,6 +15,8 @@ Vec3d toView(const View& view, Vec3d world) {
     return {glm::dot(d, view.right), glm::dot(d, view.up), glm::dot(d, view.forward)};
 }
 
+Vec3d inWorld(const View& view, Vec3d p) { return view.eye + p.x * view.right + p.y * view.up + p.z * view.forward; }
+
 // 0 at the near plane, 1 at the far plane: a − b / z in perspective.
 double toDepth(const View& view, double z) {
     const double range = view.far - view.near;
@@ -75,7 +77,7 @@ Vec3d SpaceMap::toSpace(Vec3d world) const {
 
 Vec3d SpaceMap::toWorld(Vec3d shown) const {
     if (space == ViewSpace::World || space == ViewSpace::Point) return shown;
-    if (keepsLengths()) return fromView(view, {shown.x, shown.z, shown.y});
+    if (keepsLengths()) return inWorld(view, {shown.x, shown.z, shown.y});
     const glm::dvec2 size(view.size);
     const bool clip = space == ViewSpace::Clip;
     const double z = fromDepth(view, clip ? (shown.y + 1) / 2 : shown.y / size.y);

@@ -43,8 +43,8 @@ std::optional<OwnArguments> OwnArguments::read(std::span<const OwnParameter> par
 }
 
 std::span<const OwnParameter> OwnContract::taken() const {
-    const auto* const end = std::ranges::find(parameters, OwnKind::None, &OwnParameter::kind);
-    return {parameters.begin(), end};
+    const auto end = std::ranges::find(parameters, OwnKind::None, &OwnParameter::kind);
+    return {parameters.data(), std::size_t(end - parameters.begin())};
 }
 
 const OwnContract& ownContract(OwnFunction function) {

@@ -41,9 +41,12 @@ Result<Scene> readModelScene(const SourceText& source, const FileLoader& load) {
     tellApart(scene.objects);
     findUp(source, scene);
     const auto hasNormals = [](const Object& object) { return !object.mesh->normals.empty(); };
+    const auto hasColors = [](const Object& object) { return !object.mesh->colors.empty(); };
     if (std::ranges::any_of(scene.objects, hasNormals)) {
         scene.settings.shading = Shading::Phong;
         scene.settings.normalWeight = NormalWeight::Given;
+    } else if (std::ranges::any_of(scene.objects, hasColors)) {
+        scene.settings.shading = Shading::Phong;  // a flat polygon would have one colour
     }
     if (model->doubleSided) {
         scene.settings.cull = CullMode::None;

@@ -248,7 +248,8 @@ bool expectTheSameShading(const Scene& scene, BufferSet wanted) {
 BufferSet withoutVectors() {
     using enum BufferId;
     BufferSet wanted = test::everyBuffer();
-    for (const BufferId id : {Normal, ViewVector, LightVector, ReflectionVector, HalfwayVector, NDotL, RDotV, NDotH})
+    for (const BufferId id :
+         {DiffuseCoefficient, Normal, ViewVector, LightVector, ReflectionVector, HalfwayVector, NDotL, RDotV, NDotH})
         wanted.reset(index(id));
     return wanted;
 }

@@ -6,6 +6,7 @@
 #include "pipeline/contracts/contract.h"
 #include "pipeline/export/gl_calls.h"
 #include "pipeline/formats/model_reader.h"
+#include "pipeline/formats/model_scene.h"
 #include "pipeline/formats/toml_scene.h"
 #include "pipeline/formats/toml_writer.h"
 #include "pipeline/inspect/pixel_report.h"
@@ -61,6 +62,14 @@ TEST(VertexColors, AreReadFromObj) {
                                      ".obj", {{"a.mtl", "newmtl a\nKd 0.5 0.25 1\n"}});
     EXPECT_EQ(both.objects[0].material.diffuse, Vec3d(0.5, 0.25, 1));
     EXPECT_EQ(colorsOf(both), "1 0 0, 0 1 0, 0 0 1, ");
+}
+
+// Flat shading would give the one triangle one colour.
+TEST(VertexColors, AModelOpensWithThemInterpolated) {
+    const Result<Scene> scene =
+        readModelScene({"v 0 0 0 1 0 0\nv 4 0 0 0 1 0\nv 4 3 0 0 0 1\nf 1 2 3\n", "a.obj"}, test::filesOf({}));
+    ASSERT_TRUE(scene);
+    EXPECT_EQ(scene->settings.shading, Shading::Phong);
 }
 
 // Vertex 1 is used by no polygon: the colours of the others stay theirs.
