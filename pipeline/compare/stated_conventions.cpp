@@ -36,7 +36,9 @@ std::vector<Reading> allowedReadings(const HandedFile& file, const ReadingContex
         return (ofFile.bottomUp && *ofFile.bottomUp != reading.bottomUp) ||
                (ofFile.mirrored && *ofFile.mirrored != reading.mirrored) || (ofFile.bgr && *ofFile.bgr != reading.bgr);
     });
-    for (const auto& [key, coding] : ofFile.codings) {
+    for (const auto& one : ofFile.codings) {
+        const auto& key = one.first;
+        const Coding coding = one.second;
         const bool has = std::ranges::any_of(all, [&](const Reading& reading) { return reading.coding == coding; });
         const bool isAsked =
             std::ranges::any_of(all, [&](const Reading& reading) { return codingInfo(reading.coding).key == key; });
