@@ -128,8 +128,8 @@ private:
                 if (coding == Coding::FromTheFoot && sounding.file->name.buffer.id == BufferId::VerticesScreen)
                     sounding.candidates.assign(2, {{false, false, false, coding}, 0});
                 const auto values = sounding.valuesOn(Code);
-                const bool has =
-                    std::ranges::any_of(values, [&](int value) { return codingInfo(Coding(value)).key == key; });
+                const bool has = std::ranges::any_of(
+                    values, [&wanted = key](int value) { return codingInfo(Coding(value)).key == wanted; });
                 if (!has || sounding.candidates.size() < 2 || std::ranges::find(values, int(coding)) == values.end())
                     continue;
                 sounding.keep(Code, int(coding));

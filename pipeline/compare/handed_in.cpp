@@ -225,7 +225,8 @@ HandedIn takeHandedIn(std::span<const OfferedFile> files, const Frame& reference
 HandedIn readHandedIn(const std::map<std::string, std::string_view>& files, const Frame& reference) {
     std::vector<OfferedFile> offered;
     for (const auto& [name, bytes] : files)
-        offered.push_back({name, true, [bytes](std::size_t) -> Result<std::string> { return std::string(bytes); }});
+        offered.push_back(
+            {name, true, [held = bytes](std::size_t) -> Result<std::string> { return std::string(held); }});
     return takeHandedIn(offered, reference, {});
 }
 
