@@ -223,7 +223,8 @@ void WindowLessons::showParts() {
     const auto& needed = m_lessons.run().isAtEnd() ? std::vector<Part>() : m_lessons.run().current().panels;
     for (PanelDock* dock : m_docks.all()) {
         const PanelId id = dock->row().id;
-        const bool wanted = has(needed, dock->row().part) || (!only && m_aside->panels.contains(id));
+        const bool hasFigure = id == PanelId::Inspector && m_document.hand().held().figure == lessons::Figure::Equation;
+        const bool wanted = has(needed, dock->row().part) || hasFigure || (!only && m_aside->panels.contains(id));
         dock->setVisible(id == PanelId::Lesson || (wanted && m_docks.whyHidden(id).isEmpty()));
     }
     m_docks[PanelId::Lesson].raise();

@@ -126,7 +126,8 @@ void BufferHolds::show() {
     placeGrips();
 }
 
-// Once for a page. All of the picture where a lamp may stand beside what is drawn; below the play where one stands above.
+// Once for each half of a page. All of the picture where a lamp may stand beside what is drawn. The place of the play is
+// kept free after the answer too, so that nothing moves.
 void BufferHolds::fit() {
     CanvasPlacing& placing = view().canvas()->placing();
     const CanvasContent& content = view().canvas()->content();
@@ -137,7 +138,7 @@ void BufferHolds::fit() {
     });
     QRectF part(QPointF(), QSizeF(content.size));
     if (!isLamp && !content.focus.isEmpty()) part = content.focus;
-    const double room = view().canvas()->height(), play = m_hand.held().play ? Theme::current().px(56) : 0;
+    const double room = view().canvas()->height(), play = Theme::current().px(56);
     if (room > 2 * play) part.setTop(part.top() - part.height() * play / (room - play));
     placing.follow({.fits = true, .focus = part, .zoom = 1, .center = {}});
 }
