@@ -232,7 +232,7 @@ void WindowLessons::showParts() {
     m_around.timelineBar.setVisible(isTimed);
     m_docks.rail().setVisible(!only && !m_layout.isWide());
     if (only) m_around.strip.setCompact(true);
-    // What is held has the room.
+    // A held picture fills the window, but for the lesson.
     const bool isHeld = only && !m_document.hand().held().holds.empty();
     m_centre.views().setHeld(isHeld);
     m_centre.views().setThumbnails(!isHeld && m_aside->thumbnails);

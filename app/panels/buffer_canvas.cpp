@@ -115,7 +115,7 @@ void BufferCanvas::paintEvent(QPaintEvent*) {
     static const auto kNoShapes = std::make_shared<const ShapePicture>();
     CanvasContent marks;  // without the images
     marks.size = m_content.size;
-    if (!m_content.ground.isValid()) marks.picked = m_content.picked;  // it has a ring there, and no lines through all
+    if (!m_content.ground.isValid()) marks.picked = m_content.picked;  // BufferHolds draws a ring there
     marks.hovered = m_content.hovered;
     marks.marked = m_content.marked, marks.pinned = m_content.pinned, marks.region = m_content.region;
     if (m_content.shapes) marks.shapes = kNoShapes;

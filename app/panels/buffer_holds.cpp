@@ -1,5 +1,6 @@
 #include "app/panels/buffer_holds.h"
 
+#include <QApplication>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QPainterPath>
@@ -107,7 +108,7 @@ pipeline::BufferSet BufferHolds::want() {
     return wanted;
 }
 
-// L and N may be what a page asks for.
+// A page that asks for N or L hides their buffers.
 bool BufferHolds::showsVectors() const {
     const lessons::Hidden& hidden = view().document().hidden();
     const auto hides = [&](BufferId id) {
@@ -193,7 +194,7 @@ void BufferHolds::placeGrips() {
 
 void BufferHolds::begin(std::size_t hold, QPointF at) {
     m_dragged = hold;
-    m_last = m_at = at;
+    m_pressed = m_last = m_at = at;
     m_hand.begin(hold, forHand(hold, at));
     m_grips[hold]->setDragged(true);
 }
@@ -212,6 +213,14 @@ void BufferHolds::end() {
     m_hand.end();
 }
 
+// A press that moved nothing picks, as it does where nothing is held: a question may ask for a click.
+void BufferHolds::click(QPointF at) {
+    m_hand.cancel();
+    end();
+    if (const auto pixel = view().canvas()->placing().pixelAt(at))
+        view().document().pointing().pick(glm::ivec2(pixel->x(), pixel->y()));
+}
+
 std::optional<std::size_t> BufferHolds::holdAt(QPointF canvas) const {
     const auto pixel = view().canvas()->placing().pixelAt(canvas);
     if (pixel && view().frame())
@@ -223,7 +232,7 @@ std::optional<std::size_t> BufferHolds::holdAt(QPointF canvas) const {
     return m_hand.holdOfEye();
 }
 
-// Before the canvas itself, which would pick a pixel or move the picture.
+// The canvas sees the press afterwards, if at all: it would pick a pixel or move the picture.
 bool BufferHolds::eventFilter(QObject*, QEvent* event) {
     if (m_grips.empty()) return false;
     const auto mouse = [event]() -> const QMouseEvent& { return *static_cast<QMouseEvent*>(event); };
@@ -242,7 +251,10 @@ bool BufferHolds::eventFilter(QObject*, QEvent* event) {
             return true;
         case QEvent::MouseButtonRelease:
             if (!m_dragged) return false;
-            end();
+            if ((mouse().position() - m_pressed).manhattanLength() < QApplication::startDragDistance())
+                click(mouse().position());
+            else
+                end();
             return true;
         default: return false;
     }
@@ -318,7 +330,7 @@ void BufferHolds::paint(QPainter& painter) const {
     paintPlay(painter);
 }
 
-// Or, once its condition has been true, its finding.
+// Paints the sentence of the play. Once its condition has been true, paints what was found instead.
 void BufferHolds::paintPlay(QPainter& painter) const {
     const auto& play = m_hand.held().play;
     if (!play) return;

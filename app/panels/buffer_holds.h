@@ -19,7 +19,7 @@ class BufferHolds : public BufferFeature {
 public:
     explicit BufferHolds(BufferView& view);
 
-    // One view of the window has them.
+    // Of the views on show only the first has grips.
     void setOn(bool on);
     // As a page of a lesson has it whose picture is held: on black, without the header.
     void setHeld(bool held);
@@ -48,6 +48,7 @@ private:
     void begin(std::size_t hold, QPointF at);
     void moveTo(QPointF at, Qt::KeyboardModifiers modifiers);
     void end();
+    void click(QPointF at);
     void paint(QPainter& painter) const;
     void paintPlay(QPainter& painter) const;
 
@@ -57,7 +58,8 @@ private:
     std::vector<HoldGrip*> m_grips;
     bool m_isOn = false, m_isHeld = false, m_fits = false;
     std::optional<std::size_t> m_dragged;
-    QPointF m_last, m_at;  // of the pointer, and of what it holds: Shift moves by a tenth
+    // Of a drag, on the canvas: where it began, where the pointer is, and where what it holds is; Shift moves by a tenth.
+    QPointF m_pressed, m_last, m_at;
     std::optional<pipeline::PictureVectors> m_vectors;
 };
 

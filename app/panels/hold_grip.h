@@ -19,7 +19,7 @@ public:
 
     std::size_t hold() const { return m_hold; }
     static int side();  // pixels, at least 44
-    // With its middle there; hidden where there is no place. Its words leave out what is above `top`.
+    // Puts its middle there, or hides it. The words stay below `top`; all in pixels of the canvas.
     void place(std::optional<QPointF> middle, bool isBehind, int top);
     void setDragged(bool dragged);
     Scale spoken() const override;

@@ -10,8 +10,8 @@ namespace app {
 class ProseView;
 class QuestionCard;
 
-// A page of a lesson: its text, its question; its second half once the question is settled. Before that the
-// second half is not made, so that nothing can read it out.
+// A page of a lesson: its text, its question; its second half once the question is settled. Before that the second half is
+// not made, so that nothing can read it out.
 class LessonPage : public QWidget {
     Q_OBJECT
 public:

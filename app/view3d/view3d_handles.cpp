@@ -34,7 +34,7 @@ QString nameOf(const Handle& handle) {
     return View3dHandles::tr("move %1").arg(name);
 }
 
-// How the keys of what it moves begin.
+// How the keys of the settings begin that a drag of the handle changes.
 std::string settingsOf(const Handle& handle) {
     switch (handle.kind) {
         case Handle::Kind::Light:

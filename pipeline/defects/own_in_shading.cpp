@@ -4,6 +4,7 @@
 
 #include "pipeline/core/numerics.h"
 #include "pipeline/defects/own_hooks.h"
+#include "pipeline/scene/model_facts.h"
 #include "pipeline/stages/shading.h"
 #include "pipeline/stages/translucent.h"
 
@@ -51,7 +52,9 @@ bool isOwnVectorOff(const Own& own, const Surface<Real>& at, const LightSample<R
 template <class Real>
 void ownTerms(const Own& own, const Illumination& illumination, const Light& light, const Material& material,
               const Surface<Real>& at, LightSample<Real>& s) {
-    if (illumination.model != Model::Phong && illumination.model != Model::BlinnPhong) return;
+    // The contracts are of a light's intensity, and of a power of a cosine.
+    const ModelFacts& facts = modelFacts(illumination.model);
+    if (facts.lobe == Lobe::None || facts.found.glLights) return;
     const bool halfway = usesHalfway(illumination.model, material);
     OwnCall call(own);
     if (own.function == OwnFunction::Lambert) {
@@ -115,7 +118,8 @@ void spoilSum(const ShadingInputs& inputs, std::size_t light, Real shadow, const
 
 void spoilMaximum(const ShadingInputs& inputs, const std::vector<std::uint8_t>& transparent, double& iMax) {
     const Own* const own = inputs.planted.own;
-    if (!own || own->function != OwnFunction::IMax || inputs.illumination.model != Model::Phong) return;
+    if (!own || own->function != OwnFunction::IMax || modelFacts(inputs.illumination.model).white != White::Maximum)
+        return;
     double diffuse = 0, specular = 0;
     for (std::size_t i = 0; i < inputs.materials.size(); ++i) {
         if (!transparent.empty() && transparent[i]) continue;

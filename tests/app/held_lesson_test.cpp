@@ -145,6 +145,17 @@ TEST_F(HeldLesson, TheFileBesideThePictureFollowsTheVertex) {
     EXPECT_TRUE(lineOfApex().startsWith(QString("(%1,").arg(moved))) << lineOfApex().toStdString();
 }
 
+// "Which rod is the mirror direction? Click it.": there the eye is held by all of the picture.
+TEST_F(HeldLesson, AClickOnAHeldPicturePicksAndMovesNothing) {
+    open("reflection");
+    ASSERT_TRUE(hand().holdOfEye());
+    const pipeline::Scene before = document().scene();
+    QTest::mouseClick(canvas(), Qt::LeftButton, {}, onCanvas({320, 200}));
+    EXPECT_EQ(document().pointing().pixel(), glm::ivec2(320, 200));
+    EXPECT_TRUE(document().scene() == before);
+    EXPECT_FALSE(document().history().stack()->canUndo());
+}
+
 // Without the lesson nothing can be held any more.
 TEST_F(HeldLesson, NothingIsLeftInTheHandWhenTheLessonIsClosed) {
     open("diffuse");
