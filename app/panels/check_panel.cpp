@@ -1,5 +1,7 @@
 #include "app/panels/check_panel.h"
 
+#include <fmt/format.h>
+
 #include <QApplication>
 #include <QClipboard>
 #include <QKeyEvent>
@@ -16,6 +18,9 @@
 #include "app/panels/fitting_choice.h"
 #include "app/panels/folding_panes.h"
 #include "app/panels/follow_theme.h"
+#include "app/panels/surface.h"
+#include "pipeline/check/check_json.h"
+#include "pipeline/plan/memory_limit.h"
 
 namespace app {
 
@@ -149,6 +154,136 @@ void CheckPanel::keyPressEvent(QKeyEvent* event) {
         return;
     }
     QWidget::keyPressEvent(event);
+}
+
+QWidget* CheckPanel::makeLeft() {
+    auto* content = new QWidget(this);
+    m_cases = new CheckCases(content);
+    m_runOne = new QPushButton(tr("Run this case"), content);
+    m_runOne->setObjectName("checkRunOne");
+    m_command = new QLabel(content);
+    m_command->setObjectName("checkCommand");
+    m_command->setProperty("tone", 2);
+    m_command->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_command->setMinimumWidth(1);  // its words are no reason for a wide window
+    auto* foot = new QHBoxLayout;
+    foot->addWidget(m_runOne);
+    m_command->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    foot->addWidget(m_command, 1);
+    foot->addStretch();
+    auto* column = new QVBoxLayout(content);
+    column->addWidget(m_cases, 1);
+    column->addLayout(foot);
+    connect(m_cases, &CheckCases::chosen, this, &CheckPanel::select);
+    connect(m_cases, &CheckCases::openAsked, this, &CheckPanel::openAsScene);
+    connect(m_runOne, &QPushButton::clicked, this, [this] { run({{std::string(chosenCase().id)}, {}}); });
+    followTheme(content, [this, column, foot] {
+        const Theme& theme = Theme::current();
+        column->setContentsMargins(theme.px(12), theme.px(10), theme.px(12), theme.px(12));
+        column->setSpacing(theme.px(8));
+        foot->setSpacing(theme.px(8));
+        m_command->setFont(theme.mono(12));
+        fitGroups();
+    });
+    return surface(content, this);
+}
+
+QWidget* CheckPanel::makeRight() {
+    auto* content = new QWidget(this);
+    m_details = new CheckDetails(content);
+    m_message = new QLabel(content);
+    m_message->setObjectName("checkMessage");
+    m_message->setWordWrap(true);
+    m_message->hide();
+    m_pictures = new CheckPictures(content);
+    m_knob = new CheckKnob(content);
+    m_noKnob = new QLabel(tr("Nothing in this case can be turned: it is as stiff as it is."), content);
+    m_noKnob->setAlignment(Qt::AlignCenter);
+    m_noKnob->setProperty("tone", 2);
+    auto* column = new QVBoxLayout(content);
+    column->addWidget(m_details);
+    column->addWidget(m_message);
+    column->addWidget(m_pictures, 2);
+    column->addWidget(m_knob, 2);
+    column->addWidget(m_noKnob);
+    column->addStretch(0);
+    connect(m_details, &CheckDetails::openAsked, this, &CheckPanel::openAsScene);
+    connect(m_knob, &CheckKnob::changed, this, &CheckPanel::turnKnob);
+    followTheme(content, [this, column] {
+        const int margin = Theme::current().px(12);
+        column->setContentsMargins(0, 0, 0, 0);
+        m_message->setContentsMargins(margin, 0, margin, 0);
+    });
+    auto* area = scrolling(content, this);
+    followTheme(area, [area, content] { area->setMinimumWidth(content->minimumSizeHint().width()); });
+    return surface(area, this);
+}
+
+// In a narrow window the groups are a list, and the command, which the manual has, goes.
+void CheckPanel::fitGroups() {
+    const bool isNarrow = width() < Theme::current().px(1180);
+    m_bar->setNarrow(isNarrow);
+    m_command->setVisible(!isNarrow);
+}
+
+void CheckPanel::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    fitGroups();
+}
+
+std::optional<pipeline::Scene> CheckPanel::sceneAtKnob() const {
+    const Case& which = chosenCase();
+    if (!which.scene) return {};
+    if (which.knob.scene) return which.knob.scene(m_knob->value());
+    pipeline::Scene scene = which.scene();
+    if (const auto setting = findSetting(scene, which.knob.setting); !which.knob.setting.empty() && setting)
+        setting->set(scene, m_knob->value());
+    return scene;
+}
+
+// As the case has it until the slider is moved.
+void CheckPanel::showPictures() {
+    std::optional<pipeline::Scene> scene;
+    if (chosenCase().scene) scene = m_knob->moved() ? sceneAtKnob() : chosenCase().scene();
+    const bool drawn = scene && checkSceneAndMemory(*scene).empty();
+    m_pictures->setScene(chosenCase(), drawn ? std::make_shared<const pipeline::Scene>(*scene) : nullptr);
+}
+
+bool CheckPanel::openAsScene() {
+    const auto tell = [this](const QString& words) {
+        m_message->setText(words);
+        m_message->show();
+        return false;
+    };
+    const Case& which = chosenCase();
+    auto scene = sceneAtKnob();
+    if (!scene) return tell(tr("%1 is numbers or a file: it has no scene.").arg(toQString(which.id)));
+    if (const auto errors = checkSceneAndMemory(*scene); !errors.empty())
+        return tell(toQString(format(errors.front())));
+    if (!m_mayLeave()) return false;
+    if (scene->name.empty()) scene->name = fmt::format("{} {}", which.id, which.title);
+    m_document.setScene(*std::move(scene));
+    m_open = m_selected;
+    tell(which.knob.setting.empty()
+             ? tr("%1 is open in the main window.").arg(toQString(which.id))
+             : tr("%1 is open in the main window and follows the slider.").arg(toQString(which.id)));
+    return true;
+}
+
+// The scene of the case on show follows; a drag is one step of undo.
+void CheckPanel::turnKnob(double value, bool done) {
+    if (!chosenCase().knob.setting.empty() || chosenCase().knob.scene) showPictures();
+    if (m_open != m_selected || chosenCase().knob.setting.empty()) return;
+    if (const auto setting = findSetting(m_document.scene(), chosenCase().knob.setting))
+        m_document.change(*setting, value, done ? Document::Change::Done : Document::Change::Live);
+}
+
+QString CheckPanel::report() const {
+    std::vector<CaseResult> results;
+    for (const auto& result : m_results)
+        if (result) results.push_back(*result);
+    const pipeline::Json json = toJson(results, m_seconds);
+    return toQString(json.dump(2));
 }
 
 }  // namespace app

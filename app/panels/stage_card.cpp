@@ -3,14 +3,20 @@
 #include <QKeyEvent>
 #include <QPainter>
 #include <QPainterPath>
+#include <QRegularExpression>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "app/core/numbers.h"
 #include "app/core/text.h"
 #include "app/panels/fitting_font.h"
 #include "app/panels/follow_theme.h"
+#include "app/panels/standing_row.h"
 
 namespace app {
+
+using pipeline::foreign::Standing;
 namespace {
 
 // Draws text from the left of `line` on and takes its width off `line`.
@@ -32,6 +38,13 @@ QStringList labels() {
 QString fittingLine(const QString& text, const QFont& font, int width) {
     const QFontMetrics metrics(font);
     return fitting(text, [&](const QString& part) { return metrics.horizontalAdvance(part) <= width; });
+}
+
+// Three digits of a number from 10 000 on: "498k", "1.00M". The rounded value decides: 999 700 is 1.00M, not 1000k.
+QString shortNumber(double value) {
+    const auto [unit, letter] = value < 999.5e3 ? std::pair(1e3, 'k') : std::pair(1e6, 'M');
+    const double shown = value / unit;
+    return number(shown, shown < 9.995 ? 2 : shown < 99.95 ? 1 : 0) + QLatin1Char(letter);
 }
 
 }  // namespace
@@ -288,6 +301,72 @@ void StageCard::keyPressEvent(QKeyEvent* event) {
         case Qt::Key_Enter: click(); break;
         default: QAbstractButton::keyPressEvent(event);
     }
+}
+
+void StageCard::setStanding(std::optional<Standing> standing, const QString& finding) {
+    if (!standing && !m_standing) return;
+    m_standing = standing, m_finding = finding;
+    const QString word = standing ? toQString(words(*standing)) : app::word(m_status.state);
+    setAccessibleName(QStringLiteral("%1: %2. %3").arg(text(), word, standing ? finding : m_status.reason));
+    setToolTip(standing ? QStringLiteral("%1: %2<br>%3").arg(text(), word, finding.toHtmlEscaped()) : m_status.tooltip);
+    update();
+}
+
+// The mark at the right, and the word before it.
+void StageCard::paintStanding(QPainter& painter, const Head& head) const {
+    const Theme& theme = Theme::current();
+    const int side = theme.px(15), gap = theme.px(6);
+    QRect line = head.line;
+    app::paintStanding(painter, QRectF(line.right() - side, line.center().y() - side / 2.0, side, side), *m_standing);
+    line.setLeft(head.title.right() + gap);
+    painter.setFont(theme.text(12, 500));
+    painter.setPen(standingColor(*m_standing));
+    painter.drawText(line, Qt::AlignLeft | Qt::AlignVCenter, head.state);
+}
+
+// Compact, the word; else what was found.
+void StageCard::paintFinding(QPainter& painter, const QRect& line) const {
+    const Theme& theme = Theme::current();
+    const bool saysWord = m_compact || m_finding.isEmpty();
+    painter.setFont(theme.text(12, saysWord ? 500 : 400));
+    painter.setPen(saysWord ? standingColor(*m_standing) : theme.colors().text2);
+    const QString text = saysWord ? toQString(words(*m_standing)) : m_finding;
+    painter.drawText(line, Qt::AlignLeft | Qt::AlignVCenter,
+                     painter.fontMetrics().elidedText(text, Qt::ElideRight, line.width()));
+}
+
+QString withShortNumbers(QString text) {
+    static const QRegularExpression grouped(QStringLiteral("\\d{1,3}(?:\\x{2009}\\d{3})+"));
+    for (qsizetype from = 0;;) {
+        const QRegularExpressionMatch match = grouped.match(text, from);
+        if (!match.hasMatch()) return text;
+        const double value = match.captured().remove(QChar(0x2009)).toDouble();
+        const QString shown = value >= 10000 ? shortNumber(value) : match.captured();
+        text.replace(match.capturedStart(), match.capturedLength(), shown);
+        from = match.capturedStart() + shown.size();
+    }
+}
+
+QString fittingError(QString error, const std::function<bool(const QString&)>& fits) {
+    for (const QChar end : {QChar(','), QChar(' ')})
+        if (!fits(error)) error = error.section(end, 0, 0);
+    return error;
+}
+
+QString fittingCounts(const QString& counts, const std::function<bool(const QString&)>& fits) {
+    if (const QString exact = fitting(counts, fits); !exact.isEmpty()) return exact;
+    const QString brief = withShortNumbers(counts);
+    const QString part = fitting(brief, fits);
+    return part.isEmpty() ? fitting(QString(brief).remove(QStringLiteral(" polygons")), fits) : part;
+}
+
+QString fitting(QString text, const std::function<bool(const QString&)>& fits) {
+    while (!text.isEmpty() && !fits(text)) {
+        const auto sign =
+            std::find_if(text.crbegin(), text.crend(), [](QChar c) { return c == u';' || c == u':' || c == u','; });
+        text.truncate(std::max<qsizetype>(0, text.crend() - sign - 1));
+    }
+    return text;
 }
 
 }  // namespace app

@@ -71,4 +71,20 @@ std::string whyNotAtOnePoint(const Scene& scene, std::size_t k) {
     return whyNotLit(scene, k);
 }
 
+std::span<const Contract> contractTable() {
+    static const std::vector<Contract> all = [] {
+        std::vector<Contract> rows;
+        for (const auto& part : {geometryContracts(), drawingContracts(), vectorContracts(), termContracts()})
+            rows.insert(rows.end(), part.begin(), part.end());
+        return rows;
+    }();
+    return all;
+}
+
+const Contract* findContract(std::string_view id) {
+    for (const Contract& contract : contractTable())
+        if (contract.id == id) return &contract;
+    return nullptr;
+}
+
 }  // namespace pipeline
