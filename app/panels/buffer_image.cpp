@@ -93,9 +93,8 @@ void fillColor(QImage& image, std::span<const T> numbers, PaletteRange range, co
     });
 }
 
-bool isDepth(BufferId id) {
-    return id == BufferId::Depth || id == BufferId::ZView || id == BufferId::ShadowBuffer || id == BufferId::ZNdc;
-}
+// A distance: infinite where nothing was drawn.
+bool isDepth(const BufferInfo& info) { return std::isinf(info.neutral); }
 
 // Differences are told in three digits that matter, whatever they differ in.
 QString differenceText(double value) {
@@ -279,7 +278,7 @@ QString valueText(const AnyBuffer& buffer, double value, int characters) {
     if (isDifference(info)) return differenceText(value);
     if (info.element != Element::Real)
         text = number(value, 0);
-    else if (isDepth(info.id))
+    else if (isDepth(info))
         text = depth(value, std::holds_alternative<std::span<const double>>(buffer.data));
     else if (info.unit == "intensity")
         text = intensity(value);
