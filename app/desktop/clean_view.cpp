@@ -74,7 +74,7 @@ CleanView::~CleanView() {
 }
 
 void CleanView::arrange() {
-    auto* column = new QVBoxLayout(this);
+    auto* column = spaced(new QVBoxLayout(this), {19, 15, 19, 10}, 12);
     column->setSizeConstraint(QLayout::SetNoConstraint);  // it fills the screen, and the views give way
     auto* beside = new QHBoxLayout;
     beside->addWidget(m_views, 1);
@@ -85,10 +85,8 @@ void CleanView::arrange() {
     column->addWidget(m_sliders);
     column->addWidget(m_equation);
     column->addWidget(m_caption);
-    followTheme(this, [this, column] {
+    followTheme(this, [this] {
         const Theme& theme = Theme::current();
-        column->setContentsMargins(theme.px(19), theme.px(15), theme.px(19), theme.px(10));
-        column->setSpacing(theme.px(12));
         m_title->setFont(theme.text(kTitle, 600));
     });
 }

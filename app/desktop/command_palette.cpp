@@ -100,14 +100,13 @@ CommandPalette::CommandPalette(QWidget* window)
     auto* top = new QHBoxLayout;
     top->addWidget(m_field, 1);
     top->addWidget(m_count);
-    auto* column = new QVBoxLayout(this);
+    auto* column = spaced(new QVBoxLayout(this), {1, 12, 1, 8});
     column->addLayout(top);
     column->addWidget(m_list, 1);
     column->addWidget(m_none, 1);
     column->addWidget(hint);
     followTheme(this, [this, column, hint] {
         const Theme& theme = Theme::current();
-        column->setContentsMargins(theme.px(1), theme.px(12), theme.px(1), theme.px(8));
         for (QLabel* label : {m_count, hint}) {
             label->setFont(theme.text(12));
             label->setContentsMargins(theme.px(14), 0, theme.px(14), 0);

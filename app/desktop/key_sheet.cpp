@@ -76,9 +76,7 @@ QLabel* makeLabel(const QString& text, const char* kind, QWidget* parent) {
 std::unique_ptr<QWidget> page(const std::vector<KeyRow>& rows, int inColumn) {
     auto page = std::make_unique<QWidget>();
     const Theme& theme = Theme::current();
-    auto* columns = new QHBoxLayout(page.get());
-    columns->setContentsMargins(theme.px(8), 0, theme.px(8), theme.px(8));
-    columns->setSpacing(theme.px(36));
+    auto* columns = spaced(new QHBoxLayout(page.get()), {8, 0, 8, 8}, 36);
     QGridLayout* grid = nullptr;
     int row = 0;
     for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -119,13 +117,12 @@ KeySheet::KeySheet(const Actions& actions, QWidget* window)
     m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_scroll->setWidgetResizable(true);
     m_scroll->setFocusPolicy(Qt::NoFocus);
-    auto* column = new QVBoxLayout(this);
+    auto* column = spaced(new QVBoxLayout(this), {16, 12, 8, 12});
     column->addWidget(m_field);
     column->addWidget(m_scroll, 1);
     connect(m_field, &QLineEdit::textChanged, this, &KeySheet::filter);
-    followTheme(this, [this, column] {
+    followTheme(this, [this] {
         const Theme& theme = Theme::current();
-        column->setContentsMargins(theme.px(16), theme.px(12), theme.px(8), theme.px(12));
         m_field->setFont(theme.text(15));
         m_field->setMinimumHeight(theme.px(30));
         if (isVisible()) open();

@@ -126,17 +126,16 @@ ManualWindow::ManualWindow(QWidget* parent) : QWidget(parent, Qt::Window), m_pag
     connect(m_page, &QTextBrowser::sourceChanged, this, [this](const QUrl& page) {
         if (page.hasFragment()) m_page->scrollToHeading(page.fragment());
     });
-    auto* row = new QHBoxLayout;
+    auto* row = spaced(new QHBoxLayout, {}, 6);
     for (QPushButton* button : {contents, back, forward}) row->addWidget(button);
     row->addStretch(1);
     auto* column = new QVBoxLayout(this);
     column->addLayout(row);
     column->addWidget(m_page, 1);
-    followTheme(this, [this, row] {
+    followTheme(this, [this] {
         const Theme& theme = Theme::current();
         m_page->document()->setDefaultFont(theme.text(14));
         m_page->document()->setDocumentMargin(theme.px(24));
-        row->setSpacing(theme.px(6));
         resize(QSize(theme.px(860), theme.px(900)).boundedTo(screen()->availableSize()));
         m_page->reload();
     });

@@ -82,8 +82,7 @@ NotesWindow::NotesWindow(CueModel& cues, QWidget& audience) : m_cues(cues), m_au
 
 QWidget* NotesWindow::makePictures() {
     auto* left = new QWidget(this);
-    auto* column = new QVBoxLayout(left);
-    column->setContentsMargins(0, 0, 0, 0);
+    auto* column = spaced(new QVBoxLayout(left), {});
     m_nowTitle = makeLabel(left, 2), m_nextTitle = makeLabel(left, 2);
     for (QLabel** picture : {&m_now, &m_next}) {
         *picture = new QLabel(left);
@@ -102,8 +101,7 @@ QWidget* NotesWindow::makePictures() {
 
 QWidget* NotesWindow::makeRight() {
     auto* right = new QWidget(this);
-    auto* column = new QVBoxLayout(right);
-    column->setContentsMargins(0, 0, 0, 0);
+    auto* column = spaced(new QVBoxLayout(right), {});
     m_notesTitle = makeLabel(right, 2);
     m_notesTitle->setText(tr("Notes"));
     m_notes = new QLabel;
@@ -129,8 +127,7 @@ QWidget* NotesWindow::makeRight() {
 
 QWidget* NotesWindow::makeFoot() {
     auto* foot = new QWidget(this);
-    auto* row = new QHBoxLayout(foot);
-    row->setContentsMargins(0, 0, 0, 0);
+    auto* row = spaced(new QHBoxLayout(foot), {});
     m_timer = makeLabel(foot, 1), m_left = makeLabel(foot, 2);
     m_clock = makeLabel(foot, 1);
     m_keys = new ElidedLabel(foot);  // what a small screen can do without

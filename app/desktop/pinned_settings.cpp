@@ -3,14 +3,14 @@
 #include <QGridLayout>
 #include <algorithm>
 
+#include "app/panels/follow_theme.h"
 #include "app/panels/number_field.h"
 #include "app/panels/setting_row.h"
 
 namespace app {
 
 PinnedSettings::PinnedSettings(Document& document, QWidget* parent) : QWidget(parent), m_document(document) {
-    auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(0, 0, 0, 0);
+    spaced(new QHBoxLayout(this), {});
     connect(&document, &Document::sceneChanged, this, &PinnedSettings::checkScene);
     connect(&document, &Document::sceneOpened, this, &PinnedSettings::build);
     hide();
@@ -31,8 +31,7 @@ void PinnedSettings::build() {
     delete m_rows;
     m_rows = new QWidget(this);
     layout()->addWidget(m_rows);
-    auto* columns = new QHBoxLayout(m_rows);
-    columns->setContentsMargins(0, 0, 0, 0);
+    auto* columns = spaced(new QHBoxLayout(m_rows), {});
     for (const std::string& key : m_keys) {
         if (!m_document.hasScene()) break;
         const auto setting = findSetting(m_document.scene(), key);

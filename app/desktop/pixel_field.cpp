@@ -24,14 +24,13 @@ PixelField::PixelField(QWidget* window) : Popover(window), m_field(new QLineEdit
     m_field->setAccessibleName(tr("Go to pixel"));
     m_hint->setProperty("tone", 2);
     m_hint->setWordWrap(true);
-    auto* column = new QVBoxLayout(this);
+    auto* column = spaced(new QVBoxLayout(this), {16, 12, 16, 12});
     auto* title = new QLabel(tr("Go to pixel"), this);
     column->addWidget(title);
     column->addWidget(m_field);
     column->addWidget(m_hint);
-    followTheme(this, [this, column, title] {
+    followTheme(this, [this, title] {
         const Theme& theme = Theme::current();
-        column->setContentsMargins(theme.px(16), theme.px(12), theme.px(16), theme.px(12));
         title->setFont(theme.text(14, 600));
         m_field->setFont(theme.mono(15));
         m_hint->setFont(theme.text(12));

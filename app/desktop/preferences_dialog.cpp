@@ -74,12 +74,11 @@ PreferencesDialog::PreferencesDialog(QWidget* parent) : QDialog(parent) {
     row->addWidget(keys);
     row->addStretch(1);
     row->addWidget(close);
-    auto* column = new QVBoxLayout(this);
+    auto* column = spaced(new QVBoxLayout(this), {16, 12, 16, 12});
     column->addWidget(new FieldsArea(fields, this), 1);
     column->addLayout(row);
-    followTheme(this, [this, column, form] {
+    followTheme(this, [this, form] {
         const Theme& theme = Theme::current();
-        column->setContentsMargins(theme.px(16), theme.px(12), theme.px(16), theme.px(12));
         form->setHorizontalSpacing(theme.px(16));
         form->setVerticalSpacing(theme.px(8));
         m_sample->setFont(theme.mono(12));

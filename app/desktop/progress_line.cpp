@@ -14,14 +14,12 @@ ProgressLine::ProgressLine(QWidget* parent)
     m_bar->setTextVisible(false);
     m_link->setProperty("kind", "link");
     m_link->setFocusPolicy(Qt::TabFocus);
-    auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(0, 0, 0, 0);
+    auto* row = spaced(new QHBoxLayout(this), {}, 8);
     row->addWidget(m_what);
     row->addWidget(m_bar);
     row->addWidget(m_link);
-    followTheme(this, [this, row] {
+    followTheme(this, [this] {
         const Theme& theme = Theme::current();
-        row->setSpacing(theme.px(8));
         m_what->setFont(theme.text(12));
         m_what->setIndent(theme.px(12));
         m_link->setFont(theme.text(12));

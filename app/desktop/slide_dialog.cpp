@@ -74,13 +74,12 @@ SlideDialog::SlideDialog(const Document& document, ViewArea& views, lessons::Win
     row->addWidget(m_copy);
     row->addWidget(m_close);
     row->addWidget(m_save);
-    auto* column = new QVBoxLayout(this);
+    auto* column = spaced(new QVBoxLayout(this), {16, 12, 16, 12});
     column->addLayout(halves, 1);
     column->addWidget(m_progress);
     column->addLayout(row);
-    followTheme(this, [this, column] {
+    followTheme(this, [this] {
         const Theme& theme = Theme::current();
-        column->setContentsMargins(theme.px(16), theme.px(12), theme.px(16), theme.px(12));
         m_progress->setFixedHeight(theme.px(6));
         resize(onScreen(*this, theme.px(900), theme.px(480)));
     });

@@ -27,8 +27,7 @@ TalkAlgorithm::TalkAlgorithm(const Document& document, QWidget* parent)
     m_leftOut->setObjectName("algorithmLeftOut");
     m_leftOut->setWordWrap(true);
     m_leftOut->setProperty("tone", 2);
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
+    auto* column = spaced(new QVBoxLayout(this), {});
     column->addWidget(m_lines);
     column->addWidget(m_tables, 1000);
     column->addWidget(m_leftOut);

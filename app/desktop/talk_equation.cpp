@@ -18,8 +18,7 @@ TalkEquation::TalkEquation(Document& document, QWidget* parent)
       m_math(new MathView(this)),
       m_value(new QLabel(this)),
       m_swatch(new QLabel(this)) {
-    auto* columns = new QHBoxLayout(this);
-    columns->setContentsMargins(0, 0, 0, 0);
+    auto* columns = spaced(new QHBoxLayout(this), {}, 12);
     m_math->setBaseSize(20.8);  // 38 px in 1080 lines
     m_math->setFocusPolicy(Qt::NoFocus);
     m_swatch->setFrameShape(QFrame::Box);
@@ -29,11 +28,10 @@ TalkEquation::TalkEquation(Document& document, QWidget* parent)
     connect(&document.inspection(), &PixelInspection::changed, this, &TalkEquation::showPixel);
     connect(&document.pointing(), &Pointing::channelChanged, this, &TalkEquation::showPixel);
     connect(&NumberStyle::current(), &NumberStyle::changed, this, &TalkEquation::showPixel);
-    followTheme(this, [this, columns] {
+    followTheme(this, [this] {
         const Theme& theme = Theme::current();
         m_value->setFont(theme.mono(13));
         m_swatch->setFixedSize(theme.px(64), theme.px(64));
-        columns->setSpacing(theme.px(12));
         showPixel();
     });
 }

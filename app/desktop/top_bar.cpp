@@ -16,10 +16,8 @@ TopBar::TopBar(Document& document, QWidget* parent)
       m_menus(new QMenuBar(this)),
       m_title(new ElidedLabel(this)),
       m_strip(new StageStrip(document, this)) {
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
-    auto* row = new QHBoxLayout;
+    auto* column = spaced(new QVBoxLayout(this), {}, 0);
+    auto* row = spaced(new QHBoxLayout, {0, 3, 8, 3});
     m_menus->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Preferred);
     m_title->setObjectName("title");
     m_title->setProperty("tone", 2);
@@ -32,9 +30,8 @@ TopBar::TopBar(Document& document, QWidget* parent)
     row->addWidget(command);
     column->addLayout(row);
     column->addWidget(m_strip);
-    followTheme(this, [this, row, command] {
+    followTheme(this, [this, command] {
         const Theme& theme = Theme::current();
-        row->setContentsMargins(0, theme.px(3), theme.px(8), theme.px(3));
         m_title->setFont(theme.text());
         command->setFont(theme.text(12));
     });

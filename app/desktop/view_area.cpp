@@ -33,8 +33,7 @@ ViewArea::ViewArea(Document& document, QWidget* parent, ViewDress dress)
       m_stage(document, *m_grid),
       m_edits(*m_grid, m_active, m_stage) {
     setObjectName("viewArea");
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
+    auto* column = spaced(new QVBoxLayout(this), {});
     column->addWidget(m_grid, 1);
     column->addWidget(m_missing);
     column->addWidget(m_thumbnails);

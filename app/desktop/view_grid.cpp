@@ -14,8 +14,7 @@ using lessons::ViewTree;
 
 ViewGrid::ViewGrid(Document& document, ViewDress dress, QWidget* parent)
     : QWidget(parent), m_views(document, *this, dress), m_tree(*lessons::arrangementNamed("one")) {
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
+    spaced(new QVBoxLayout(this), {});
 }
 
 int ViewGrid::gap() const { return Theme::current().px(8); }

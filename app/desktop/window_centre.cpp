@@ -7,6 +7,7 @@
 #include "app/core/theme.h"
 #include "app/desktop/view_area.h"
 #include "app/panels/error_list.h"
+#include "app/panels/follow_theme.h"
 #include "app/panels/start_page.h"
 
 namespace app {
@@ -18,9 +19,7 @@ WindowCentre::WindowCentre(Document& document, QWidget* parent)
       m_pages(new QStackedWidget(this)),
       m_start(new StartPage(m_pages)),
       m_views(new ViewArea(document, m_pages)) {
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(Theme::current().px(8));
+    auto* column = spaced(new QVBoxLayout(this), {}, 8);
     m_banner->setObjectName("banner");
     m_banner->hide();
     m_pages->addWidget(m_start);

@@ -87,14 +87,14 @@ AlgorithmPanel::AlgorithmPanel(Document& document, QWidget* parent)
     for (QLabel* label : {m_loopName, m_note, m_hint}) label->setProperty("tone", "2");
     m_hint->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     m_hint->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    auto* column = new QVBoxLayout(this);
+    auto* column = spaced(new QVBoxLayout(this), {0, 4, 0, 6}, 6);
     column->addLayout(head);
     column->addWidget(m_scroll, 1000);  // up to its height; the tables have the rest
     column->addWidget(m_loop);
     column->addWidget(m_tables, 1);
     column->addWidget(m_note);
     column->addLayout(foot);
-    followTheme(this, [this, head, column, loop, foot] {
+    followTheme(this, [this, head, loop, foot] {
         const Theme& theme = Theme::current();
         m_list->setFont(theme.text(12));
         for (QLabel* label : {m_loopName, m_note, m_hint}) label->setFont(theme.text(12));
@@ -102,8 +102,6 @@ AlgorithmPanel::AlgorithmPanel(Document& document, QWidget* parent)
         for (QPushButton* button : {m_back, m_next}) button->setFont(theme.text(12, 600));
         m_copy->setIconSize(QSize(1, 1) * theme.px(16));
         const int edge = theme.px(8);
-        column->setContentsMargins(0, theme.px(4), 0, theme.px(6));
-        column->setSpacing(theme.px(6));
         for (QHBoxLayout* row : {head, loop, foot})
             row->setContentsMargins(edge, 0, edge, 0), row->setSpacing(theme.px(6));
         m_note->setContentsMargins(edge, 0, edge, 0);

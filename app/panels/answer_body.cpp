@@ -25,20 +25,19 @@ public:
         m_field->setObjectName("answer");
         m_field->setAccessibleName(unit.isEmpty() ? tr("Answer") : tr("Answer in %1").arg(unit));
         m_field->setMaxLength(200);
-        auto* row = new QHBoxLayout;
+        auto* row = spaced(new QHBoxLayout, {}, 8);
         row->addWidget(m_field);
         row->addWidget(behind);
         row->addStretch(1);
         m_column->addLayout(row);
         m_column->addWidget(forms);
         connect(m_field, &QLineEdit::textChanged, this, &AnswerBody::changed);
-        followTheme(this, [this, behind, forms, row] {
+        followTheme(this, [this, behind, forms] {
             const Theme& theme = Theme::current();
             m_field->setFont(theme.mono());
             m_field->setFixedWidth(theme.px(130));
             behind->setFont(theme.text());
             forms->setFont(theme.text(12));
-            row->setSpacing(theme.px(8));
         });
     }
     std::optional<lessons::Given> given() const override {

@@ -34,7 +34,7 @@ protected:
 
 BufferHeader::BufferHeader(const Document& document, QWidget* parent)
     : QWidget(parent), m_chooser(new BufferChooser(document, this)), m_caption(new Caption(this)) {
-    auto* row = new QHBoxLayout(this);
+    auto* row = spaced(new QHBoxLayout(this), {6, 0, 6, 0}, 2);
     row->addWidget(m_chooser);
     row->addWidget(m_caption, 1);
     m_caption->setProperty("tone", "2");
@@ -90,10 +90,8 @@ BufferHeader::BufferHeader(const Document& document, QWidget* parent)
     connect(m_fit, &QToolButton::clicked, this, &BufferHeader::fitChosen);
     connect(m_original, &QToolButton::clicked, this, &BufferHeader::originalChosen);
     connect(m_loupe, &QToolButton::clicked, this, &BufferHeader::loupeToggled);
-    followTheme(this, [this, row] {
+    followTheme(this, [this] {
         const Theme& theme = Theme::current();
-        row->setContentsMargins(theme.px(6), 0, theme.px(6), 0);
-        row->setSpacing(theme.px(2));
         setFixedHeight(theme.px(32));
         m_caption->setFont(theme.text(12));
         m_zoom->setFont(theme.mono(12));

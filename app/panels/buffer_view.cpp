@@ -54,12 +54,9 @@ void BufferView::build() {
     m_stack->addWidget(m_page);
     m_features = makeFeatures(*this);
     m_working = new WorkingBar(m_canvas);
-    auto* all = new QVBoxLayout(this);
-    all->setContentsMargins(0, 0, 0, 0);
-    all->setSpacing(0);
+    auto* all = spaced(new QVBoxLayout(this), {}, 0);
     all->addWidget(m_header);
-    auto* row = new QHBoxLayout;
-    row->setSpacing(0);
+    auto* row = spaced(new QHBoxLayout, {}, 0);
     row->addWidget(middle, 1);
     row->addWidget(&m_features.holds->files());
     all->addLayout(row, 1);

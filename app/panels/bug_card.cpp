@@ -73,7 +73,7 @@ void BugCard::makeFields() {
 void BugCard::layOut() {
     auto* scrolled = new QWidget(this);
     scrolled->setProperty("kind", "page");
-    auto* column = new QVBoxLayout(scrolled);
+    auto* column = spaced(new QVBoxLayout(scrolled), {}, 7);
     for (QWidget* part : std::initializer_list<QWidget*>{m_heading, m_what, m_stage, m_causes, m_end, m_hint, m_count,
                                                          m_looks, m_pixel, m_text})
         column->addWidget(part);
@@ -85,19 +85,15 @@ void BugCard::layOut() {
     m_looks->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     connect(m_text->document()->documentLayout(), &QAbstractTextDocumentLayout::documentSizeChanged, this,
             &BugCard::fitText);
-    auto* rows = new QVBoxLayout(this);
+    auto* rows = spaced(new QVBoxLayout(this), {12, 10, 12, 10}, 6);
     rows->addWidget(m_scroll, 1);
     rows->addWidget(m_foot);
     auto* next = new QHBoxLayout;
     next->addWidget(m_seed, 1);
     next->addWidget(m_own);
     rows->addLayout(next);
-    followTheme(this, [this, column, rows] {
+    followTheme(this, [this] {
         const Theme& theme = Theme::current();
-        column->setContentsMargins(0, 0, 0, 0);
-        column->setSpacing(theme.px(7));
-        rows->setContentsMargins(theme.px(12), theme.px(10), theme.px(12), theme.px(10));
-        rows->setSpacing(theme.px(6));
         setMinimumWidth(theme.px(280));
         for (QLabel* heading : {m_count, m_foot}) heading->setContentsMargins(0, theme.px(10), 0, 0);
         setFonts();

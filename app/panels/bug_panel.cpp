@@ -40,7 +40,7 @@ BugPanel::BugPanel(QWidget* parent) : QWidget(parent) {
     middle->addWidget(surface(m_card, this));
     middle->setChildrenCollapsible(false);
     middle->setStretchFactor(0, 1);
-    auto* column = new QVBoxLayout(this);
+    auto* column = spaced(new QVBoxLayout(this), {8, 8, 8, 8}, 8);
     column->addWidget(boxes);
     column->addWidget(middle, 1);
     addShortcuts();
@@ -48,10 +48,8 @@ BugPanel::BugPanel(QWidget* parent) : QWidget(parent) {
     connect(m_card, &BugCard::lessonAsked, this, &BugPanel::lessonAsked);
     connect(m_card, &BugCard::ownAsked, this, &BugPanel::setPicture);
     connect(&m_round, &BugRound::changed, this, &BugPanel::showBoxes);
-    followTheme(this, [this, column, middle] {
+    followTheme(this, [this, middle] {
         const Theme& theme = Theme::current();
-        column->setContentsMargins(theme.px(8), theme.px(8), theme.px(8), theme.px(8));
-        column->setSpacing(theme.px(8));
         middle->setHandleWidth(theme.px(8));
         middle->setSizes({theme.px(1000), theme.px(340)});
         setStyleSheet(QStringLiteral("#bugPanel { background: %1; }").arg(theme.colors().bg.name()));
@@ -62,8 +60,7 @@ BugPanel::BugPanel(QWidget* parent) : QWidget(parent) {
 QWidget* BugPanel::makeBoxes() {
     auto* all = new QWidget(this);
     all->setAccessibleName(tr("What may be wrong"));
-    auto* row = new QHBoxLayout(all);
-    row->setContentsMargins(0, 0, 0, 0);
+    auto* row = spaced(new QHBoxLayout(all), {});
     for (int box = 0; box < lessons::kBoxes; ++box) {
         BugBox*& made = m_boxes[std::size_t(box)];
         made = new BugBox(box, all);

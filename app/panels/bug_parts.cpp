@@ -20,8 +20,7 @@ using Phase = BugRound::Phase;
 namespace {
 
 QVBoxLayout* bareColumn(QWidget* parent) {
-    auto* column = new QVBoxLayout(parent);
-    column->setContentsMargins(0, 0, 0, 0);
+    auto* column = spaced(new QVBoxLayout(parent), {});
     return column;
 }
 

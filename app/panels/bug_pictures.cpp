@@ -50,7 +50,7 @@ BufferCanvas* BugPictures::makeCanvas(const QString& name, const char* object) {
 
 QWidget* BugPictures::makeOpened() {
     auto* all = new QWidget(this);
-    auto* column = new QVBoxLayout(all);
+    auto* column = spaced(new QVBoxLayout(all), {0, 4, 0, 0}, 4);
     m_buffers = new QComboBox(all);
     m_buffers->setObjectName("bugBuffers");
     nameChoice(*m_buffers, tr("Open a buffer: it counts as a look"));
@@ -66,10 +66,6 @@ QWidget* BugPictures::makeOpened() {
     });
     column->addWidget(m_buffers);
     column->addWidget(m_opened, 1);
-    followTheme(all, [column] {
-        column->setContentsMargins(0, Theme::current().px(4), 0, 0);
-        column->setSpacing(Theme::current().px(4));
-    });
     return all;
 }
 

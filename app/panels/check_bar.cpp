@@ -29,7 +29,7 @@ CheckBar::CheckBar(QWidget* parent) : QWidget(parent) {
     m_runAll = new QPushButton(tr("Run all again"), this);
     m_runAll->setObjectName("checkRunAll");
     m_runAll->setProperty("kind", "primary");
-    auto* bar = new QHBoxLayout(this);
+    auto* bar = spaced(new QHBoxLayout(this), {4, 0, 0, 0}, 8);
     bar->addWidget(m_head, 3);
     bar->addWidget(m_progress, 2);
     for (QWidget* part :
@@ -39,10 +39,8 @@ CheckBar::CheckBar(QWidget* parent) : QWidget(parent) {
             [this](int choice) { emit groupChosen(choice == 0 ? std::nullopt : std::optional(Group(choice - 1))); });
     connect(m_runAll, &QPushButton::clicked, this, &CheckBar::runAsked);
     connect(m_copy, &QPushButton::clicked, this, &CheckBar::copyAsked);
-    followTheme(this, [this, bar] {
+    followTheme(this, [this] {
         const Theme& theme = Theme::current();
-        bar->setContentsMargins(theme.px(4), 0, 0, 0);
-        bar->setSpacing(theme.px(8));
         m_head->setFont(theme.text(15, 600));
         m_progress->setFixedHeight(theme.px(8));
     });

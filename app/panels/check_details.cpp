@@ -55,16 +55,14 @@ CheckDetails::CheckDetails(QWidget* parent) : QWidget(parent) {
     m_lines[OursGives]->setObjectName("checkOursGives");
     lines->setColumnStretch(1, 3);
     lines->setColumnStretch(3, 2);
-    auto* column = new QVBoxLayout(this);
+    auto* column = spaced(new QVBoxLayout(this), {12, 10, 12, 12}, 12);
     column->addLayout(head);
     column->addLayout(forms);
     column->addLayout(lines);
     column->addWidget(m_verdict);
     connect(m_open, &QPushButton::clicked, this, &CheckDetails::openAsked);
-    followTheme(this, [this, column, forms, lines] {
+    followTheme(this, [this, forms, lines] {
         const Theme& theme = Theme::current();
-        column->setContentsMargins(theme.px(12), theme.px(10), theme.px(12), theme.px(12));
-        column->setSpacing(theme.px(12));
         forms->setHorizontalSpacing(theme.px(16));
         lines->setHorizontalSpacing(theme.px(10));
         lines->setVerticalSpacing(theme.px(4));

@@ -45,12 +45,12 @@ CheckKnob::CheckKnob(QWidget* parent) : QWidget(parent) {
     m_field->setAlignment(Qt::AlignRight);
     m_plot = new CheckPlot(this);
     for (QLabel* label : {m_low, m_high}) label->setProperty("tone", 2);
-    auto* row = new QHBoxLayout;
+    auto* row = spaced(new QHBoxLayout, {}, 8);
     for (QWidget* part : {static_cast<QWidget*>(m_label), static_cast<QWidget*>(m_low)}) row->addWidget(part);
     row->addWidget(m_slider, 1);
     row->addWidget(m_high);
     row->addWidget(m_field);
-    auto* column = new QVBoxLayout(this);
+    auto* column = spaced(new QVBoxLayout(this), {12, 10, 12, 12}, 8);
     column->addWidget(m_title);
     column->addLayout(row);
     column->addWidget(m_plot, 1);
@@ -67,11 +67,8 @@ CheckKnob::CheckKnob(QWidget* parent) : QWidget(parent) {
         m_now = errors;
         showPlot();
     });
-    followTheme(this, [this, column, row] {
+    followTheme(this, [this] {
         const Theme& theme = Theme::current();
-        column->setContentsMargins(theme.px(12), theme.px(10), theme.px(12), theme.px(12));
-        column->setSpacing(theme.px(8));
-        row->setSpacing(theme.px(8));
         m_title->setFont(theme.text(14, 600));
         for (QLabel* label : {m_low, m_high}) label->setFont(theme.mono(12));
         m_field->setFont(theme.mono());

@@ -42,7 +42,7 @@ CheckPanel::CheckPanel(Document& document, QWidget* parent)
     const QList<QWidget*> parts{makeLeft(), makeRight()};
     auto* panes = new FoldingPanes(parts, {tr("Cases"), tr("Details")}, this);
     panes->setWishes({860, 820});
-    auto* column = new QVBoxLayout(this);
+    auto* column = spaced(new QVBoxLayout(this), {8, 8, 8, 8}, 6);
     column->addWidget(m_bar);
     column->addWidget(panes, 1);
     connect(m_bar, &CheckBar::groupChosen, this, &CheckPanel::setGroup);
@@ -52,10 +52,8 @@ CheckPanel::CheckPanel(Document& document, QWidget* parent)
     });
     connect(m_bar, &CheckBar::copyAsked, this, [this] { QApplication::clipboard()->setText(report()); });
     connect(&document, &Document::sceneOpened, this, [this] { m_open.reset(); });
-    followTheme(this, [this, column] {
+    followTheme(this, [this] {
         const Theme& theme = Theme::current();
-        column->setContentsMargins(theme.px(8), theme.px(8), theme.px(8), theme.px(8));
-        column->setSpacing(theme.px(6));
         setStyleSheet(QStringLiteral("#checkPanel { background: %1; }").arg(theme.colors().bg.name()));
         setGroup(m_group);  // the table's colours and fonts
     });
@@ -166,22 +164,19 @@ QWidget* CheckPanel::makeLeft() {
     m_command->setProperty("tone", 2);
     m_command->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_command->setMinimumWidth(1);  // its words are no reason for a wide window
-    auto* foot = new QHBoxLayout;
+    auto* foot = spaced(new QHBoxLayout, {}, 8);
     foot->addWidget(m_runOne);
     m_command->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     foot->addWidget(m_command, 1);
     foot->addStretch();
-    auto* column = new QVBoxLayout(content);
+    auto* column = spaced(new QVBoxLayout(content), {12, 10, 12, 12}, 8);
     column->addWidget(m_cases, 1);
     column->addLayout(foot);
     connect(m_cases, &CheckCases::chosen, this, &CheckPanel::select);
     connect(m_cases, &CheckCases::openAsked, this, &CheckPanel::openAsScene);
     connect(m_runOne, &QPushButton::clicked, this, [this] { run({{std::string(chosenCase().id)}, {}}); });
-    followTheme(content, [this, column, foot] {
+    followTheme(content, [this] {
         const Theme& theme = Theme::current();
-        column->setContentsMargins(theme.px(12), theme.px(10), theme.px(12), theme.px(12));
-        column->setSpacing(theme.px(8));
-        foot->setSpacing(theme.px(8));
         m_command->setFont(theme.mono(12));
         fitGroups();
     });
@@ -200,7 +195,7 @@ QWidget* CheckPanel::makeRight() {
     m_noKnob = new QLabel(tr("Nothing in this case can be turned: it is as stiff as it is."), content);
     m_noKnob->setAlignment(Qt::AlignCenter);
     m_noKnob->setProperty("tone", 2);
-    auto* column = new QVBoxLayout(content);
+    auto* column = spaced(new QVBoxLayout(content), {});
     column->addWidget(m_details);
     column->addWidget(m_message);
     column->addWidget(m_pictures, 2);
@@ -209,9 +204,8 @@ QWidget* CheckPanel::makeRight() {
     column->addStretch(0);
     connect(m_details, &CheckDetails::openAsked, this, &CheckPanel::openAsScene);
     connect(m_knob, &CheckKnob::changed, this, &CheckPanel::turnKnob);
-    followTheme(content, [this, column] {
+    followTheme(content, [this] {
         const int margin = Theme::current().px(12);
-        column->setContentsMargins(0, 0, 0, 0);
         m_message->setContentsMargins(margin, 0, margin, 0);
     });
     auto* area = scrolling(content, this);

@@ -19,19 +19,16 @@ CheckPictures::CheckPictures(QWidget* parent) : QWidget(parent) {
     m_difference = new QLabel(this);
     m_difference->setObjectName("checkDifference");
     m_difference->setWordWrap(true);
-    auto* row = new QHBoxLayout;
+    auto* row = spaced(new QHBoxLayout, {}, 12);
     for (PictureFrame*& frame : m_frames) {
         frame = new PictureFrame(this);
         row->addWidget(frame, 1);
     }
-    auto* column = new QVBoxLayout(this);
+    auto* column = spaced(new QVBoxLayout(this), {12, 0, 12, 8}, 4);
     column->addLayout(row, 1);
     column->addWidget(m_difference);
-    followTheme(this, [this, column, row] {
+    followTheme(this, [this] {
         const Theme& theme = Theme::current();
-        column->setContentsMargins(theme.px(12), 0, theme.px(12), theme.px(8));
-        column->setSpacing(theme.px(4));
-        row->setSpacing(theme.px(12));
         m_difference->setFont(theme.text(13));
     });
     for (const Form form : {Naive, Ours}) {

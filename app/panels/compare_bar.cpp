@@ -51,7 +51,7 @@ CompareBar::CompareBar(QWidget* parent)
     m_close->setAccessibleName(tr("Compare no longer"));
     m_close->setToolTip(tr("Compare no longer"));
 
-    auto* column = new QVBoxLayout(this);
+    auto* column = spaced(new QVBoxLayout(this), {6, 4, 6, 2}, 2);
     m_first->addWidget(m_modes);
     m_first->addWidget(m_metric);
     m_first->addStretch();
@@ -72,10 +72,8 @@ CompareBar::CompareBar(QWidget* parent)
     connect(m_worst, &QPushButton::clicked, this, &CompareBar::worstChosen);
     connect(m_stages, &QPushButton::clicked, this, &CompareBar::stagesChosen);
     connect(m_close, &QToolButton::clicked, this, &CompareBar::closed);
-    followTheme(this, [this, column] {
+    followTheme(this, [this] {
         const Theme& theme = Theme::current();
-        column->setContentsMargins(theme.px(6), theme.px(4), theme.px(6), theme.px(2));
-        column->setSpacing(theme.px(2));
         for (QHBoxLayout* row : {m_first, m_second}) row->setSpacing(theme.px(6));
         m_modes->setFixedSize(Segmented::widthFor(modeTexts()) + theme.px(10), theme.px(24));
         m_metric->setFont(theme.text(12));

@@ -81,9 +81,7 @@ CuePanel::CuePanel(Document& document, QWidget* parent)
     m_putBack->setProperty("kind", "link");
     m_putBack->setText(tr("Put the removed cue back"));
     connect(m_putBack, &QPushButton::clicked, m_model, &CueModel::putBack);
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
+    auto* column = spaced(new QVBoxLayout(this), {}, 0);
     column->addWidget(makeHead());
     column->addWidget(m_empty, 1);
     column->addWidget(m_list, 2);
@@ -100,7 +98,7 @@ CuePanel::CuePanel(Document& document, QWidget* parent)
 
 QWidget* CuePanel::makeHead() {
     auto* head = new QWidget(this);
-    auto* row = new QHBoxLayout(head);
+    auto* row = spaced(new QHBoxLayout(head), {10, 2, 4, 4});
     m_title = new QLabel(head);
     m_title->setProperty("tone", 2);
     m_present = new QPushButton(tr("Present"), head);
@@ -133,9 +131,8 @@ QWidget* CuePanel::makeHead() {
     row->addWidget(m_title, 1);
     row->addWidget(m_present);
     row->addWidget(more);
-    followTheme(head, [this, row, more] {
+    followTheme(head, [this, more] {
         const Theme& theme = Theme::current();
-        row->setContentsMargins(theme.px(10), theme.px(2), theme.px(4), theme.px(4));
         m_title->setFont(theme.text(12));
         m_present->setFont(theme.text(12, 500));
         more->setIconSize(QSize(theme.px(16), theme.px(16)));
@@ -145,7 +142,7 @@ QWidget* CuePanel::makeHead() {
 
 QWidget* CuePanel::makeEditor() {
     m_editor = new QWidget(this);
-    auto* column = new QVBoxLayout(m_editor);
+    auto* column = spaced(new QVBoxLayout(m_editor), {8, 4, 8, 8}, 4);
     m_caption = new QLineEdit(m_editor);
     m_caption->setPlaceholderText(tr("Caption; the name where there is none"));
     m_caption->setAccessibleName(tr("Caption of the cue"));
@@ -163,10 +160,8 @@ QWidget* CuePanel::makeEditor() {
     connect(m_note, &QPlainTextEdit::textChanged, this, [this] {
         if (!m_fills && m_model->current() >= 0) m_model->setNote(m_model->current(), m_note->toPlainText());
     });
-    followTheme(m_editor, [this, column] {
+    followTheme(m_editor, [this] {
         const Theme& theme = Theme::current();
-        column->setContentsMargins(theme.px(8), theme.px(4), theme.px(8), theme.px(8));
-        column->setSpacing(theme.px(4));
         m_caption->setFont(theme.text());
         m_note->setFont(theme.text());
         m_note->setMinimumHeight(theme.px(46));

@@ -76,8 +76,7 @@ EquationSection::EquationSection(Document& document, QWidget* parent)
       m_model(new QLabel(m_switcher)),
       m_keep(new QToolButton(m_switcher)),
       m_channels(new Segmented({"r", "g", "b"}, m_switcher)) {
-    auto* row = new QHBoxLayout(m_switcher);
-    row->setContentsMargins(0, 0, 0, 0);
+    auto* row = spaced(new QHBoxLayout(m_switcher), {});
     row->addStretch();
     row->addWidget(m_keep);
     row->addWidget(m_model);
@@ -86,8 +85,7 @@ EquationSection::EquationSection(Document& document, QWidget* parent)
     m_keep->setText(tr("Keep"));
     m_keep->setCheckable(true);
     m_keep->setAccessibleName(tr("Keep the result before"));
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
+    auto* column = spaced(new QVBoxLayout(this), {});
     column->addWidget(m_math);
     m_math->setAccessibleName(tr("Illumination equation"));
 

@@ -30,13 +30,13 @@ ErrorList::ErrorList(QWidget* parent)
     auto* copy = new QPushButton(tr("Copy"), this);
     auto* close = new QPushButton(tr("Close"), this);
     auto* mark = new QLabel(this);
-    auto* top = new QHBoxLayout;
+    auto* top = spaced(new QHBoxLayout, {}, 8);
     top->addWidget(mark);
     top->addWidget(m_sentence, 1);
     top->addWidget(m_showFile);
     top->addWidget(copy);
     top->addWidget(close);
-    auto* column = new QVBoxLayout(this);
+    auto* column = spaced(new QVBoxLayout(this), {16, 8, 8, 8});
     column->addLayout(top);
     column->addWidget(m_lines);
     m_sentence->setWordWrap(true);
@@ -44,12 +44,10 @@ ErrorList::ErrorList(QWidget* parent)
     m_lines->setReadOnly(true);
     m_lines->setLineWrapMode(QPlainTextEdit::WidgetWidth);
     m_lines->setAccessibleName(tr("Errors"));
-    followTheme(this, [this, mark, column, top] {
+    followTheme(this, [this, mark] {
         const Theme& theme = Theme::current();
         m_sentence->setFont(theme.text(13, 600));
         m_lines->setFont(theme.mono());
-        top->setSpacing(theme.px(8));
-        column->setContentsMargins(theme.px(16), theme.px(8), theme.px(8), theme.px(8));
         mark->setPixmap(iconPixmap("warning", theme.colors().failed, theme.px(18), devicePixelRatioF()));
         fit();
     });

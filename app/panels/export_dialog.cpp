@@ -44,7 +44,7 @@ ExportDialog::ExportDialog(Document& document, QWidget* parent)
       m_buffers(new ExportList(this)) {
     setObjectName("exportDialog");
     setWindowTitle(tr("Export buffers"));
-    auto* halves = new QHBoxLayout;
+    auto* halves = spaced(new QHBoxLayout, {}, 16);
     auto* left = new QVBoxLayout;
     left->addWidget(m_choices);
     left->addWidget(m_buffers, 1);
@@ -52,13 +52,11 @@ ExportDialog::ExportDialog(Document& document, QWidget* parent)
     auto* fields = new FieldsArea(makeFields(), this);
     fields->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);  // their words fold
     halves->addWidget(fields, 5);
-    auto* column = new QVBoxLayout(this);
+    auto* column = spaced(new QVBoxLayout(this), {16, 12, 16, 12});
     column->addLayout(halves, 1);
     column->addWidget(&foot());
-    followTheme(this, [this, column, halves] {
+    followTheme(this, [this] {
         const Theme& theme = Theme::current();
-        column->setContentsMargins(theme.px(16), theme.px(12), theme.px(16), theme.px(12));
-        halves->setSpacing(theme.px(16));
         m_total->setFont(theme.text(13, 600));
         m_files->setFont(theme.mono(12));
         resize(onScreen(*this, theme.px(880), theme.px(620)));
@@ -74,8 +72,7 @@ ExportDialog::ExportDialog(Document& document, QWidget* parent)
 // Above the list that they check.
 QWidget* ExportDialog::makeChoices() {
     auto* row = new QWidget(this);
-    auto* links = new QHBoxLayout(row);
-    links->setContentsMargins(0, 0, 0, 0);
+    auto* links = spaced(new QHBoxLayout(row), {});
     const auto link = [&](const char* name, const QString& text, auto run) {
         auto* button = new QPushButton(text, row);
         button->setObjectName(name);
@@ -143,8 +140,7 @@ QWidget* ExportDialog::makeFields() {
     m_files = makeLabel("exportFiles", 2, right);
     auto* note = makeLabel("exportNote", 2, right);
     note->setText(tr("Files appear whole or not at all. An export of another frame in the folder is replaced."));
-    auto* column = new QVBoxLayout(right);
-    column->setContentsMargins(0, 0, 0, 0);
+    auto* column = spaced(new QVBoxLayout(right), {});
     column->addLayout(form);
     column->addSpacing(Theme::current().px(12));
     column->addWidget(m_total);

@@ -14,8 +14,7 @@
 namespace app {
 
 ExportFormats::ExportFormats(const pipeline::Scene& scene, QWidget* parent) : QWidget(parent), m_sceneName(scene.name) {
-    auto* row = new QHBoxLayout;
-    row->setSpacing(0);
+    auto* row = spaced(new QHBoxLayout, {}, 0);
     for (const pipeline::Exporter& exporter : pipeline::exporterTable()) {
         auto* button = new QPushButton(toQString(exporter.name), this);
         button->setCheckable(true);
@@ -26,8 +25,7 @@ ExportFormats::ExportFormats(const pipeline::Scene& scene, QWidget* parent) : QW
         row->addWidget(button, 1);
         m_buffers.push_back(button);
     }
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
+    auto* column = spaced(new QVBoxLayout(this), {});
     column->addLayout(row);
     for (const pipeline::FrameExporter& exporter : pipeline::frameExporterTable()) {
         auto* box = new WrappingCheckBox(toQString(exporter.meaning).chopped(1), this);  // without its full stop

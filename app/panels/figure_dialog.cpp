@@ -37,18 +37,16 @@ FigureDialog::FigureDialog(Document& document, const FigureOrder& first, QWidget
         connect(new QShortcut(QKeySequence(Qt::CTRL | Qt::Key(key)), this), &QShortcut::activated, this, [this] {
             if (parts().buffer && !m_writing.busy()) choose();
         });
-    auto* halves = new QHBoxLayout;
+    auto* halves = spaced(new QHBoxLayout, {}, 16);
     QScrollArea* fields = scrolling(m_fields, this);
     fields->setProperty("kind", "fields");
     halves->addWidget(fields);
     halves->addWidget(m_preview, 1);
-    auto* column = new QVBoxLayout(this);
+    auto* column = spaced(new QVBoxLayout(this), {16, 12, 16, 12});
     column->addLayout(halves, 1);
     column->addWidget(m_foot);
-    followTheme(this, [this, column, halves, fields] {
+    followTheme(this, [this, fields] {
         const Theme& theme = Theme::current();
-        column->setContentsMargins(theme.px(16), theme.px(12), theme.px(16), theme.px(12));
-        halves->setSpacing(theme.px(16));
         resize(onScreen(*this, theme.px(980), theme.px(640)));
         fields->setFixedWidth(std::min(theme.px(320), width() / 2));
     });

@@ -102,8 +102,7 @@ QCheckBox* FigureFields::check(const char* name, const QString& text, bool on) {
 
 QWidget* FigureFields::makeLook() {
     auto* part = new QWidget(this);
-    auto* column = new QVBoxLayout(part);
-    column->setContentsMargins(0, 0, 0, 0);
+    auto* column = spaced(new QVBoxLayout(part), {});
     m_bar = check("figureBar", tr("Palette bar with unit"), true);
     m_mark = check("figureMark", tr("Marked pixel"), true);
     m_grid = check("figureGrid", tr("Grid of pixels"), false);
@@ -129,8 +128,7 @@ QWidget* FigureFields::makeLook() {
 
 QWidget* FigureFields::makeCaption() {
     auto* part = new QWidget(this);
-    auto* column = new QVBoxLayout(part);
-    column->setContentsMargins(0, 0, 0, 0);
+    auto* column = spaced(new QVBoxLayout(part), {});
     m_caption = new QPlainTextEdit(part);
     m_caption->setObjectName("figureCaption");
     m_caption->setAccessibleName(tr("Caption"));

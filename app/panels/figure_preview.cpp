@@ -40,8 +40,7 @@ FigurePreview::FigurePreview(QWidget* parent) : QWidget(parent), m_picture(new Q
     auto* row = new QHBoxLayout;
     row->addWidget(head, 1);
     row->addWidget(m_size);
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
+    auto* column = spaced(new QVBoxLayout(this), {});
     column->addLayout(row);
     column->addWidget(m_picture, 1);
     followTheme(this, [this] { m_size->setFont(Theme::current().mono(12)); });

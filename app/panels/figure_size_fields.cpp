@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 
+#include "app/panels/follow_theme.h"
 #include "app/panels/segmented.h"
 
 namespace app {
@@ -94,8 +95,7 @@ void FigureSizeFields::makeWidth(QWidget* row) {
     connect(m_widths, &QComboBox::activated, this, [this](int i) {
         if (std::size_t(i) < kPaperWidths.size()) m_width->setValue(kPaperWidths[std::size_t(i)].width);
     });
-    auto* fields = new QHBoxLayout(row);
-    fields->setContentsMargins(0, 0, 0, 0);
+    auto* fields = spaced(new QHBoxLayout(row), {});
     fields->addWidget(m_width, 1);
     fields->addWidget(m_widths, 1);
 }

@@ -31,12 +31,11 @@ FilmDialog::FilmDialog(Document& document, const pipeline::BufferName& buffer, Q
     : JobDialog("film", tr("Write the film"), parent), m_document(document), m_changes(document) {
     setObjectName("filmDialog");
     setWindowTitle(tr("Step film"));
-    auto* column = new QVBoxLayout(this);
+    auto* column = spaced(new QVBoxLayout(this), {16, 12, 16, 12});
     column->addWidget(new FieldsArea(makeFields(buffer), this), 1);
     column->addWidget(&foot());
-    followTheme(this, [this, column] {
+    followTheme(this, [this] {
         const Theme& theme = Theme::current();
-        column->setContentsMargins(theme.px(16), theme.px(12), theme.px(16), theme.px(12));
         resize(onScreen(*this, theme.px(620), theme.px(380)));
     });
     m_buffer->setFocus();

@@ -4,6 +4,7 @@
 #include <QVBoxLayout>
 
 #include "app/core/spoken.h"
+#include "app/panels/follow_theme.h"
 #include "app/panels/segmented.h"
 
 namespace app {
@@ -14,8 +15,7 @@ FittingChoice::FittingChoice(const QStringList& choices, const QString& name, co
     m_list->setObjectName(listName);
     m_list->addItems(choices);
     nameChoice(*m_list, name);
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
+    auto* column = spaced(new QVBoxLayout(this), {});
     column->addWidget(m_segmented);
     column->addWidget(m_list);
     connect(m_segmented, &Segmented::chosen, this, &FittingChoice::chosen);

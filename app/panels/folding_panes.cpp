@@ -25,14 +25,12 @@ FoldingPanes::FoldingPanes(const QList<QWidget*>& panes, const QStringList& name
     m_names->setAccessibleName(tr("Part of the window"));
     m_names->setCurrent(0);
     m_names->hide();
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
+    auto* column = spaced(new QVBoxLayout(this), {}, 8);
     column->addWidget(m_names);
     column->addWidget(m_splitter, 1);
     connect(m_names, &Segmented::chosen, this, &FoldingPanes::bringToFront);
-    followTheme(this, [this, column] {
+    followTheme(this, [this] {
         const Theme& theme = Theme::current();
-        column->setSpacing(theme.px(8));
         m_splitter->setHandleWidth(theme.px(8));
         fold();
     });

@@ -1,4 +1,5 @@
 #pragma once
+#include <QMargins>
 #include <QWidget>
 #include <functional>
 
@@ -25,6 +26,19 @@ private:
 template <class Apply>
 void followTheme(QObject* owner, Apply apply) {
     new ThemeFollower(owner, std::move(apply));
+}
+
+// Gives a layout its margins, and the distance between its parts, in pixels at scale 1; they follow the scale. Without a
+// distance it keeps the style's.
+template <class Layout>
+Layout* spaced(Layout* layout, QMargins margins, int between = -1) {
+    followTheme(layout, [layout, margins, between] {
+        const Theme& theme = Theme::current();
+        layout->setContentsMargins(theme.px(margins.left()), theme.px(margins.top()), theme.px(margins.right()),
+                                   theme.px(margins.bottom()));
+        if (between >= 0) layout->setSpacing(theme.px(between));
+    });
+    return layout;
 }
 
 // Of all that stands in a widget. Where that gets another parent, Qt's style sheets give its labels and buttons back the

@@ -99,9 +99,7 @@ void InspectorPanel::build() {
     m_layersFold = new Section(tr("Layers"), m_layers);
     m_fragmentsFold = new Section(tr("Fragments"), m_fragments);
     for (Section* section : {m_termsFold, m_layersFold, m_fragmentsFold}) section->setKeepsSentence();
-    auto* column = new QVBoxLayout(page);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
+    auto* column = spaced(new QVBoxLayout(page), {}, 0);
     column->addLayout(header);
     for (Section* section : {m_whyFold, m_equationFold, m_termsFold, m_layersFold, m_fragmentsFold})
         column->addWidget(section);

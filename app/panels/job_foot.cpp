@@ -49,8 +49,7 @@ JobFoot::JobFoot(const QString& name, const QString& start, QWidget* parent)
     m_row->addWidget(m_showFolder);
     m_row->addWidget(m_cancel);
     m_row->addWidget(m_start);
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
+    auto* column = spaced(new QVBoxLayout(this), {});
     column->addLayout(command);
     column->addWidget(m_progress);
     column->addLayout(m_row);

@@ -5,7 +5,7 @@
 #include <QVBoxLayout>
 
 #include "app/core/numbers.h"
-#include "app/core/theme.h"
+#include "app/panels/follow_theme.h"
 
 namespace app {
 
@@ -25,8 +25,7 @@ LayersSection::LayersSection(QWidget* parent) : QWidget(parent), m_grid(new QGri
     setAccessibleName(tr("Translucent layers"));
     m_sum->setProperty("tone", 2);
     m_sum->setWordWrap(true);
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
+    auto* column = spaced(new QVBoxLayout(this), {});
     column->addLayout(m_grid);
     column->addWidget(m_sum);
 }

@@ -78,7 +78,7 @@ LessonHead::LessonHead(const LessonRun& run, QWidget* parent)
     m_points->setProperty("tone", 2);
     m_place->setObjectName("lessonPlace");
     m_points->setObjectName("lessonPoints");
-    auto* top = new QHBoxLayout;
+    auto* top = spaced(new QHBoxLayout, {}, 6);
     top->addWidget(m_all);
     top->addWidget(m_title, 1);
     top->addWidget(m_only);
@@ -86,7 +86,7 @@ LessonHead::LessonHead(const LessonRun& run, QWidget* parent)
     auto* below = new QHBoxLayout;
     below->addWidget(m_place, 1);
     below->addWidget(m_points);
-    auto* column = new QVBoxLayout(this);
+    auto* column = spaced(new QVBoxLayout(this), {14, 6, 10, 6}, 4);
     column->addLayout(top);
     column->addWidget(m_whole);
     column->addWidget(m_segments);
@@ -96,15 +96,12 @@ LessonHead::LessonHead(const LessonRun& run, QWidget* parent)
     m_whole->setTextFormat(Qt::PlainText);
     connect(m_all, &QPushButton::clicked, this, &LessonHead::leaveAsked);
     connect(m_close, &QToolButton::clicked, this, &LessonHead::leaveAsked);
-    followTheme(this, [this, top, column] {
+    followTheme(this, [this] {
         const Theme& theme = Theme::current();
         for (QLabel* label : {m_title, m_whole}) label->setFont(theme.text(13, 600));
         for (QLabel* label : {m_place, m_points}) label->setFont(theme.text(12));
         m_only->setFont(theme.text(12));
         m_all->setMinimumWidth(m_all->fontMetrics().horizontalAdvance(m_all->text()) + theme.px(12));
-        top->setSpacing(theme.px(6));
-        column->setContentsMargins(theme.px(14), theme.px(6), theme.px(10), theme.px(6));
-        column->setSpacing(theme.px(4));
         fitTitle();
     });
 }
@@ -147,17 +144,15 @@ LessonFoot::LessonFoot(LessonRun& run, QWidget* parent)
     m_next->setObjectName("nextPage");
     m_why->setProperty("tone", 2);
     m_why->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    auto* row = new QHBoxLayout(this);
+    auto* row = spaced(new QHBoxLayout(this), {14, 6, 14, 8}, 10);
     row->addWidget(m_back);
     row->addWidget(m_why, 1);
     row->addWidget(m_next);
     connect(m_back, &QPushButton::clicked, &run, [&run] { run.goTo(run.page() - 1); });
     connect(m_next, &QPushButton::clicked, &run, [&run] { run.goTo(run.page() + 1); });
-    followTheme(this, [this, row] {
+    followTheme(this, [this] {
         const Theme& theme = Theme::current();
         m_why->setFont(theme.text(12));
-        row->setContentsMargins(theme.px(14), theme.px(6), theme.px(14), theme.px(8));
-        row->setSpacing(theme.px(10));
     });
 }
 

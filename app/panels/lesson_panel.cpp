@@ -40,9 +40,7 @@ LessonPanel::LessonPanel(Document& document, QWidget* parent)
       m_errors(new ErrorList(this)) {
     setObjectName("lesson");
     m_errors->setObjectName("lessonErrors");  // the window has a list of its own
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
+    auto* column = spaced(new QVBoxLayout(this), {}, 0);
     column->addWidget(m_errors);
     column->addWidget(m_stack, 1);
     new AltKeys(this, [this](QKeyEvent* key) { return takesKey(*key) && (keyPressEvent(key), true); });
@@ -86,14 +84,13 @@ QWidget* LessonPanel::makeLesson() {
     auto* all = new QWidget(this);
     m_head = new LessonHead(m_run, all);
     auto* content = new QWidget(all);
-    auto* column = new QVBoxLayout(content);
-    column->setContentsMargins(0, 0, 0, 0);
+    auto* column = spaced(new QVBoxLayout(content), {});
     m_page = new LessonPage(m_run, m_document, content);
     m_end = new LessonEnd(m_run, *m_shelf, content);
     HandoutButton* const handout = m_handout = new HandoutButton([this] { return lesson(); }, content);
     column->addWidget(m_page, 1);
     column->addWidget(m_end, 1);
-    auto* below = new QHBoxLayout;
+    auto* below = spaced(new QHBoxLayout, {12, 0, 12, 8});
     below->addWidget(handout);
     below->addStretch(1);
     column->addLayout(below);
@@ -101,9 +98,7 @@ QWidget* LessonPanel::makeLesson() {
     m_scroll->setFrameShape(QFrame::NoFrame);
     content->setAutoFillBackground(false);  // the dock's surface shows through
     m_foot = new LessonFoot(m_run, all);
-    auto* rows = new QVBoxLayout(all);
-    rows->setContentsMargins(0, 0, 0, 0);
-    rows->setSpacing(0);
+    auto* rows = spaced(new QVBoxLayout(all), {}, 0);
     rows->addWidget(m_head);
     rows->addWidget(m_scroll, 1);
     rows->addWidget(m_foot);
@@ -127,10 +122,6 @@ QWidget* LessonPanel::makeLesson() {
     connect(m_end, &LessonEnd::forgetAsked, this, &LessonPanel::askToForget);
     connect(m_end, &LessonEnd::resultsAsked, this,
             [this] { LessonResultsDialog::showResults(*m_shelf, m_run.results(), this); });
-    followTheme(handout, [below] {
-        const Theme& theme = Theme::current();
-        below->setContentsMargins(theme.px(12), 0, theme.px(12), theme.px(8));
-    });
     return all;
 }
 

@@ -31,14 +31,12 @@ NoteBox::NoteBox(QWidget* parent) : QFrame(parent), m_heading(new QLabel(this)),
     m_text->setAccessibleName(tr("Comment"));
     m_text->setFocusPolicy(Qt::NoFocus);
     m_heading->setWordWrap(true);
-    auto* column = new QVBoxLayout(this);
+    auto* column = spaced(new QVBoxLayout(this), {14, 8, 10, 8}, 4);
     column->addWidget(m_heading);
     column->addWidget(m_text);
-    followTheme(this, [this, column] {
+    followTheme(this, [this] {
         const Theme& theme = Theme::current();
         m_heading->setFont(theme.text(13, 600));
-        column->setContentsMargins(theme.px(14), theme.px(8), theme.px(10), theme.px(8));
-        column->setSpacing(theme.px(4));
     });
 }
 

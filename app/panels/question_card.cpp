@@ -40,7 +40,7 @@ QuestionCard::QuestionCard(LessonRun& run, Document& document, QWidget* parent)
       m_sure(new QWidget(this)),
       m_solution(new ProseView(this)) {
     setObjectName("question");
-    auto* title = new QHBoxLayout;
+    auto* title = spaced(new QHBoxLayout, {12, 7, 12, 7});
     title->addWidget(m_worth, 1);
     title->addWidget(m_tries);
     m_worth->setObjectName("worth");
@@ -55,16 +55,14 @@ QuestionCard::QuestionCard(LessonRun& run, Document& document, QWidget* parent)
     all->addLayout(title);
     all->addLayout(m_column);
     makeButtons();
-    auto* hints = new QVBoxLayout(m_hints);
-    hints->setContentsMargins(0, 0, 0, 0);
+    spaced(new QVBoxLayout(m_hints), {});
     for (QWidget* part :
          std::initializer_list<QWidget*>{m_question, m_note, m_hints, m_solution, m_elsewhere, m_buttons, m_sure})
         m_column->addWidget(part);
-    followTheme(this, [this, all, title] {
+    followTheme(this, [this, all] {
         const Theme& theme = Theme::current();
         m_worth->setFont(theme.text(12, 600));
         m_tries->setFont(theme.text(12));
-        title->setContentsMargins(theme.px(12), theme.px(7), theme.px(12), theme.px(7));
         all->setContentsMargins(1, 1, 1, theme.px(10));
         all->setSpacing(theme.px(6));
         m_column->setContentsMargins(theme.px(12), 0, theme.px(12), 0);
@@ -74,8 +72,7 @@ QuestionCard::QuestionCard(LessonRun& run, Document& document, QWidget* parent)
 
 void QuestionCard::makeButtons() {
     const auto row = [](QWidget* parent) {
-        auto* line = new QHBoxLayout(parent);
-        line->setContentsMargins(0, 0, 0, 0);
+        auto* line = spaced(new QHBoxLayout(parent), {});
         return line;
     };
     const auto button = [](const QString& text, const char* name, QWidget* parent) {

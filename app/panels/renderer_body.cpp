@@ -33,8 +33,7 @@ QString commaList(const std::vector<std::string>& lines) {
 }
 
 QVBoxLayout* closeColumn(QWidget* parent) {
-    auto* column = new QVBoxLayout(parent);
-    column->setContentsMargins(0, 0, 0, 0);
+    auto* column = spaced(new QVBoxLayout(parent), {});
     return column;
 }
 
@@ -102,7 +101,7 @@ RendererBody::RendererBody(RendererFinding& finding, QWidget* parent) : QWidget(
     m_goToWorst = rendererButton(tr("Go to worst pixel"), "goToWorst", this);
     m_goToWorst->setProperty("kind", "primary");
     m_goToWorst->setToolTip(tr("Pick the pixel that differs most; again: the next one (Alt+W)"));
-    auto* button = new QHBoxLayout;
+    auto* button = spaced(new QHBoxLayout, {12, 2, 12, 8});
     button->addWidget(m_goToWorst);
     button->addStretch(1);
     rows->addWidget(m_stages);
@@ -117,10 +116,6 @@ RendererBody::RendererBody(RendererFinding& finding, QWidget* parent) : QWidget(
     connect(&finding, &RendererFinding::changed, this, &RendererBody::showReport);
     connect(&finding.document().pointing(), &Pointing::pixelChanged, this, &RendererBody::showPlace);
     connect(&finding.document().pointing(), &Pointing::selectionChanged, this, &RendererBody::showPlace);
-    followTheme(this, [button] {
-        const Theme& theme = Theme::current();
-        button->setContentsMargins(theme.px(12), theme.px(2), theme.px(12), theme.px(8));
-    });
     showReport();
 }
 

@@ -24,15 +24,13 @@ RendererError::RendererError(QWidget* parent)
     head->addWidget(m_title, 1);
     head->addWidget(m_beside);
     m_column = new QVBoxLayout(m_box);
-    auto* column = new QVBoxLayout(this);
+    auto* column = spaced(new QVBoxLayout(this), {12, 6, 12, 6}, 6);
     column->addLayout(head);
     column->addWidget(m_box);
-    followTheme(this, [this, column] {
+    followTheme(this, [this] {
         const Theme& theme = Theme::current();
         m_title->setFont(theme.text(13, 600));
         m_beside->setFont(theme.text(12));
-        column->setContentsMargins(theme.px(12), theme.px(6), theme.px(12), theme.px(6));
-        column->setSpacing(theme.px(6));
         m_column->setContentsMargins(theme.px(10), theme.px(8), theme.px(10), theme.px(8));
         m_column->setSpacing(theme.px(4));
     });
@@ -60,8 +58,7 @@ QLabel* RendererError::add(const QString& text, double size, int weight, bool is
 
 void RendererError::addShare(const QString& name, double share) {
     auto* line = new QWidget(m_box);
-    auto* row = new QHBoxLayout(line);
-    row->setContentsMargins(0, 0, 0, 0);
+    auto* row = spaced(new QHBoxLayout(line), {});
     auto* label = new QLabel(name, line);
     auto* bar = new QProgressBar(line);
     auto* number = new QLabel(line);
@@ -112,8 +109,7 @@ void RendererError::addExperiment(const foreign::Suspects& suspects) {
     if (others > 0 && others < std::ptrdiff_t(suspects.candidates.size())) {
         add(tr("What tells them apart: how your rows run."), 12, 600);
         auto* line = new QWidget(m_box);
-        auto* row = new QHBoxLayout(line);
-        row->setContentsMargins(0, 0, 0, 0);
+        auto* row = spaced(new QHBoxLayout(line), {});
         for (const bool other : {false, true}) {
             auto* button = new QPushButton(other ? tr("The other way") : tr("As read"), line);
             button->setAutoDefault(true);

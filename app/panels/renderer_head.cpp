@@ -49,8 +49,7 @@ QPushButton* rendererButton(const QString& text, const char* name, QWidget* pare
 
 RendererWork::RendererWork(RendererFinding& finding, QWidget* parent) : QWidget(parent), m_finding(finding) {
     setObjectName("rendererWork");
-    auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(0, 0, 0, 0);
+    auto* row = spaced(new QHBoxLayout(this), {});
     m_words = rendererText("rendererWorking", 12, 400, this);
     m_words->setWordWrap(false);
     m_bar = new QProgressBar(this);
@@ -82,8 +81,8 @@ void RendererWork::showState() {
 }
 
 RendererHead::RendererHead(RendererFinding& finding, QWidget* parent) : QWidget(parent), m_finding(finding) {
-    auto* rows = new QVBoxLayout(this);
-    auto* said = new QHBoxLayout;
+    auto* rows = spaced(new QVBoxLayout(this), {12, 8, 8, 8}, 5);
+    auto* said = spaced(new QHBoxLayout, {}, 8);
     QLayout* source = makeSource();
     m_mark = new StandingMark(this);
     m_heading = rendererText("rendererHeading", 15, 600, this);
@@ -102,11 +101,8 @@ RendererHead::RendererHead(RendererFinding& finding, QWidget* parent) : QWidget(
         QAccessibleEvent alert(m_heading, QAccessible::Alert);
         QAccessible::updateAccessibility(&alert);
     });
-    followTheme(this, [this, rows, said] {
+    followTheme(this, [this] {
         const Theme& theme = Theme::current();
-        rows->setContentsMargins(theme.px(12), theme.px(8), theme.px(8), theme.px(8));
-        rows->setSpacing(theme.px(5));
-        said->setSpacing(theme.px(8));
         m_evidence->setContentsMargins(theme.px(32), 0, 0, 0);
         m_errors->setStyleSheet(QStringLiteral("color: %1;").arg(theme.colors().failed.name()));
     });

@@ -15,9 +15,7 @@ namespace app {
 namespace {
 
 QVBoxLayout* tightColumn(QWidget* parent) {
-    auto* column = new QVBoxLayout(parent);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
+    auto* column = spaced(new QVBoxLayout(parent), {}, 0);
     return column;
 }
 
@@ -48,7 +46,7 @@ RendererPanel::RendererPanel(Document& document, QWidget* parent) : QWidget(pare
 
 QWidget* RendererPanel::makeEmpty() {
     auto* all = new QWidget(this);
-    auto* rows = new QVBoxLayout(all);
+    auto* rows = spaced(new QVBoxLayout(all), {12, 12, 12, 12}, 8);
     auto* heading = rendererText("rendererDrop", 15, 600, all);
     heading->setText(tr("Drop the folder of your renderer here"));
     auto* what = rendererText("rendererWhat", 13, 400, all);
@@ -66,11 +64,6 @@ QWidget* RendererPanel::makeEmpty() {
     rows->addStretch(1);
     connect(folder, &QPushButton::clicked, this, &RendererPanel::folderAsked);
     connect(files, &QPushButton::clicked, this, &RendererPanel::filesAsked);
-    followTheme(all, [rows] {
-        const Theme& theme = Theme::current();
-        rows->setContentsMargins(theme.px(12), theme.px(12), theme.px(12), theme.px(12));
-        rows->setSpacing(theme.px(8));
-    });
     return all;
 }
 

@@ -58,8 +58,7 @@ RendererValues::RendererValues(Document& document, QWidget* parent)
     m_first->setWordWrap(true);
     m_first->setTextFormat(Qt::PlainText);
     m_first->setObjectName("firstDifference");
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
+    auto* column = spaced(new QVBoxLayout(this), {});
     column->addLayout(m_grid);
     column->addWidget(m_first);
     m_grid->setColumnStretch(1, 1);
@@ -126,8 +125,7 @@ void RendererValues::show(const foreign::Report& report) {
             continue;
         }
         auto* both = new QWidget(this);  // three numbers need half of the width each
-        auto* line = new QHBoxLayout(both);
-        line->setContentsMargins(0, 0, 0, 0);
+        auto* line = spaced(new QHBoxLayout(both), {});
         line->addWidget(ofMine, 1);
         line->addWidget(ofReference, 1);
         m_grid->addWidget(both, m_rows * 2 + 1, 0, 1, 3);

@@ -32,7 +32,7 @@ ScanlinePanel::ScanlinePanel(Document& document, QWidget* parent)
     head->addWidget(m_said, 1);
     head->addWidget(m_csv);
     head->addWidget(m_svg);
-    auto* column = new QVBoxLayout(this);
+    auto* column = spaced(new QVBoxLayout(this), {}, 0);
     column->addLayout(head);
     column->addWidget(m_plot, 1);
     m_spin->setAccessibleName(tr("Row of the section"));
@@ -43,15 +43,13 @@ ScanlinePanel::ScanlinePanel(Document& document, QWidget* parent)
     m_svg->setText(tr("SVG…"));
     m_svg->setToolTip(tr("Writes the plot as a picture."));
     m_said->setProperty("tone", "2");
-    followTheme(this, [this, head, column] {
+    followTheme(this, [this, head] {
         const Theme& theme = Theme::current();
         for (QLabel* label : {m_name, m_said}) label->setFont(theme.text(12));
         m_spin->setFont(theme.mono(13));
         for (QToolButton* button : {m_csv, m_svg}) button->setFont(theme.text(12));
         head->setContentsMargins(theme.px(10), theme.px(4), theme.px(6), theme.px(4));
         head->setSpacing(theme.px(8));
-        column->setContentsMargins(0, 0, 0, 0);
-        column->setSpacing(0);
     });
 
     connect(m_spin, &QSpinBox::valueChanged, this, &ScanlinePanel::setRow);

@@ -18,22 +18,19 @@ Section::Section(const QString& title, QWidget* body, QWidget* extra, QWidget* p
     m_title->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     m_title->setToolTip(tr("Fold or unfold"));
     m_sentence->setProperty("tone", "2");
-    auto* head = new QHBoxLayout;
+    auto* head = spaced(new QHBoxLayout, {}, 6);
     head->addWidget(m_title);
     head->addWidget(m_sentence, 1);
     if (extra) head->addWidget(extra);
-    auto* column = new QVBoxLayout(this);
+    auto* column = spaced(new QVBoxLayout(this), {8, 6, 12, 8}, 4);
     column->addLayout(head);
     column->addWidget(body);
     connect(m_title, &QToolButton::toggled, this, [this](bool open) { setFolded(!open); });
-    followTheme(this, [this, column, head] {
+    followTheme(this, [this] {
         const Theme& theme = Theme::current();
         m_title->setFont(theme.text(13, 600));
         m_title->setIconSize(QSize(1, 1) * theme.px(12));
         m_sentence->setFont(theme.text(12));
-        head->setSpacing(theme.px(6));
-        column->setContentsMargins(theme.px(8), theme.px(6), theme.px(12), theme.px(8));
-        column->setSpacing(theme.px(4));
     });
     setFolded(false);
 }

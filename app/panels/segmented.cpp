@@ -21,9 +21,7 @@ int Segmented::widthFor(const QStringList& choices) {
 }
 
 Segmented::Segmented(const QStringList& choices, QWidget* parent) : QWidget(parent) {
-    auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(0);
+    auto* row = spaced(new QHBoxLayout(this), {}, 0);
     for (int i = 0; i < choices.size(); ++i) {
         auto* button = new QPushButton(choices[i], this);
         button->setCheckable(true);

@@ -45,9 +45,7 @@ SettingsPanel::SettingsPanel(Document& document, QWidget* parent)
       m_scroll(new QScrollArea(this)),
       m_changed(new QLabel(this)) {
     setObjectName("settings");
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
+    auto* column = spaced(new QVBoxLayout(this), {}, 0);
     column->addWidget(m_tabs);
     column->addWidget(m_scroll, 1);
     column->addWidget(m_changed);

@@ -17,15 +17,13 @@ namespace {
 
 QWidget* makeLectureTitle(const StartLecture& lecture, QWidget* parent) {
     auto* title = new QWidget(parent);
-    auto* row = new QHBoxLayout(title);
-    row->setContentsMargins(0, 0, 0, 0);
+    auto* row = spaced(new QHBoxLayout(title), {}, 12);
     auto* name = new QLabel(lecture.title, title);
     auto* about = new QLabel(lecture.about, title);
     about->setProperty("tone", 2);
     row->addWidget(name, 0, Qt::AlignBaseline);
     row->addWidget(about, 1, Qt::AlignBaseline);
-    followTheme(title, [row, name, about] {
-        row->setSpacing(Theme::current().px(12));
+    followTheme(title, [name, about] {
         name->setFont(Theme::current().text(16, 600));
         about->setFont(Theme::current().text(13));
     });

@@ -42,9 +42,7 @@ QStringList themeNames() { return {StartPage::tr("Dark"), StartPage::tr("Light")
 
 StartPage::StartPage(QWidget* parent) : QWidget(parent) {
     setObjectName("startPage");
-    auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(0);
+    auto* row = spaced(new QHBoxLayout(this), {}, 0);
     row->addWidget(makeLeft());
     m_right = new QVBoxLayout;
     row->addLayout(m_right, 1);
@@ -96,8 +94,7 @@ QWidget* StartPage::makeLeft() {
 
 QWidget* StartPage::makeButtons(QWidget* left) {
     auto* buttons = new QWidget(left);
-    auto* row = new QHBoxLayout(buttons);
-    row->setContentsMargins(0, 0, 0, 0);
+    auto* row = spaced(new QHBoxLayout(buttons), {});
     auto* open = new QPushButton(tr("Open a file"), buttons);
     open->setProperty("kind", "primary");
     m_new = new QPushButton(tr("New…"), buttons);

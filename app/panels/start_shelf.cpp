@@ -39,8 +39,7 @@ StartShelf::StartShelf(QWidget* parent)
       m_none(new QPushButton(this)),
       m_page(new QWidget),
       m_fit(fitStart({1366, 736})) {
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
+    auto* column = spaced(new QVBoxLayout(this), {});
     column->addWidget(makeTop());
     column->addWidget(m_none, 0, Qt::AlignLeft);
     m_area = scrolling(m_page, this);
@@ -58,8 +57,7 @@ StartShelf::StartShelf(QWidget* parent)
 
 QWidget* StartShelf::makeTop() {
     auto* top = new QWidget(this);
-    auto* row = new QHBoxLayout(top);
-    row->setContentsMargins(0, 0, 0, 0);
+    auto* row = spaced(new QHBoxLayout(top), {}, 12);
     for (QWidget* part : {static_cast<QWidget*>(m_which), static_cast<QWidget*>(m_filter)}) row->addWidget(part);
     row->addWidget(m_keys);
     row->addStretch(0);
@@ -87,9 +85,8 @@ QWidget* StartShelf::makeTop() {
     });
     connect(new QShortcut(QKeySequence(Qt::Key_Slash), this), &QShortcut::activated, m_filter,
             [this] { m_filter->setFocus(Qt::ShortcutFocusReason), m_filter->selectAll(); });
-    followTheme(top, [this, row] {
+    followTheme(top, [this] {
         const Theme& theme = Theme::current();
-        row->setSpacing(theme.px(12));
         m_filter->setFont(theme.text());
         m_filter->setFixedHeight(theme.px(31));
         m_which->setFixedSize(Segmented::widthFor(lectureChoices()) + theme.px(60), theme.px(31));

@@ -19,8 +19,7 @@ using pipeline::ErrorChoice;
 using pipeline::ErrorKind;
 
 StudyChoice::StudyChoice(QWidget* parent) : QWidget(parent) {
-    auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(0, 0, 0, 0);
+    auto* row = spaced(new QHBoxLayout(this), {}, 8);
     const auto combo = [&](const QString& title, const QString& name) {
         auto* box = new QComboBox(this);
         box->setObjectName(name);
@@ -49,10 +48,9 @@ StudyChoice::StudyChoice(QWidget* parent) : QWidget(parent) {
         showReference();
         emit changed();
     });
-    followTheme(this, [this, row] {
+    followTheme(this, [this] {
         m_buffer->setFont(Theme::current().mono(12));
         m_reference->setFont(Theme::current().text(12));
-        row->setSpacing(Theme::current().px(8));
     });
 }
 

@@ -100,9 +100,7 @@ StudyDetails::StudyDetails(QWidget* parent) : QWidget(parent) {
     auto* errors = new QVBoxLayout(m_errorPart);
     errors->addWidget(m_errorTitle);
     errors->addWidget(m_errors, 1);
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
+    spaced(new QVBoxLayout(this), {}, 0);
     unite();
     followTheme(this, [this, blame, errors] {
         const Theme& theme = Theme::current();

@@ -16,15 +16,13 @@ StudyFoot::StudyFoot(QWidget* parent) : QWidget(parent), m_words(new ElidedLabel
     m_load->setToolTip(
         tr("Programs that ran, on average over the minute before the times were measured. "
            "More than one a core disturbs them."));
-    auto* row = new QHBoxLayout(this);
+    auto* row = spaced(new QHBoxLayout(this), {4, 0, 4, 0}, 12);
     row->addWidget(m_words, 1);
     row->addWidget(m_load);
-    followTheme(this, [this, row] {
+    followTheme(this, [this] {
         const Theme& theme = Theme::current();
         m_words->setFont(theme.text(13));
         m_load->setFont(theme.text(12));
-        row->setContentsMargins(theme.px(4), 0, theme.px(4), 0);
-        row->setSpacing(theme.px(12));
         fit();
     });
     setLoad({});

@@ -45,7 +45,7 @@ StudyPanel::StudyPanel(Document& document, QWidget* parent) : QWidget(parent), m
     auto* panes = new FoldingPanes(parts, {tr("Plot"), tr("Points")}, this);
     panes->setWishes({750, 500});
     m_foot = new StudyFoot(this);
-    auto* column = new QVBoxLayout(this);
+    auto* column = spaced(new QVBoxLayout(this), {8, 8, 8, 6}, 6);
     column->addLayout(bar);
     column->addWidget(m_message);
     column->addWidget(panes, 1);
@@ -62,10 +62,8 @@ StudyPanel::StudyPanel(Document& document, QWidget* parent) : QWidget(parent), m
     connect(m_pictures, &StudyPicturesView::useAsked, this, &StudyPanel::use);
     connect(&m_images, &StudyImages::ready, m_pictures, &StudyPicturesView::setPictures);
     connect(&document, &Document::sceneChanged, this, &StudyPanel::showSelected);
-    followTheme(this, [this, column] {
+    followTheme(this, [this] {
         const Theme& theme = Theme::current();
-        column->setContentsMargins(theme.px(8), theme.px(8), theme.px(8), theme.px(6));
-        column->setSpacing(theme.px(6));
         placePictures();
         setStyleSheet(QStringLiteral("#studyPanel { background: %1; }").arg(theme.colors().bg.name()));
         analyse();
@@ -219,8 +217,7 @@ QWidget* StudyPanel::makeSetUp() {
     auto* fields = new QWidget;
     auto* open = new QPushButton(tr("Open a study"), fields);
     open->setToolTip(tr("Shows a study.json that the window or the command study wrote."));
-    auto* inner = new QVBoxLayout(fields);
-    inner->setContentsMargins(0, 0, 0, 0);
+    auto* inner = spaced(new QVBoxLayout(fields), {}, 12);
     inner->addWidget(m_sweep);
     inner->addWidget(&m_run->how());
     inner->addWidget(open, 0, Qt::AlignLeft);
@@ -228,7 +225,7 @@ QWidget* StudyPanel::makeSetUp() {
     m_run->how().show();
     auto* close = new QPushButton(tr("Close"), dialog);
     close->setDefault(true);
-    auto* column = new QVBoxLayout(dialog);
+    auto* column = spaced(new QVBoxLayout(dialog), {16, 12, 16, 12});
     auto* area = new FieldsArea(fields, dialog);
     area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     column->addWidget(area, 1);
@@ -236,10 +233,8 @@ QWidget* StudyPanel::makeSetUp() {
     connect(open, &QPushButton::clicked, dialog, &QDialog::close);
     connect(open, &QPushButton::clicked, this, &StudyPanel::openFile);
     connect(close, &QPushButton::clicked, dialog, &QDialog::close);
-    followTheme(dialog, [dialog, column, inner] {
+    followTheme(dialog, [dialog] {
         const Theme& theme = Theme::current();
-        column->setContentsMargins(theme.px(16), theme.px(12), theme.px(16), theme.px(12));
-        inner->setSpacing(theme.px(12));
         dialog->resize(onScreen(*dialog, theme.px(420), theme.px(340)));
     });
     return dialog;
@@ -251,8 +246,7 @@ QWidget* StudyPanel::makePlot() {
     content->setProperty("kind", "page");
     m_choice = new StudyChoice(content);
     m_plot = new StudyPlot(content);
-    auto* column = new QVBoxLayout(content);
-    column->setContentsMargins(0, 0, 0, 0);
+    auto* column = spaced(new QVBoxLayout(content), {}, 0);
     column->addWidget(m_choice);
     column->addWidget(m_plot, 1);
     m_pictures = new StudyPicturesView(splitter);
@@ -263,10 +257,9 @@ QWidget* StudyPanel::makePlot() {
     splitter->setStretchFactor(0, 2);
     splitter->setStretchFactor(1, 1);
     splitter->setChildrenCollapsible(false);
-    followTheme(content, [this, column] {
+    followTheme(content, [this] {
         const Theme& theme = Theme::current();
         m_choice->layout()->setContentsMargins(theme.px(8), theme.px(6), theme.px(8), theme.px(6));
-        column->setSpacing(0);
     });
     return splitter;
 }

@@ -68,26 +68,23 @@ StudyPicturesView::StudyPicturesView(QWidget* parent) : QWidget(parent) {
     m_use->setObjectName("useSettings");
     connect(m_use, &QPushButton::clicked, this, &StudyPicturesView::useAsked);
     auto* head = new QHBoxLayout;
-    auto* words = new QVBoxLayout;
-    words->setSpacing(0);
+    auto* words = spaced(new QVBoxLayout, {}, 0);
     words->addWidget(m_title);
     words->addWidget(m_numbers);
     head->addLayout(words, 1);
     head->addWidget(m_use);
-    auto* row = new QHBoxLayout;
+    auto* row = spaced(new QHBoxLayout, {}, 12);
     for (PictureFrame*& frame : m_frames) {
         frame = new PictureFrame(this);
         row->addWidget(frame, 1);
     }
-    auto* column = new QVBoxLayout(this);
+    auto* column = spaced(new QVBoxLayout(this), {12, 8, 12, 8});
     column->addLayout(head);
     column->addLayout(row, 1);
-    followTheme(this, [this, column, row] {
+    followTheme(this, [this] {
         const Theme& theme = Theme::current();
         m_title->setFont(theme.text(13, 600));
         m_numbers->setFont(theme.text(12));
-        column->setContentsMargins(theme.px(12), theme.px(8), theme.px(12), theme.px(8));
-        row->setSpacing(theme.px(12));
     });
     setPoint({}, {}, {});
 }

@@ -58,8 +58,7 @@ StudyRun::StudyRun(Document& document, QWidget* parent)
     m_cancel->setObjectName("studyCancel");
     m_one->addWidget(m_begin);
     m_one->addWidget(m_cancel);
-    auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(0, 0, 0, 0);
+    auto* row = spaced(new QHBoxLayout(this), {}, 8);
     row->addWidget(m_summary, 1);
     row->addWidget(m_bar, 1);
     row->addWidget(m_left);
@@ -74,10 +73,7 @@ StudyRun::StudyRun(Document& document, QWidget* parent)
         m_leftScene = m_job != nullptr;
         cancel();
     });
-    followTheme(this, [this, row] {
-        m_bar->setFixedHeight(Theme::current().px(8));
-        row->setSpacing(Theme::current().px(8));
-    });
+    followTheme(this, [this] { m_bar->setFixedHeight(Theme::current().px(8)); });
     showState();
 }
 

@@ -29,8 +29,7 @@ StudySweep::StudySweep(Document& document, QWidget* parent) : QWidget(parent), m
     m_state->setWordWrap(true);
     m_state->setProperty("tone", 2);
     m_own = new QWidget(this);
-    auto* own = new QVBoxLayout(m_own);
-    own->setContentsMargins(0, 0, 0, 0);
+    auto* own = spaced(new QVBoxLayout(m_own), {});
     for (std::size_t i = 0; i < m_axes.size(); ++i) {
         auto* key = new QComboBox(m_own);
         auto* values = new QLineEdit(m_own);
@@ -51,14 +50,12 @@ StudySweep::StudySweep(Document& document, QWidget* parent) : QWidget(parent), m
         });
         connect(values, &QLineEdit::textChanged, this, &StudySweep::showState);
     }
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
+    auto* column = spaced(new QVBoxLayout(this), {}, 6);
     for (QWidget* part : {static_cast<QWidget*>(m_meaning), m_own, static_cast<QWidget*>(m_state)})
         column->addWidget(part);
-    followTheme(this, [this, column] {
+    followTheme(this, [this] {
         m_meaning->setFont(Theme::current().text(12));
         m_state->setFont(Theme::current().text(12));
-        column->setSpacing(Theme::current().px(6));
     });
     connect(m_named, &QComboBox::currentIndexChanged, this, &StudySweep::showState);
     connect(m_named, &QComboBox::activated, this, [this](int at) {

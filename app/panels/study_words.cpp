@@ -52,7 +52,7 @@ StudyWords::StudyWords(QWidget* parent) : QWidget(parent) {
     auto* limits = new QFormLayout;
     limits->addRow(tr("Error up to"), m_error);
     limits->addRow(tr("Within ms"), m_time);
-    auto* column = new QVBoxLayout(this);
+    auto* column = spaced(new QVBoxLayout(this), {12, 8, 12, 8}, 6);
     column->addWidget(m_title);
     column->addLayout(limits);
     for (QWidget* part : {static_cast<QWidget*>(m_cheapest), static_cast<QWidget*>(m_best),
@@ -61,7 +61,7 @@ StudyWords::StudyWords(QWidget* parent) : QWidget(parent) {
     column->addWidget(m_orders, 1);
     connect(m_error, &QLineEdit::editingFinished, this, [this] { take(m_error, m_limits.error, m_errorTyped); });
     connect(m_time, &QLineEdit::editingFinished, this, [this] { take(m_time, m_limits.milliseconds, m_timeTyped); });
-    followTheme(this, [this, column] {
+    followTheme(this, [this] {
         const Theme& theme = Theme::current();
         m_title->setFont(theme.text(13, 600));
         m_orderTitle->setFont(theme.text(13, 600));
@@ -70,8 +70,6 @@ StudyWords::StudyWords(QWidget* parent) : QWidget(parent) {
         m_time->setFont(theme.mono(12));
         m_orders->verticalHeader()->setDefaultSectionSize(theme.px(28));
         m_orders->setMinimumHeight(theme.px(28 * 4));
-        column->setContentsMargins(theme.px(12), theme.px(8), theme.px(12), theme.px(8));
-        column->setSpacing(theme.px(6));
     });
 }
 

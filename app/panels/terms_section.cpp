@@ -46,8 +46,7 @@ TermsSection::TermsSection(Document& document, QWidget* parent)
       m_words(new QLabel(this)),
       m_reset(new QPushButton(tr("Every term as it is"), this)) {
     setAccessibleName(tr("Terms of the intensity"));
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
+    auto* column = spaced(new QVBoxLayout(this), {});
     column->addLayout(m_grid);
     column->addWidget(m_sum);
     auto* foot = new QHBoxLayout;

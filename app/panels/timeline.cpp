@@ -50,7 +50,7 @@ Timeline::Timeline(Document& document, const Transport& transport, QWidget* pare
     setAccessibleName(tr("Timeline"));
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     Stepper& stepper = document.stepper();
-    auto* row = new QHBoxLayout(this);
+    auto* row = spaced(new QHBoxLayout(this), {4, 0, 4, 0}, 6);
     const std::array actions{transport.first, transport.back, transport.play, transport.next, transport.last};
     constexpr std::array kNames{"firstStep", "stepBack", "play", "stepOn", "lastStep"};
     for (std::size_t i = 0; i < actions.size(); ++i)
@@ -83,10 +83,8 @@ Timeline::Timeline(Document& document, const Transport& transport, QWidget* pare
             [this, &stepper](int i) { stepper.setSpeed(m_speed->itemData(i).toDouble()); });
     connect(&stepper, &Stepper::changed, this, &Timeline::show);
     connect(&document, &Document::stageChanged, this, &Timeline::show);
-    followTheme(this, [this, row] {
+    followTheme(this, [this] {
         const Theme& theme = Theme::current();
-        row->setContentsMargins(theme.px(4), 0, theme.px(4), 0);
-        row->setSpacing(theme.px(6));
         m_by->setFont(theme.text(12));
         for (QToolButton* button : m_buttons) button->setIconSize(QSize(1, 1) * theme.px(16));
         for (QComboBox* list : {m_speed, m_levelList}) list->setFont(theme.text(12));
