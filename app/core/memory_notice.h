@@ -11,7 +11,10 @@ namespace app {
 class MemoryNotice : public QObject {
     Q_OBJECT
 public:
-    static MemoryNotice& instance();  // in the window's thread
+    static MemoryNotice& instance() {  // in the window's thread
+        static MemoryNotice notice;
+        return notice;
+    }
 
 signals:
     void gaveUp();
