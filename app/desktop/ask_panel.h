@@ -6,8 +6,8 @@
 
 namespace app {
 
-// The choices of a cue that asks, for the audience: letters and words, what the hands have voted, and in the answer which
-// of them is right. Votes are typed: a letter, then digits; Tab goes to the next.
+// The choices of a cue with a question, for the audience: letters and words, the counted votes, and in the answer the
+// right choice. Votes are typed: a letter, then digits; Tab goes to the next.
 class AskPanel : public QWidget {
     Q_OBJECT
 public:

@@ -5,7 +5,7 @@ class QPainter;
 
 namespace app {
 
-// The foot of a presentation: the stage, a sentence, a dot a cue, and the last key.
+// The bottom line of a presentation: the stage, a sentence, one dot per cue, and the last key.
 class CaptionLine : public QWidget {
     Q_OBJECT
 public:

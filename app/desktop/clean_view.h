@@ -22,9 +22,9 @@ class TalkPointer;
 class TalkWork;
 class ViewArea;
 
-// What an audience sees: the views as the window has them, the equation of the picked pixel or the algorithm of the step,
-// the cue's sliders and a line of words; nothing else. It shows the document, as the window does. It gives its parts their
-// places, and decides which of them there is room for.
+// The view for an audience: the window's views, the equation of the picked pixel or the algorithm of the step, the
+// cue's sliders and a line of text. It shows the document, as the window does. It places its parts, and hides those
+// that do not fit.
 class CleanView : public QWidget {
     Q_OBJECT
 public:
@@ -38,7 +38,7 @@ public:
     TalkKeys& keys() { return *m_keys; }
     QString caption() const;
     QString shownKey() const;  // the last key pressed, or what has failed; empty after a moment
-    // The size of the letters that keeps all of them readable: 22 px in 1080 lines at least.
+    // The text size at which the smallest text has at least 22 px of 1080 lines.
     static double scaleFor(int height);
 
 signals:

@@ -20,8 +20,8 @@ struct PaletteEntry {
     QString words = {};  // others that it is found by: "cosine"
 };
 
-// How well the letters typed find a name: 0 when they do not, more for letters in one piece, for words in any order, and
-// for beginnings of words; most for the whole name. Case does not matter.
+// How well the typed letters match a name: 0 for no match, more for consecutive letters, words in any order, and
+// beginnings of words; most for the whole name. Case does not matter.
 int matchQuality(const QString& typed, const QString& name);
 // Or its place: "theme" finds all that stands in View › Theme, after every name with all that was typed.
 int matchQuality(const QString& typed, const PaletteEntry& entry);

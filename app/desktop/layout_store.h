@@ -12,8 +12,7 @@ void saveLayout(const QMainWindow& window);
 bool restoreLayout(QMainWindow& window);  // false where there is none
 void forgetLayout(const QMainWindow& window);
 
-// Where a window stands on the desktop, how large, and whether it is maximised. It comes back within a screen that is
-// there.
+// Saves a window's position, size and whether it is maximised; restores them within an existing screen.
 void saveWindowPlace(const QWidget& window);
 bool restoreWindowPlace(QWidget& window);  // false where there is none, or none for such a screen
 void takeFirstWindowPlace(QWidget& window);

@@ -7,11 +7,12 @@ namespace app {
 
 class PanelDocks;
 
-// Keeps the theme and the places of panels a moment after each change: what ends the program must not take them back.
+// Saves the theme and the places of panels a moment after each change, so that they survive a crash.
 class LookKeeper : public QObject {
     Q_OBJECT
 public:
-    // `keepPanels` keeps the panels' places; nothing is kept while `isOther`, as in a talk, which has its own text size.
+    // `keepPanels` keeps the panels' places; nothing is kept while `isOther`, as in a talk, which has its own text
+    // size.
     LookKeeper(QObject& window, const PanelDocks& docks, std::function<void()> keepPanels,
                std::function<bool()> isOther);
 

@@ -11,8 +11,8 @@ class QListView;
 
 namespace app {
 
-// What the lecturer sees: the audience's picture, that of the next cue, the notes, the cues, how long it has taken and
-// takes, and the clock.
+// The lecturer's window: the audience's picture, the next cue's picture, the notes, the cues, elapsed and planned time,
+// and the clock.
 class NotesWindow : public QWidget {
     Q_OBJECT
 public:

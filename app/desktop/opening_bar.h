@@ -5,7 +5,7 @@ namespace app {
 
 class SceneOpener;
 
-// What is being read and how far it has got, with a button to cancel; hidden while nothing is.
+// The file that is being read and its progress, with a button to cancel; hidden otherwise.
 class OpeningBar : public ProgressLine {
     Q_OBJECT
 public:

@@ -6,8 +6,7 @@
 
 namespace app {
 
-// A box over the window that Esc, or working elsewhere, closes again. The focus then goes back
-// to where it was.
+// A box over the window. Esc or a click elsewhere closes it, and the focus returns to where it was.
 class Popover : public QFrame {
     Q_OBJECT
 public:

@@ -9,8 +9,8 @@ namespace app {
 
 class Segmented;
 
-// What is the user's and not the scene's: the look of the window, how numbers are written, what is kept, and where. A
-// choice holds at once, and is kept.
+// The user's preferences: theme, text size, the format of numbers, what is saved, and where. A choice applies at once,
+// and is saved.
 class PreferencesDialog : public QDialog {
     Q_OBJECT
 public:

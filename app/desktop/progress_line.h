@@ -8,7 +8,7 @@ class QPushButton;
 
 namespace app {
 
-// In one line: what is under way, how far it is, and a link to click.
+// One line: a running task, its progress, and a link to click.
 class ProgressLine : public QWidget {
 public:
     explicit ProgressLine(QWidget* parent);

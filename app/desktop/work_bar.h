@@ -5,7 +5,7 @@ namespace app {
 
 class WorkList;
 
-// What takes long, with a button to cancel; then what has been stopped, with one to go on. Hidden while there is neither.
+// Long computations with a button to cancel, then the stopped ones with a button to continue. Hidden if there are none.
 class WorkBar : public ProgressLine {
     Q_OBJECT
 public:

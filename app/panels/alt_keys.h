@@ -6,11 +6,11 @@
 
 namespace app {
 
-// Takes Alt with a key before the part of a widget that has the focus: fields, buttons and scroll areas have uses of their
-// own for letters and arrows.
+// Handles Alt with a key for a whole widget, before the child that has the focus: fields, buttons and scroll areas use
+// letters and arrows themselves.
 class AltKeys : public QObject {
 public:
-    // take: whether it has taken the key.
+    // take(): returns whether it handled the key.
     AltKeys(QWidget* within, std::function<bool(QKeyEvent*)> take)
         : QObject(within), m_within(within), m_take(std::move(take)) {
         qApp->installEventFilter(this);

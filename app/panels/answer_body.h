@@ -9,12 +9,12 @@ class QVBoxLayout;
 
 namespace app {
 
-// Where a question is answered: a field, rows to choose from, a thing to click, settings to turn. Enter is left to the
-// panel, which checks.
+// The control in which a question is answered: a field, rows to choose from, a thing to click, settings to turn. The
+// panel handles Enter and checks the answer.
 class AnswerBody : public QWidget {
     Q_OBJECT
 public:
-    // Nothing where nothing has been chosen, typed or picked yet.
+    // Nothing until the user has chosen, typed or picked something.
     virtual std::optional<lessons::Given> given() const = 0;
     virtual void takeAttempt(const lessons::Attempt& attempt) { Q_UNUSED(attempt) }  // after a try
     virtual void takeFocus() = 0;
@@ -32,7 +32,7 @@ protected:
     QVBoxLayout* m_column;
 };
 
-// For the question on the run's page, whose texts are there.
+// For the question on the run's page; its texts must have arrived.
 AnswerBody* makeAnswerBody(LessonRun& run, Document& document, QWidget* parent);
 
 // One for each kind; choice and several are the same rows.

@@ -22,14 +22,13 @@ public:
     // Zoom and place stay, unless the picture has another size.
     void setContent(CanvasContent content);
     const CanvasContent& content() const { return m_content; }
-    // A second picture of the same size, if any, and which part of the view it has. Marks are those of
-    // the content.
+    // A second picture of the same size, if any, and its part of the view. The marks are those of the first content.
     void setOther(std::optional<CanvasContent> other, const Wipe& wipe);
     void setWipe(const Wipe& wipe);
     const Wipe& wipe() const { return m_wipe; }
-    // All of what is seen: a picture, or two with a border between them.
+    // Everything on show: one picture, or two with a border between them.
     CanvasPictures pictures() const { return {m_content, m_other, m_wipe}; }
-    // The picture that fills the view, or the part of A.
+    // The picture that fills the view; of two, A.
     const CanvasContent& seen() const { return m_other && m_wipe.share == 0 ? *m_other : m_content; }
     CanvasContent painted(const CanvasContent& content) const;  // turned over where it is flipped
 

@@ -5,7 +5,7 @@ namespace app {
 
 class BufferCompare;
 
-// What a buffer view says over its picture: notices, and the buffer's name if the view is bare.
+// The texts over the picture of a buffer view: notices, and the buffer's name if the view has no header.
 class BufferCaptions : public BufferFeature {
 public:
     BufferCaptions(BufferView& view, const BufferCompare& compare);

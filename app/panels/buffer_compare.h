@@ -9,8 +9,8 @@ namespace app {
 
 class BufferCanvas;
 
-// Compares what a buffer view shows, A, with something else, B: shows one, the other, both or their difference, and says
-// how much they differ.
+// Compares what a buffer view shows, A, with something else, B: shows one, the other, both or their difference, and
+// says how much they differ.
 class BufferCompare : public QObject {
     Q_OBJECT
 public:
@@ -27,8 +27,8 @@ public:
     CompareMode mode() const { return m_sides.mode(); }
     void setMode(CompareMode mode);  // the same again: back to A
     void setMetric(pipeline::DifferenceMetric metric);
-    // What B is and how the two are shown, and the same again; nothing: no B. "Before the last change" is kept as the
-    // setting that the change has changed, where it is one: later it is another change. Errors: no such B.
+    // Saves B and the mode; restores them. Nothing: no B. "Before the last change" is saved as the changed setting,
+    // because a later change would be another one. Returns an error if there is no such B.
     std::optional<lessons::BufferShown::Compared> state() const;
     pipeline::Errors lookAt(const std::optional<lessons::BufferShown::Compared>& state);
     void holdOther(bool held);     // shows B meanwhile
@@ -38,11 +38,11 @@ public:
     // Whether the view shows B, or what differs, at all.
     bool showsOther() const { return showsDifference() || (m_difference.hasB() && m_sides.wipe().share < 1); }
     bool showsDifference() const { return mode() == CompareMode::Difference && m_difference.found().has_value(); }
-    // Lays B beside what a view asks for, where there is one.
+    // Adds B to the view's request, if there is a B.
     void addOther(ShowRequest& request);
-    // What the view shows in place of A: A itself, or the difference. Tells the canvas about B.
+    // Returns what the view shows: A, or the difference. Hands B to the canvas.
     ShownBuffer show(const ShowAnswer& answer);
-    // What stands behind A's value at a pixel: B's, or nothing.
+    // The text after A's value at a pixel: B's value; empty without B.
     QString readout(QPoint pixel) const { return m_difference.readout(pixel, showsDifference()); }
 
 signals:

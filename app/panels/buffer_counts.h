@@ -6,8 +6,8 @@
 
 namespace app {
 
-// What is counted over all pixels: the histogram, the distinct values. While a slider or a handle moves the counts are at
-// most 150 ms old, so that pictures come faster; at rest they are those of the picture on show.
+// Counts over all pixels: the histogram, the distinct values. While a slider or a handle moves, counts up to 150 ms old
+// are reused, so that pictures come faster. At rest they are those of the picture on show.
 class PictureCounts : public BufferFeature {
 public:
     explicit PictureCounts(BufferView& view);

@@ -5,8 +5,8 @@ class QLabel;
 
 namespace app {
 
-// A picture of a moment ago may stay while a slider moves, but not under the words of another cue, nor in place of B: it is
-// dimmed, and says that its own is being computed.
+// Dims the previous picture and says that the next one is being computed, if the previous one would mislead: under the
+// words of another cue, or in place of B. While a slider moves it stays as it is.
 class LateVeil : public BufferFeature {
 public:
     explicit LateVeil(BufferView& view);

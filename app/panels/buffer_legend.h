@@ -5,8 +5,8 @@
 
 namespace app {
 
-// What the colours of a buffer of names stand for, and how often each comes among the drawn elements. drawn: which of
-// them hold something; empty: all. Negative numbers stand for nothing.
+// The meaning of each colour of a buffer of names, and its number of drawn elements. drawn: which elements hold
+// something; empty: all. Negative values have no name and are not counted.
 std::vector<LegendEntry> legendOf(const pipeline::Frame& frame, const pipeline::AnyBuffer& buffer,
                                   const std::vector<bool>& drawn);
 

@@ -6,7 +6,7 @@ namespace app {
 
 class BufferView;
 
-// Two fingers on a touchpad or on the screen zoom a view's picture, in the zooms of the wheel, about what is between them.
+// Pinching with two fingers zooms a view's picture about the point between them, in the steps of the wheel.
 class PinchZoom : public QObject {
 public:
     explicit PinchZoom(BufferView& view);
@@ -18,7 +18,7 @@ private:
     void pinch(double by, QPointF at);  // by: a factor
 
     BufferView& m_view;
-    double m_pinched = 1;  // what is left of a pinch by less than a zoom
+    double m_pinched = 1;  // the part of a pinch that is smaller than a step
 };
 
 }  // namespace app

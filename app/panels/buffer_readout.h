@@ -21,7 +21,7 @@ private:
     void hover(std::optional<QPoint> pixel);
     void nudge(QPoint by);
     QRect pixelOnCanvas() const;
-    // That the label is about: the hovered one, else the one that an algorithm is at, else the picked one.
+    // The pixel of the label: the hovered one, else the algorithm's, else the picked one.
     std::optional<QPoint> saidPixel() const;
     // The texel of the shadow buffer on show that holds a pixel's point.
     std::optional<QPoint> texelOf(std::optional<glm::ivec2> pixel) const;

@@ -9,8 +9,8 @@ namespace app {
 
 class BufferCompare;
 
-// The buffer with the view's name: the frame's own, or one that is derived from it; else why there is none. In place of the
-// frame buffer it shows the picture that the mixed terms make.
+// Finds the buffer that a view names: the frame's own or a derived one, else the reason why there is none. While terms
+// are mixed, their picture takes the place of the frame buffer.
 class BufferSource : public BufferFeature {
 public:
     BufferSource(BufferView& view, const BufferCompare& compare);

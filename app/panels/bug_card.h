@@ -16,7 +16,8 @@ class BugEndPart;
 class BugRound;
 class BugStagePart;
 
-// The words of the game: what is asked, the looks, what was said last, the points; and the part of its phase.
+// The texts of the game: the question, the number of looks, the last message, the points; below them the part of the
+// current phase.
 class BugCard : public QWidget {
     Q_OBJECT
 public:

@@ -10,15 +10,16 @@ class BugBox;
 class BugCard;
 class BugPictures;
 
-// The wrong picture: a game in a window of its own. Somebody looks at buffers and pixels of a frame with a planted error,
-// marks the first wrong stage, and names the cause. It can be played by the keys alone, and from its texts alone.
+// The wrong picture: a game in a window of its own. Somebody looks at buffers and pixels of a frame with a planted
+// error, marks the first wrong stage, and names the cause. It can be played by the keys alone, and from its texts
+// alone.
 class BugPanel : public QWidget {
     Q_OBJECT
 public:
     explicit BugPanel(QWidget* parent = nullptr);
 
     BugRound& round() { return m_round; }
-    // What is open in the window, for a picture of one's own; null: nothing.
+    // The window's scene, for a picture of one's own; null: none is open.
     void setOpenScene(std::function<std::shared_ptr<const pipeline::Scene>()> open) { m_open = std::move(open); }
 
 signals:

@@ -8,8 +8,8 @@
 
 namespace app {
 
-// A round of the wrong picture, without a widget: the game of each picture, what is marked, and the points so far. The
-// game computes in the background, and is asked nothing else meanwhile.
+// A round of the wrong picture, without a widget: the game of each picture, the marked box, and the points so far. The
+// game computes in the background; until it is done, other requests have no effect.
 class BugRound : public QObject {
     Q_OBJECT
 public:
@@ -36,8 +36,8 @@ public:
 
     // As many pictures as there are in a round; the same seed gives the same ones.
     void begin(std::uint64_t seed, std::size_t number = 0);
-    // With a scene and a defect that somebody has chosen for others to find; the next picture is of the round again. A defect
-    // that changes nothing of the scene's picture is refused.
+    // One picture with a scene and a defect that a teacher has chosen; the next picture is the round's again. Refuses a
+    // defect that does not change the scene's picture.
     void begin(std::shared_ptr<const pipeline::Scene> scene, pipeline::Defect defect);
     const lessons::WrongPicture* game() const { return m_game.get(); }  // null until the frames are there
     bool isIn(Phase phase) const { return m_game && m_game->phase() == phase; }

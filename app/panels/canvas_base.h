@@ -7,9 +7,8 @@
 
 namespace app {
 
-// A canvas's picture without its marks. The pointer moves far more often than the picture changes: it is painted when it
-// has changed, and beside the window where it shows many polygons. Until that is done what was painted last stays, moved
-// to where the picture stands now.
+// A canvas's picture without its marks, painted only when it has changed, because the pointer moves far more often. A
+// picture of many polygons is painted in the background. Until it is done, the last one stays and moves with the view.
 class CanvasBase : public QObject {
     Q_OBJECT
 public:

@@ -12,8 +12,8 @@ namespace app {
 
 class BufferCanvas;
 
-// The mouse and the keys of a canvas: zooms and moves the picture, and says what else the user does. Pixels count rows from
-// the top.
+// The mouse and the keys of a canvas: zooms and moves the picture, and reports other input by signals. Pixels count
+// rows from the top.
 class CanvasInput : public QObject {
     Q_OBJECT
 public:
@@ -41,7 +41,7 @@ private:
     BufferCanvas& m_canvas;
     QPointF m_pressed, m_dragFrom;
     bool m_drags = false, m_wipes = false, m_measures = false;
-    int m_wheel = 0;  // what is left of turning by less than a step
+    int m_wheel = 0;  // the part of a turn that is smaller than a step
 };
 
 }  // namespace app

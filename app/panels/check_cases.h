@@ -6,10 +6,10 @@
 
 namespace app {
 
-// What is known of each case: as long as pipeline::check::caseTable(), nothing where it has not run.
+// A result for each row of pipeline::check::caseTable(); nothing for a case that has not run.
 using CheckResults = std::vector<std::optional<pipeline::check::CaseResult>>;
 
-// The cases of a group with what they gave, those that break first; the chosen row is the chosen case.
+// The cases of a group with their results, failed ones first; the selected row is the selected case.
 class CheckCases : public QTableWidget {
     Q_OBJECT
 public:

@@ -10,7 +10,7 @@ class QPushButton;
 
 namespace app {
 
-// One case: what goes in, both forms, what they are measured against, and what was found.
+// One case: its input, both forms, their reference, and the result.
 class CheckDetails : public QWidget {
     Q_OBJECT
 public:

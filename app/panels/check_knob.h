@@ -11,7 +11,7 @@ namespace app {
 class CheckPlot;
 class ValueSlider;
 
-// What makes a case stiff, as a slider with its value, and what both forms give over its range.
+// The quantity that makes a case stiff, as a slider with its value, and the errors of both forms over its range.
 class CheckKnob : public QWidget {
     Q_OBJECT
 public:

@@ -17,9 +17,8 @@ class CheckKnob;
 class CheckPictures;
 class CheckBar;
 
-// The stiff and extreme cases: on top how many hold; on the left all with what they gave, on the right the chosen one
-// with the knob that makes it
-// stiff. They run when the panel is first shown.
+// The stiff and extreme cases. Top: how many pass. Left: all cases with their results. Right: the selected case with
+// the slider that makes it stiff. They run when the panel is first shown.
 class CheckPanel : public QWidget {
     Q_OBJECT
 public:
@@ -28,7 +27,7 @@ public:
 
     void run(pipeline::check::Filter filter);  // nothing while something runs
     bool running() const { return m_job != nullptr; }
-    // Asked before a case takes the place of the scene on show.
+    // Called before a case replaces the scene on show; false keeps the scene.
     void setMayLeave(std::function<bool()> mayLeave) { m_mayLeave = std::move(mayLeave); }
     void select(std::size_t which);  // into pipeline::check::caseTable()
     std::size_t selected() const { return m_selected; }

@@ -12,8 +12,9 @@ namespace app {
 
 class PictureFrame;
 
-// A case's scene as the naive form shows it and as ours does, side by side, and in how many pixels they differ. Where
-// no setting of the stages is the naive form, ours alone. The pictures are made elsewhere, the newest asked for.
+// A case's scene rendered by the naive form and by ours, side by side, with the number of differing pixels. If no
+// setting of the stages is the naive form, only ours. The pictures are rendered in the background, always for the
+// latest request.
 class CheckPictures : public QWidget {
     Q_OBJECT
 public:

@@ -5,7 +5,7 @@
 
 namespace app {
 
-// The errors of both forms over the range of a case's knob, with what they are where the slider stands.
+// The errors of both forms over the slider's range, with their values at the slider.
 class CheckPlot : public QWidget {
     Q_OBJECT
 public:

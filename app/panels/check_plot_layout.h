@@ -12,8 +12,8 @@ struct KnobPlot {
     double at = 0;                                 // where the slider stands
 };
 
-// Both errors over the knob's range with the bound, a line at the slider, and the numbers there. The errors are on a
-// logarithmic axis; one of 0 stands in a row of its own at the foot, one that is no number leaves a gap.
+// Both errors over the slider's range with the bound, a line at the slider, and the numbers there. The axis of errors
+// is logarithmic: an error of 0 has a row of its own at the bottom, NaN leaves a gap.
 pipeline::PlotDrawing layOut(const KnobPlot& plot, const pipeline::PlotSize& size);
 
 }  // namespace app

@@ -15,8 +15,8 @@ class Segmented;
 
 enum class CompareMode : unsigned char { A, B, Blink, Wipe, Difference };
 
-// Below two buffers that are compared: which of them is seen, how much they differ, and the way to
-// where they differ most.
+// Below two compared buffers: which of them is on show, how much they differ, and a button that goes to the largest
+// difference.
 class CompareBar : public QWidget {
     Q_OBJECT
 public:

@@ -12,9 +12,9 @@ class QToolButton;
 
 namespace app {
 
-// The document's condition over all pixels, typed: says for how many it holds, goes from one to the next, and on to the
-// next moment of the frame at which it begins to hold, where Play ends too. An expression without a comparison gives
-// numbers in place of a mask. It follows the scene; mask and numbers are derived buffers.
+// The field for the document's condition over all pixels. It counts the pixels for which the condition is true, goes
+// from one to the next, and runs to the next moment of the frame at which it becomes true for some pixel; Play stops
+// there too. An expression without a comparison gives numbers instead of a mask. Mask and numbers are derived buffers.
 class ConditionBar : public QWidget {
     Q_OBJECT
 public:

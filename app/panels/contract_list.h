@@ -13,8 +13,8 @@ class QTreeWidget;
 
 namespace app {
 
-// What must hold of a stage's output: the share of its elements for which it does, in this frame and, where one is
-// compared, in somebody else's renderer. What is violated comes first. It opens below the stage's card.
+// The contracts of a stage's output: for each the share of elements that keep it, in this frame and in the compared
+// renderer, if there is one. Violated contracts come first. The list opens below the stage's card.
 class ContractList : public QFrame {
     Q_OBJECT
 public:

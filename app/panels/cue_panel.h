@@ -12,7 +12,7 @@ class QPushButton;
 
 namespace app {
 
-// The cues of a talk: their order, names, captions and notes. What a cue shows, and what is kept as one, the window knows.
+// The cues of a talk: their order, names, captions and notes. The window shows a cue and saves its views as one.
 class CuePanel : public QWidget {
     Q_OBJECT
 public:

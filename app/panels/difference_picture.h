@@ -29,7 +29,7 @@ public:
     // Null until the first has come.
     std::shared_ptr<const ShowAnswer> picture(const pipeline::FramePtr& frame);
     void forgetPicture();
-    // What stands behind A's value at a pixel: B's, or nothing. isShown: the difference is.
+    // The text after A's value at a pixel: B's value; empty without B. isShown: the difference is on show.
     QString readout(QPoint pixel, bool isShown) const;
     QString formula() const;  // "error = A − B"
     DifferenceJob& job() { return m_job; }

@@ -6,7 +6,7 @@
 
 namespace app {
 
-// A dashed box that says that files may be dropped, and is tinted while one hangs over the window.
+// A dashed box that invites to drop files; tinted while a file is dragged over the window.
 class DropField : public QLabel {
 public:
     using QLabel::QLabel;

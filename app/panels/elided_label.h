@@ -6,7 +6,7 @@
 
 namespace app {
 
-// As many of the phrases, which commas part, as there is room for, from the first.
+// As many phrases, separated by commas, as fit, from the first on.
 inline QString wholePhrases(QString words, const QFontMetrics& metrics, int width) {
     while (metrics.horizontalAdvance(words) > width) words.truncate(std::max<qsizetype>(words.lastIndexOf(','), 0));
     return words;

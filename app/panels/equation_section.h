@@ -24,7 +24,7 @@ public:
     QString sentence() const;
     QWidget* switcher() { return m_switcher; }  // r g b, with the model's name: for the section's title
     MathView* math() { return m_math; }
-    // What the result was stays in sight, whatever changes, until it is dropped.
+    // Keeps the current result on show, whatever changes, until it is dropped.
     bool canKeep() const { return m_was || m_kept; }
     bool keeps() const { return m_kept.has_value(); }
     void setKept(bool kept);

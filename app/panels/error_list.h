@@ -9,8 +9,8 @@ class QPushButton;
 
 namespace app {
 
-// What is wrong in a file or a value: a sentence, and a line an error that can be read, selected
-// and copied. Hidden until there is something to say; closing hides it again.
+// The errors of a file or a value: a sentence, and one line per error that can be selected and copied. Hidden until
+// there is an error; closing hides it again.
 class ErrorList : public QFrame {
     Q_OBJECT
 public:

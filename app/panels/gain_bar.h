@@ -5,8 +5,8 @@
 
 namespace app {
 
-// A term as a part of the sum that it belongs to, and its gain: the bar is what it adds, the mark its gain on a scale
-// from 0 to 4. Any press or drag sets the gain, a double click makes it 1; keys: arrows a tenth, Home 0, End 4, 1.
+// The share of a term in its sum, as a bar, and its gain, as a mark on a scale from 0 to 4. Any press or drag sets the
+// gain, a double click makes it 1; keys: arrows a tenth, Home 0, End 4, 1.
 class GainBar : public QWidget, public SpokenSlider {
     Q_OBJECT
 public:

@@ -13,8 +13,8 @@ class QLineEdit;
 
 namespace app {
 
-// A dialog whose job writes files away from the window: a field for the place, and a foot. Esc and the cross of the title
-// bar cancel what is being written and stay to say so; then they close.
+// A dialog that writes files on another thread: a field for the place, and a bottom line. While it writes, Esc and the
+// title bar's cross cancel the job and the dialog reports that; otherwise they close it.
 class JobDialog : public QDialog {
     Q_OBJECT
 public:

@@ -9,7 +9,7 @@ class QPushButton;
 
 namespace app {
 
-// The foot of a dialog that writes files: the same work as a command, a bar of progress, a sentence, and the buttons
+// The bottom of a dialog that writes files: the equivalent command line, a progress bar, a sentence, and the buttons
 // that start, cancel, close and show the folder.
 class JobFoot : public QWidget {
     Q_OBJECT

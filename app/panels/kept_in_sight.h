@@ -13,7 +13,7 @@ public:
         connect(bar, &QScrollBar::rangeChanged, this, &KeptInSight::show, Qt::QueuedConnection);
         connect(bar, &QScrollBar::actionTriggered, this, [this] { m_part = nullptr; });
     }
-    // null: nothing any more.
+    // null: stops.
     void keep(QWidget* part) {
         m_part = part;
         QMetaObject::invokeMethod(

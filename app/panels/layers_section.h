@@ -9,8 +9,8 @@ class QLabel;
 
 namespace app {
 
-// The translucent layers over a pixel, in the order in which they are laid, farthest first: depth, opacity, own intensity,
-// and what each adds to the pixel in one channel, after those in front of it have let through their part.
+// The translucent layers over a pixel in the order of blending, farthest first: depth, opacity, own intensity, and the
+// contribution of each to one channel of the pixel, weighted by the transmittance of the layers in front of it.
 class LayersSection : public QWidget {
 public:
     explicit LayersSection(QWidget* parent = nullptr);

@@ -5,7 +5,7 @@
 
 namespace app {
 
-// Names beside their colours, in as many rows as fit; the rest are told in the tooltip.
+// Names beside their colours, in as many rows as fit; the tooltip lists the others.
 class LegendBar : public QWidget {
     Q_OBJECT
 public:

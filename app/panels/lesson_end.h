@@ -8,8 +8,8 @@ class QVBoxLayout;
 
 namespace app {
 
-// The end of a lesson: its pages with their marks and points, what one can do now, the mistakes that were made, the lesson
-// after it.
+// The end of a lesson: its pages with marks and points, the possible next steps, the user's mistakes, and the next
+// lesson.
 class LessonEnd : public QWidget {
     Q_OBJECT
 public:

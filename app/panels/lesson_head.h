@@ -9,7 +9,7 @@ class QToolButton;
 
 namespace app {
 
-// How the pages of a lesson stand, a segment a page: done filled, the one that is open half filled and ringed until its
+// The progress of a lesson, one segment per page: filled if done; the open page is half filled, and ringed until its
 // question is settled.
 class PageSegments : public QWidget {
     Q_OBJECT

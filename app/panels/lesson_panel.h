@@ -26,8 +26,8 @@ public:
 
     const LessonShelf& shelf() const { return *m_shelf; }
     LessonRun& run() { return m_run; }
-    // Opens a lesson where it was left, from its beginning when it was read to its end. False when there is none of that
-    // name.
+    // Opens a lesson where it was left, from its beginning when it was read to its end. False when there is none of
+    // that name.
     bool open(const QString& name);
     // One that did not come with the program, by its folder, which is its name then.
     bool openOwn(lessons::Lesson lesson);
@@ -37,7 +37,7 @@ public:
 
     const lessons::Lesson* lesson() const { return m_run.lesson(); }  // null when none is open
     int page() const { return m_run.page(); }                         // from 0
-    // Whether the window is to hide what the page does not need; kept in the program's settings.
+    // Whether the window hides panels that the page does not need; saved in the program's settings.
     bool isOnlyThis() const;
     void setOnlyThis(bool only);
     // For the bar over the views; empty where nothing is to be clicked.

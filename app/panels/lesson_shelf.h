@@ -9,8 +9,8 @@
 
 namespace app {
 
-// The lessons that come with the program, those that were opened beside, and how far somebody has come in each; progress
-// is kept in the program's settings. Knows no widget.
+// The lessons of the program and those opened from folders, with the reader's progress, which is saved in the program's
+// settings. Knows no widget.
 class LessonShelf : public QAbstractListModel {
     Q_OBJECT
 public:
@@ -30,8 +30,8 @@ public:
 
     // Null when there is no such lesson. Valid as long as the shelf is.
     const lessons::Lesson* find(const QString& name) const;
-    // Has questions of another lesson return at its start: of those that the reader has done before it the last but one.
-    // Where some of them were asked already, the same stay. It must not be open.
+    // Puts questions of an earlier lesson at its start: of the last but one that the reader has done. Questions that
+    // were already asked stay. The lesson must not be open.
     void setReturning(const lessons::Lesson& lesson, const lessons::Results& results);
     // One of its own name takes the place of that which had it.
     void put(lessons::Lesson lesson);

@@ -10,9 +10,8 @@
 
 namespace app {
 
-// An equation, typeset. Hovering a part that stands for something, or walking to it with the
-// arrow keys, says what it stands for; a click or Enter asks to see it. It grows as high as it
-// needs at its width, and never cuts anything off.
+// A typeset equation. Hovering a part, or going to it with the arrow keys, names the buffer or setting that it stands
+// for; a click or Enter asks to show that. The view is as high as the equation needs at its width.
 class MathView : public QWidget {
     Q_OBJECT
 public:

@@ -7,7 +7,7 @@ namespace app {
 
 class ProseView;
 
-// What is said to an answer: a box with a bar at its left, a heading with its mark, and text.
+// The feedback to an answer: a box with a bar at its left, a heading with its mark, and text.
 class NoteBox : public QFrame {
     Q_OBJECT
 public:

@@ -16,7 +16,7 @@ class OtherSide : public QObject {
 public:
     OtherSide(Document& document, QObject* parent);
 
-    // Lays B beside what a view asks for; where there is none, why() says so.
+    // Adds B to the view's request. If there is no B, why() gives the reason.
     void addTo(ShowRequest& request, const std::optional<OtherSource>& source);
     void forget();                         // what has been found
     QString why() const { return m_why; }  // there is no B, or it cannot be compared; else empty

@@ -41,8 +41,8 @@ QString whyNoOverlays(const pipeline::BufferInfo& info);
 // Likewise of one of them, in a picture with row 0 on top or, where it is flipped, at the foot.
 QString whyNoOverlay(OverlayId overlay, const pipeline::BufferInfo& info, bool isFlipped);
 
-// Lays them over a buffer of the frame. What needs a buffer that the frame does not hold yet is left
-// out. The notice then says what the colours stand for. Incomplete when it is stopped.
+// Draws the overlays over a buffer of the frame, except those whose buffers the frame does not hold yet. The notice
+// explains the colours. Incomplete if stopped.
 void addOverlays(const pipeline::Frame& frame, OverlaySet overlays, ShownBuffer& shown,
                  const std::stop_token& stop = {});
 

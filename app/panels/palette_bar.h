@@ -6,13 +6,13 @@
 
 namespace app {
 
-// Over how many pixels a bin stands, as the height of a bar, 0 to 1, where the tallest one has `most`. Logarithmic: the
-// logarithm of one more, so that no pixel has no height and a single one is seen beside many thousand.
+// The height of a bin's bar, 0 to 1; the tallest bin has `most` pixels. Logarithmic: log(1 + count), so that an empty
+// bin has height 0 and a single pixel is visible beside many thousands.
 double barHeight(int count, int most, bool logarithmic);
 
-// A palette between two handles, a histogram above it, the axis of its counts at the left where there is room. The scale runs from the smallest value of
-// the buffer to the largest, a little beyond a range that reaches further; the handles choose what
-// the palette's ends stand for. Dragging between them moves both; a double click types.
+// A palette between two handles, a histogram above it, the axis of its counts at the left where there is room. The
+// scale runs from the smallest value of the buffer to the largest, a little beyond a range that reaches further; the
+// handles choose what the palette's ends stand for. Dragging between them moves both; a double click types.
 class PaletteBar : public QWidget {
     Q_OBJECT
 public:

@@ -6,7 +6,7 @@
 
 namespace app {
 
-// Tells what somebody picks of a scene: what is selected in a view, and of a pixel its polygon and that one's object.
+// Reports what the user picks: the selection of a view; for a pixel, its polygon and the polygon's object.
 class PickWatch : public QObject {
     Q_OBJECT
 public:

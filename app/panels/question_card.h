@@ -14,8 +14,8 @@ class AnswerBody;
 class NoteBox;
 class ProseView;
 
-// The question of the page that is open: what it is worth, where it is answered, what is said to an answer, its hints, and
-// what it was once it is settled.
+// The question of the open page: its points, the control for the answer, the feedback, its hints, and the solution once
+// it is settled.
 class QuestionCard : public QFrame {
     Q_OBJECT
 public:

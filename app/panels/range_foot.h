@@ -19,7 +19,7 @@ public:
     // keepsFitting: the range follows every frame. logarithmic: the axis of the histogram's counts.
     void show(const ShownBuffer& shown, bool keepsFitting, bool logarithmic);
     void setBare(bool bare);  // without its buttons, which have keys
-    // While it is hidden its room stays empty, so that the picture above is as high as one beside it with a range.
+    // Keeps its height while hidden, so that the picture is as high as one with a range beside it.
     void keepRoom(bool keep);
 
 protected:

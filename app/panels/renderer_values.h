@@ -9,8 +9,8 @@ class QLabel;
 
 namespace app {
 
-// What somebody else's buffers and this program's hold at the picked pixel, or of the selected vertex or polygon, side by
-// side. Nothing that was not handed in is made up.
+// The values of another renderer and of this program at the picked pixel, or of the selected vertex or polygon, side by
+// side. Buffers that were not handed in have no value.
 class RendererValues : public QWidget {
     Q_OBJECT
 public:

@@ -9,9 +9,8 @@ namespace app {
 // Whether what has these names already is to be replaced.
 bool askToReplace(QWidget* parent, const QString& title, const QStringList& names);
 
-// Asks where to save a file. Under a filter of `suffix`, as in "toml", a name that does not end in it gets it, and no file
-// is replaced without a question. written: the files that come of the name, where it is not that one alone. Empty where
-// nothing is to be saved.
+// Asks for the file to save to; empty if the user cancels. A name without `suffix`, as in "toml", gets it, and no file
+// is replaced without a question. written: the files that are written for a name, if there are several.
 QString askWhereToSave(QWidget* parent, const QString& title, const QString& proposed, const QString& filter,
                        const QString& suffix, const std::function<QStringList(const QString&)>& written = {});
 

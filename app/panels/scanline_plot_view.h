@@ -5,7 +5,7 @@
 
 namespace app {
 
-// The plot of a section along a row. It knows no document: what it shows is given, what the user does is said.
+// The plot of a section along a row. It knows no document: callers set its content; it reports input by signals.
 class ScanlinePlotView : public QWidget {
     Q_OBJECT
 public:

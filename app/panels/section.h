@@ -9,7 +9,7 @@ namespace app {
 
 class ElidedLabel;
 
-// A part of a panel with a title that folds it. Folded, the title holds what the part says in a sentence.
+// A part of a panel with a title that folds it. Folded, the title also has a sentence that sums the part up.
 class Section : public QWidget {
     Q_OBJECT
 public:

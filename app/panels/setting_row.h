@@ -9,9 +9,9 @@ class QLabel;
 
 namespace app {
 
-// The control of one setting in a form of three columns: label; slider, buttons or list; number.
-// It follows the document. Where the setting has no effect in this scene it is dimmed, and a note
-// below says why. Takes three rows of the form.
+// The control of one setting in a form of three columns: label; slider, buttons or list; number. It follows the
+// document. A setting without effect in this scene is dimmed, and a note below gives the reason. Uses three rows of the
+// form.
 class SettingRow : public QObject {
     Q_OBJECT
 public:

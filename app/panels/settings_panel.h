@@ -14,7 +14,7 @@ namespace app {
 class SettingRow;
 
 // The settings of the selected thing on the first tab; shading, depth and shadow on the others.
-// The controls are made from the table of settings. Below them: what the last change was, to put back.
+// The controls are made from the table of settings. Below them: the last change, with a button that undoes it.
 class SettingsPanel : public QWidget {
     Q_OBJECT
 public:

@@ -55,14 +55,14 @@ struct ShowAnswer {
     std::optional<ShownOther> other;
 };
 
-// Makes what a view shows, beside the window where there is much to look at. The last answer is kept: asking the same again
+// Computes what a view shows, in the background if the frame is large. The last result is kept: repeating a request
 // costs nothing.
 class ShowJob : public QObject {
     Q_OBJECT
 public:
     explicit ShowJob(QObject* parent = nullptr);
 
-    // At once where there is little. Else ready() follows, and until then the newest answer, or null.
+    // The result at once for a small frame. Otherwise the latest result or null, and ready() follows.
     std::shared_ptr<const ShowAnswer> answer(const ShowRequest& request);
     bool busy() const { return m_job.busy(); }
     void cancel() { m_job.forget(); }  // the answer before stays, also where the same is asked again

@@ -16,8 +16,8 @@ struct StartTalk {
     int cue = 0;  // shown last, from 1; 0: not begun
 };
 
-// The first card of a lecture: its pictures, each of which opens its scene, what opens all of them, and the lecture as a
-// talk. Without height for pictures, one line.
+// The first card of a lecture: pictures that open their scenes, a button that opens all of them, and one that starts
+// the lecture's talk. If there is no height for pictures, one line.
 class StartViewCard : public QFrame {
     Q_OBJECT
 public:

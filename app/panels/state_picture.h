@@ -27,8 +27,8 @@ struct PictureLook {
 pipeline::FramePtr frameOf(const lessons::WindowState& state, std::shared_ptr<const pipeline::Scene> scene,
                            std::stop_token stop = {});
 
-// What a view of a state shows: the buffer with palette, range and overlays. Nothing where the frame has no such buffer, or
-// when stopped. On any thread; rays take their time.
+// The buffer that a view of a state shows, with palette, range and overlays. Nothing if the frame has no such buffer,
+// or if stopped. On any thread; casting rays takes seconds.
 std::optional<ShownBuffer> shownOf(const pipeline::Frame& frame, const lessons::WindowState& state,
                                    const lessons::BufferShown& view, const PictureLook& look,
                                    const std::stop_token& stop = {});

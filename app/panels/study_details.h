@@ -31,7 +31,7 @@ public:
 
     // null: nothing is chosen.
     void setPoint(const pipeline::StudyPoint* point, const std::string& label);
-    // What it shows, to stand elsewhere one at a time; unite() takes both back.
+    // Its two parts, for a place with room for one at a time; unite() takes both back.
     QWidget& blame() { return *m_blamePart; }
     QWidget& errors() { return *m_errorPart; }
     void unite();

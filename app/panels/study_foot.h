@@ -7,8 +7,7 @@ class QLabel;
 
 namespace app {
 
-// The bottom line of a study: its answers, as many as there is room for, or what is being measured; and how busy the
-// machine was.
+// The bottom line of a study: its answers, as many as fit, or the current measurement; and the load of the machine.
 class StudyFoot : public QWidget {
     Q_OBJECT
 public:

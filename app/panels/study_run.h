@@ -13,8 +13,8 @@ class QStackedWidget;
 
 namespace app {
 
-// A row: what is to be measured, or how far the study is; the button for the set-up; the one that begins, and while it
-// is measured stops.
+// A row with the planned measurement or the progress of the study, the button for the set-up, and the button that
+// starts the study or stops it.
 class StudyRun : public QWidget {
     Q_OBJECT
 public:

@@ -9,8 +9,8 @@ class QLabel;
 
 namespace app {
 
-// One table of the scene: what belongs to the whole above it, why columns are empty below. A click on
-// a heading sorts; a row that is chosen is selected in every view; rows are copied as text.
+// One table of the scene. Above it: facts about the whole table; below it: the reasons for empty columns. A click on a
+// heading sorts; selecting a row selects its element in every view; rows are copied as text.
 class TablePage : public QWidget {
     Q_OBJECT
 public:

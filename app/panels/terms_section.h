@@ -14,8 +14,8 @@ namespace app {
 
 class GainBar;
 
-// The terms of one channel's intensity as strips of a mixing desk, what they come to, and what the sum leaves over of
-// the intensity that the stage has computed. The mix holds for every pixel: pictures of the frame buffer show it.
+// The terms of one channel's intensity as strips of a mixing desk, their sum, and its difference from the intensity
+// that the stage has computed. The mix applies to every pixel: pictures of the frame buffer show it.
 class TermsSection : public QWidget {
     Q_OBJECT
 public:

@@ -3,7 +3,8 @@
 
 namespace app {
 
-// VTK is at work in one place at a time: a view that is painted and a picture that is rendered beside it take turns.
+// Held by whoever calls VTK, which runs on one thread at a time: a painted view, or a picture rendered in the
+// background.
 inline std::mutex& vtkTurn() {
     static std::mutex turn;
     return turn;

@@ -13,10 +13,9 @@ namespace app {
 QString openGlProblem();
 QString noOpenGl();  // that sentence
 
-// A widget that shows what VTK renders, beside the screen and on a thread of its own: where the processor is the
-// OpenGL, or a mesh is large, the window neither waits for it nor is put together by it. The newest picture stays until
-// the next one is there. It knows nothing of the mouse and the keys; VTK's own keys act on nothing, because there is no
-// interactor.
+// A widget that shows what VTK renders off screen on a thread of its own, so that the window does not wait for a large
+// mesh or for OpenGL in software. The previous picture stays until the next one is ready. It handles neither mouse nor
+// keys, and has no interactor, so that VTK's own keys do nothing.
 class VtkWidget : public QWidget {
     Q_OBJECT
 public:
@@ -27,8 +26,8 @@ public:
     void setContent(std::shared_ptr<const ViewContent> content, std::vector<InkedLine> ground);
     void setOptions(const ViewOptions& options);
     void setColors(const ThemeColors& colors);
-    // While views follow each other quickly on a machine too slow for it, edges are not smoothed, and of many faces few
-    // are drawn; all is again when the view rests. A whole picture that is not there when it moves again is given up.
+    // While the view moves on a machine too slow for it, edges are not smoothed, and few of many faces are drawn. At
+    // rest the whole picture is rendered; if the view moves again before it is ready, it is stopped.
     void setView(const ViewFrame& view, Drawing drawing);
 
     void cancel();  // what is being rendered; the picture before stays
