@@ -21,7 +21,7 @@ BugBox::BugBox(int box, QWidget* parent) : QAbstractButton(parent), m_box(box) {
     show(State::Open, 0, false);
 }
 
-QString BugBox::says() const {
+QString BugBox::verdict() const {
     switch (m_state) {
         case State::Cleared: return tr("did what it should");
         case State::Wrong: return tr("wrong here");
@@ -33,7 +33,7 @@ QString BugBox::says() const {
 
 void BugBox::show(State state, int looks, bool isMarked) {
     m_state = state, m_looks = looks, m_isMarked = isMarked;
-    setAccessibleName(QStringLiteral("%1 %2: %3").arg(m_box).arg(text(), says()));
+    setAccessibleName(QStringLiteral("%1 %2: %3").arg(m_box).arg(text(), verdict()));
     setToolTip(tr("Key %1 marks it").arg(m_box));
     update();
 }
@@ -77,7 +77,7 @@ void BugBox::paintEvent(QPaintEvent*) {
     painter.setFont(small);
     painter.setPen(m_state == State::Wrong ? c.failed : c.text2);
     painter.drawText(below, Qt::AlignLeft | Qt::AlignVCenter,
-                     painter.fontMetrics().elidedText(says(), Qt::ElideRight, below.width()));
+                     painter.fontMetrics().elidedText(verdict(), Qt::ElideRight, below.width()));
 }
 
 }  // namespace app

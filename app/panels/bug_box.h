@@ -14,7 +14,7 @@ public:
     // Open shows the number of looks, cleared "did what it should", named "wrong here". isMarked: the next accusation
     // names this one.
     void show(State state, int looks, bool isMarked);
-    QString says() const;  // "not marked", "2 looks", "did what it should", "wrong here"
+    QString verdict() const;  // "not marked", "2 looks", "did what it should", "wrong here"
     State state() const { return m_state; }
 
     QSize sizeHint() const override;

@@ -87,7 +87,7 @@ TEST_F(BugPanelTest, ThePictureIsFreeAndABufferIsALookOnce) {
         EXPECT_TRUE(panel.round().text().startsWith("polygons.verdict: "));
         EXPECT_EQ(looks(), 1u);
     }
-    EXPECT_EQ(box(1 + int(index(pipeline::StageId::Cull))).says(), "1 look");
+    EXPECT_EQ(box(1 + int(index(pipeline::StageId::Cull))).verdict(), "1 look");
 }
 
 // The arrows are a finger on the picture; only Space looks.
@@ -107,13 +107,13 @@ TEST_F(BugPanelTest, APixelIsLookedAtByTheKeys) {
 TEST_F(BugPanelTest, AltAndADigitShowAStageAndMarkNothing) {
     press(Qt::Key_5, Qt::AltModifier);
     EXPECT_EQ(looks(), 1u);
-    for (int number = 0; number < lessons::kBoxes; ++number) EXPECT_NE(box(number).says(), "marked");
+    for (int number = 0; number < lessons::kBoxes; ++number) EXPECT_NE(box(number).verdict(), "marked");
 }
 
 TEST_F(BugPanelTest, AStageThatIsAccusedWronglyIsShownToHaveDoneWhatItShould) {
     const int wrong = blamed() == 1 ? 2 : 1;
     press(Qt::Key(Qt::Key_0 + wrong));
-    EXPECT_EQ(box(wrong).says(), "marked");
+    EXPECT_EQ(box(wrong).verdict(), "marked");
     press(Qt::Key_Return);
     EXPECT_EQ(box(wrong).state(), BugBox::State::Cleared);
     EXPECT_FALSE(box(wrong).isEnabled());
