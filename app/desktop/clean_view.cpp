@@ -39,7 +39,7 @@ CleanView::CleanView(Document& document, CueModel& cues, const SceneOpener& open
     : m_views(new ViewArea(document, this, ViewDress::Bare)),
       m_algorithm(new TalkAlgorithm(document, this)),
       m_ask(new AskPanel(cues, this)),
-      m_title(new QLabel(this)),
+      m_title(styled(new QLabel(this), {.name = "cueTitle", .wraps = true})),
       m_sliders(new PinnedSettings(document, this)),
       m_equation(new TalkEquation(document, this)),
       m_caption(new TalkCaption(document, cues, *m_ask, this)),
@@ -52,9 +52,7 @@ CleanView::CleanView(Document& document, CueModel& cues, const SceneOpener& open
     setObjectName("cleanView");
     setWindowTitle(tr("Shadescope, presentation"));
     setAutoFillBackground(true);
-    m_title->setObjectName("cueTitle");
     m_title->setTextFormat(Qt::RichText);
-    m_title->setWordWrap(true);
     arrange();
     connect(&document.stepper(), &Stepper::changed, this, &CleanView::showStep);
     connect(&cues, &CueModel::changed, m_pen, &PenLayer::clearLines);

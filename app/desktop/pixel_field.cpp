@@ -18,12 +18,13 @@ std::optional<glm::ivec2> parsePixel(const QString& text, glm::ivec2 size) {
     return pixel;
 }
 
-PixelField::PixelField(QWidget* window) : Popover(window), m_field(new QLineEdit(this)), m_hint(new QLabel(this)) {
+PixelField::PixelField(QWidget* window)
+    : Popover(window),
+      m_field(new QLineEdit(this)),
+      m_hint(styled(new QLabel(this), {.tone = 2, .size = 12, .wraps = true})) {
     setObjectName("pixelField");
     m_field->setObjectName("pixelText");
     m_field->setAccessibleName(tr("Go to pixel"));
-    m_hint->setProperty("tone", 2);
-    m_hint->setWordWrap(true);
     auto* column = spaced(new QVBoxLayout(this), {16, 12, 16, 12});
     auto* title = new QLabel(tr("Go to pixel"), this);
     column->addWidget(title);
@@ -33,7 +34,6 @@ PixelField::PixelField(QWidget* window) : Popover(window), m_field(new QLineEdit
         const Theme& theme = Theme::current();
         title->setFont(theme.text(14, 600));
         m_field->setFont(theme.mono(15));
-        m_hint->setFont(theme.text(12));
         setFixedWidth(theme.px(320));
     });
     connect(m_field, &QLineEdit::returnPressed, this, [this] {

@@ -45,9 +45,7 @@ SlideDialog::SlideDialog(const Document& document, ViewArea& views, lessons::Win
     m_picture->setMinimumSize(160, 120);
     m_picture->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Ignored);  // its pixmap asks for no room
     m_picture->setAccessibleName(tr("Preview"));
-    m_message = new QLabel(this);
-    m_message->setWordWrap(true);
-    m_message->setObjectName("slideMessage");
+    m_message = styled(new QLabel(this), {.name = "slideMessage", .wraps = true});
     auto* halves = new QHBoxLayout;
     halves->addWidget(m_picture, 1);
     halves->addWidget(new FieldsArea(makeFields(), this));
@@ -148,11 +146,11 @@ QWidget* SlideDialog::makeFields() {
     form->addRow(tr("Size"), m_sizes);
     form->addRow(tr("Pixels"), pixels);
     for (QCheckBox* box : {m_transparent, m_caption, m_marks}) form->addRow(QString(), box);
-    auto* note = new QLabel(tr("The file carries the scene and what the window shows: dropped on the window, it opens "
-                               "them again."),
-                            fields);
-    note->setWordWrap(true);
-    note->setProperty("tone", 2);
+    auto* note =
+        styled(new QLabel(tr("The file carries the scene and what the window shows: dropped on the window, it opens "
+                             "them again."),
+                          fields),
+               {.tone = 2, .wraps = true});
     form->addRow(note);
     return fields;
 }

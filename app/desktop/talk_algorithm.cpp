@@ -18,15 +18,12 @@ TalkAlgorithm::TalkAlgorithm(const Document& document, QWidget* parent)
       m_document(document),
       m_lines(new AlgorithmView(this)),
       m_tables(new StepTables(document, this)),
-      m_leftOut(new QLabel(this)) {
+      m_leftOut(styled(new QLabel(this), {.name = "algorithmLeftOut", .tone = 2, .wraps = true})) {
     m_lines->setLetters(20.8, 17.6);  // 38 and 32 px in 1080 lines
     m_tables->setLetters(19.7);       // 36 px
     m_lines->setMostLines(int(lessons::kMostAlgorithmRows));
     m_lines->setShowsLoop(true);
     m_lines->setFocusPolicy(Qt::NoFocus);
-    m_leftOut->setObjectName("algorithmLeftOut");
-    m_leftOut->setWordWrap(true);
-    m_leftOut->setProperty("tone", 2);
     auto* column = spaced(new QVBoxLayout(this), {});
     column->addWidget(m_lines);
     column->addWidget(m_tables, 1000);

@@ -26,7 +26,7 @@ std::size_t countOf(const lessons::ViewTree& tree, ViewLeaf::Kind kind) {
 ViewArea::ViewArea(Document& document, QWidget* parent, ViewDress dress)
     : QWidget(parent),
       m_grid(new ViewGrid(document, dress, this)),
-      m_missing(new QLabel(this)),
+      m_missing(styled(new QLabel(this), {.name = "missingViews", .tone = 2, .size = 12, .wraps = true})),
       m_thumbnails(new ThumbnailStrip(document)),
       m_active(*m_grid),
       m_links(*m_grid, m_active),
@@ -37,9 +37,6 @@ ViewArea::ViewArea(Document& document, QWidget* parent, ViewDress dress)
     column->addWidget(m_grid, 1);
     column->addWidget(m_missing);
     column->addWidget(m_thumbnails);
-    m_missing->setObjectName("missingViews");
-    m_missing->setProperty("tone", 2);
-    m_missing->setWordWrap(true);
     m_missing->hide();
     m_thumbnails->setVisible(dress == ViewDress::Full);
 
@@ -53,7 +50,6 @@ ViewArea::ViewArea(Document& document, QWidget* parent, ViewDress dress)
     connect(&m_links, &ViewLinks::changed, this, &ViewArea::changed);
     followTheme(this, [this, column] {
         column->setSpacing(m_grid->gap());
-        m_missing->setFont(Theme::current().text(12));
         m_missing->setContentsMargins(Theme::current().px(8), 0, Theme::current().px(8), Theme::current().px(2));
         m_grid->applyTheme();
     });

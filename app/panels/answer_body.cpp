@@ -19,9 +19,8 @@ public:
         : AnswerBody(parent), m_field(new QLineEdit(this)) {
         const QString unit = toQString(question.unit);
         auto* behind = new QLabel(unit, this);
-        auto* forms = new QLabel(tr("Accepted too: 1,5   3/2   sqrt(2)/2   −1.5e3"), this);
-        forms->setProperty("tone", 3);
-        forms->setWordWrap(true);
+        auto* forms = styled(new QLabel(tr("Accepted too: 1,5   3/2   sqrt(2)/2   −1.5e3"), this),
+                             {.tone = 3, .size = 12, .wraps = true});
         m_field->setObjectName("answer");
         m_field->setAccessibleName(unit.isEmpty() ? tr("Answer") : tr("Answer in %1").arg(unit));
         m_field->setMaxLength(200);
@@ -32,12 +31,11 @@ public:
         m_column->addLayout(row);
         m_column->addWidget(forms);
         connect(m_field, &QLineEdit::textChanged, this, &AnswerBody::changed);
-        followTheme(this, [this, behind, forms] {
+        followTheme(this, [this, behind] {
             const Theme& theme = Theme::current();
             m_field->setFont(theme.mono());
             m_field->setFixedWidth(theme.px(130));
             behind->setFont(theme.text());
-            forms->setFont(theme.text(12));
         });
     }
     std::optional<lessons::Given> given() const override {

@@ -49,7 +49,10 @@ private:
 class UntilBody : public AnswerBody {
 public:
     UntilBody(const lessons::UntilQuestion& question, LessonRun& run, Document& document, QWidget* parent)
-        : AnswerBody(parent), m_run(run), m_bar(new GaugeBar(this)), m_said(new QLabel(this)) {
+        : AnswerBody(parent),
+          m_run(run),
+          m_bar(new GaugeBar(this)),
+          m_said(styled(new QLabel(this), {.name = "gauge", .wraps = true})) {
         auto* form = new QGridLayout;
         form->setColumnStretch(1, 1);
         int row = 0;
@@ -61,8 +64,6 @@ public:
             if (!m_first) m_first = findChild<QWidget*>(toQString(key));
             row += 3;
         }
-        m_said->setWordWrap(true);
-        m_said->setObjectName("gauge");
         m_column->addLayout(form);
         m_column->addWidget(m_bar);
         m_column->addWidget(m_said);

@@ -9,11 +9,10 @@
 
 namespace app {
 
-LateVeil::LateVeil(BufferView& view) : BufferFeature(view), m_veil(new QLabel(view.canvas())) {
-    m_veil->setObjectName("lateVeil");
+LateVeil::LateVeil(BufferView& view)
+    : BufferFeature(view), m_veil(styled(new QLabel(view.canvas()), {.name = "lateVeil", .wraps = true})) {
     m_veil->setAttribute(Qt::WA_TransparentForMouseEvents);
     m_veil->setAlignment(Qt::AlignCenter);
-    m_veil->setWordWrap(true);
     m_veil->hide();
     Document& document = view.document();
     connect(&document.frames(), &FrameFeed::busyChanged, this, &LateVeil::show);

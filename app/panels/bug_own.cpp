@@ -8,6 +8,7 @@
 
 #include "app/core/text.h"
 #include "app/core/theme.h"
+#include "app/panels/follow_theme.h"
 #include "lessons/wrong_picture.h"
 #include "pipeline/formats/built_in_scenes.h"
 #include "pipeline/formats/scene_reader.h"
@@ -19,7 +20,7 @@ BugOwnDialog::BugOwnDialog(std::shared_ptr<const pipeline::Scene> open, QWidget*
       m_open(std::move(open)),
       m_scenes(new QComboBox(this)),
       m_defects(new QComboBox(this)),
-      m_words(new QLabel(this)) {
+      m_words(styled(new QLabel(this), {.tone = 2, .wraps = true})) {
     setObjectName("bugOwnDialog");
     setWindowTitle(tr("Set a picture"));
     m_scenes->setObjectName("bugOwnScene");
@@ -32,8 +33,6 @@ BugOwnDialog::BugOwnDialog(std::shared_ptr<const pipeline::Scene> open, QWidget*
             m_defects->addItem(
                 QStringLiteral("%1: %2").arg(toQString(lessons::boxLabel(lessons::boxOf(row))), toQString(row.name)),
                 int(row.id));
-    m_words->setWordWrap(true);
-    m_words->setProperty("tone", 2);
     const auto showSymptom = [this] {
         m_words->setText(toQString(defectInfo(pipeline::Defect(m_defects->currentData().toInt())).symptom));
     };

@@ -159,9 +159,7 @@ QWidget* CheckPanel::makeLeft() {
     m_cases = new CheckCases(content);
     m_runOne = new QPushButton(tr("Run this case"), content);
     m_runOne->setObjectName("checkRunOne");
-    m_command = new QLabel(content);
-    m_command->setObjectName("checkCommand");
-    m_command->setProperty("tone", 2);
+    m_command = styled(new QLabel(content), {.name = "checkCommand", .tone = 2, .isMono = true, .size = 12});
     m_command->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_command->setMinimumWidth(1);  // its words are no reason for a wide window
     auto* foot = spaced(new QHBoxLayout, {}, 8);
@@ -175,20 +173,14 @@ QWidget* CheckPanel::makeLeft() {
     connect(m_cases, &CheckCases::chosen, this, &CheckPanel::select);
     connect(m_cases, &CheckCases::openAsked, this, &CheckPanel::openAsScene);
     connect(m_runOne, &QPushButton::clicked, this, [this] { run({{std::string(chosenCase().id)}, {}}); });
-    followTheme(content, [this] {
-        const Theme& theme = Theme::current();
-        m_command->setFont(theme.mono(12));
-        fitGroups();
-    });
+    followTheme(content, [this] { fitGroups(); });
     return surface(content, this);
 }
 
 QWidget* CheckPanel::makeRight() {
     auto* content = new QWidget(this);
     m_details = new CheckDetails(content);
-    m_message = new QLabel(content);
-    m_message->setObjectName("checkMessage");
-    m_message->setWordWrap(true);
+    m_message = styled(new QLabel(content), {.name = "checkMessage", .wraps = true});
     m_message->hide();
     m_pictures = new CheckPictures(content);
     m_knob = new CheckKnob(content);

@@ -16,9 +16,7 @@ using pipeline::FramePtr;
 using pipeline::Scene;
 
 CheckPictures::CheckPictures(QWidget* parent) : QWidget(parent) {
-    m_difference = new QLabel(this);
-    m_difference->setObjectName("checkDifference");
-    m_difference->setWordWrap(true);
+    m_difference = styled(new QLabel(this), {.name = "checkDifference", .size = 13, .wraps = true});
     auto* row = spaced(new QHBoxLayout, {}, 12);
     for (PictureFrame*& frame : m_frames) {
         frame = new PictureFrame(this);
@@ -27,10 +25,6 @@ CheckPictures::CheckPictures(QWidget* parent) : QWidget(parent) {
     auto* column = spaced(new QVBoxLayout(this), {12, 0, 12, 8}, 4);
     column->addLayout(row, 1);
     column->addWidget(m_difference);
-    followTheme(this, [this] {
-        const Theme& theme = Theme::current();
-        m_difference->setFont(theme.text(13));
-    });
     for (const Form form : {Naive, Ours}) {
         // On the worker's thread; what is delivered after this widget is gone is dropped by Qt.
         const auto deliver = [this, form](FramePtr frame, long ticket) {

@@ -29,7 +29,7 @@ CompareBar::CompareBar(QWidget* parent)
     : QWidget(parent),
       m_modes(new Segmented(modeTexts(), this)),
       m_metric(new QComboBox(this)),
-      m_finding(new QLabel(this)),
+      m_finding(styled(new QLabel(this), {.size = 12, .wraps = true})),
       m_worst(new QPushButton(this)),
       m_stages(new QPushButton(this)),
       m_offer(new QPushButton(this)),
@@ -60,7 +60,6 @@ CompareBar::CompareBar(QWidget* parent)
     m_first->addWidget(m_close);
     m_second->addWidget(m_finding, 1);
     m_second->addWidget(m_offer);
-    m_finding->setWordWrap(true);
     m_finding->setMinimumWidth(1);  // a long path is no reason for a wide view
     column->addLayout(m_first);
     column->addLayout(m_second);
@@ -77,7 +76,6 @@ CompareBar::CompareBar(QWidget* parent)
         for (QHBoxLayout* row : {m_first, m_second}) row->setSpacing(theme.px(6));
         m_modes->setFixedSize(Segmented::widthFor(modeTexts()) + theme.px(10), theme.px(24));
         m_metric->setFont(theme.text(12));
-        m_finding->setFont(theme.text(12));
         // Compared views stand at the same height, whatever they found.
         m_finding->setMinimumHeight(2 * m_finding->fontMetrics().lineSpacing());
         for (QPushButton* button : {m_worst, m_stages, m_offer}) button->setFont(theme.text(12, 500));

@@ -50,7 +50,7 @@ ContractList::ContractList(Document& document, QWidget* parent)
     : QFrame(parent, Qt::Popup),
       m_document(document),
       m_title(new QLabel(this)),
-      m_worst(new QLabel(this)),
+      m_worst(styled(new QLabel(this), {.name = "contractWorst", .size = 12, .wraps = true})),
       m_list(new QTreeWidget(this)),
       m_show(new QPushButton(tr("Show violators"), this)) {
     setObjectName("contractList");
@@ -60,9 +60,7 @@ ContractList::ContractList(Document& document, QWidget* parent)
     m_list->setWordWrap(false);
     m_list->header()->setStretchLastSection(false);
     m_list->setAccessibleName(tr("Contracts"));
-    m_worst->setWordWrap(true);
     m_worst->setTextFormat(Qt::PlainText);
-    m_worst->setObjectName("contractWorst");
     m_show->setObjectName("showViolators");
     m_show->setAutoDefault(true);
     auto* foot = new QHBoxLayout;
@@ -84,7 +82,6 @@ ContractList::ContractList(Document& document, QWidget* parent)
         const Theme& theme = Theme::current();
         m_title->setFont(theme.text(13, 600));
         m_list->setFont(theme.text(12));
-        m_worst->setFont(theme.text(12));
         resize(theme.px(560), theme.px(400));
     });
 }

@@ -73,10 +73,9 @@ CuePanel::CuePanel(Document& document, QWidget* parent)
     m_list->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::DoubleClicked);
     m_list->setMouseTracking(true);
     m_list->installEventFilter(this);
-    m_empty = new QLabel(tr("No cues yet. Ctrl+B keeps what you see as a cue."), this);
-    m_empty->setWordWrap(true);
+    m_empty = styled(new QLabel(tr("No cues yet. Ctrl+B keeps what you see as a cue."), this),
+                     {.tone = 3, .size = 13, .wraps = true});
     m_empty->setAlignment(Qt::AlignCenter);
-    m_empty->setProperty("tone", 3);
     m_putBack = new QPushButton(this);
     m_putBack->setProperty("kind", "link");
     m_putBack->setText(tr("Put the removed cue back"));
@@ -89,18 +88,14 @@ CuePanel::CuePanel(Document& document, QWidget* parent)
     column->addWidget(makeEditor(), 1);
     connect(m_list, &QListView::clicked, this, [this](const QModelIndex& row) { emit asked(row.row()); });
     connect(m_model, &CueModel::changed, this, &CuePanel::showCurrent);
-    followTheme(this, [this] {
-        m_empty->setFont(Theme::current().text());
-        m_list->doItemsLayout();
-    });
+    followTheme(this, [this] { m_list->doItemsLayout(); });
     showCurrent();
 }
 
 QWidget* CuePanel::makeHead() {
     auto* head = new QWidget(this);
     auto* row = spaced(new QHBoxLayout(head), {10, 2, 4, 4});
-    m_title = new QLabel(head);
-    m_title->setProperty("tone", 2);
+    m_title = styled(new QLabel(head), {.tone = 2, .size = 12});
     m_present = new QPushButton(tr("Present"), head);
     m_present->setToolTip(tr("Shows the cues on the whole screen (Ctrl+F11)."));
     connect(m_present, &QPushButton::clicked, this, &CuePanel::presentAsked);
@@ -133,7 +128,6 @@ QWidget* CuePanel::makeHead() {
     row->addWidget(more);
     followTheme(head, [this, more] {
         const Theme& theme = Theme::current();
-        m_title->setFont(theme.text(12));
         m_present->setFont(theme.text(12, 500));
         more->setIconSize(QSize(theme.px(16), theme.px(16)));
     });

@@ -73,7 +73,7 @@ EquationSection::EquationSection(Document& document, QWidget* parent)
       m_document(document),
       m_math(new MathView(this)),
       m_switcher(new QWidget(this)),
-      m_model(new QLabel(m_switcher)),
+      m_model(styled(new QLabel(m_switcher), {.tone = 2, .size = 12})),
       m_keep(new QToolButton(m_switcher)),
       m_channels(new Segmented({"r", "g", "b"}, m_switcher)) {
     auto* row = spaced(new QHBoxLayout(m_switcher), {});
@@ -103,11 +103,7 @@ EquationSection::EquationSection(Document& document, QWidget* parent)
     });
     // Digits written otherwise are no change: before the panel shows all of it anew.
     connect(&NumberStyle::current(), &NumberStyle::changed, this, [this] { layLines(false); });
-    m_model->setProperty("tone", "2");
-    followTheme(this, [this] {
-        m_model->setFont(Theme::current().text(12));
-        m_keep->setFont(Theme::current().text(12));
-    });
+    followTheme(this, [this] { m_keep->setFont(Theme::current().text(12)); });
     layLines(false);
 }
 

@@ -23,7 +23,7 @@ namespace app {
 
 ErrorList::ErrorList(QWidget* parent)
     : QFrame(parent),
-      m_sentence(new QLabel(this)),
+      m_sentence(styled(new QLabel(this), {.size = 13, .weight = 600, .wraps = true})),
       m_lines(new QPlainTextEdit(this)),
       m_showFile(new QPushButton(tr("Show file"), this)) {
     setObjectName("errorList");
@@ -39,14 +39,12 @@ ErrorList::ErrorList(QWidget* parent)
     auto* column = spaced(new QVBoxLayout(this), {16, 8, 8, 8});
     column->addLayout(top);
     column->addWidget(m_lines);
-    m_sentence->setWordWrap(true);
     m_sentence->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_lines->setReadOnly(true);
     m_lines->setLineWrapMode(QPlainTextEdit::WidgetWidth);
     m_lines->setAccessibleName(tr("Errors"));
     followTheme(this, [this, mark] {
         const Theme& theme = Theme::current();
-        m_sentence->setFont(theme.text(13, 600));
         m_lines->setFont(theme.mono());
         mark->setPixmap(iconPixmap("warning", theme.colors().failed, theme.px(18), devicePixelRatioF()));
         fit();

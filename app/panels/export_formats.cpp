@@ -38,9 +38,7 @@ ExportFormats::ExportFormats(const pipeline::Scene& scene, QWidget* parent) : QW
         column->addWidget(box);
         m_scene.push_back(box);
         if (whyNot.isEmpty()) continue;
-        auto* why = new QLabel(whyNot + '.', this);
-        why->setProperty("tone", 3);
-        why->setWordWrap(true);
+        auto* why = styled(new QLabel(whyNot + '.', this), {.tone = 3, .wraps = true});
         column->addWidget(why);
         followTheme(why, [why] { why->setFont(Theme::current().text(12)); });
     }

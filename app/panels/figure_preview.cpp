@@ -24,16 +24,15 @@ struct FigurePreview::Made {
     QString whyNot{};
 };
 
-FigurePreview::FigurePreview(QWidget* parent) : QWidget(parent), m_picture(new QLabel(this)), m_size(new QLabel(this)) {
+FigurePreview::FigurePreview(QWidget* parent)
+    : QWidget(parent),
+      m_picture(styled(new QLabel(this), {.name = "figurePreview", .wraps = true})),
+      m_size(styled(new QLabel(this), {.name = "figureSize", .tone = 2})) {
     auto* head = new QLabel(tr("Preview, as printed"), this);
     head->setProperty("tone", 2);
     head->setWordWrap(true);  // beside the size there is little room in large letters
-    m_size->setObjectName("figureSize");
-    m_size->setProperty("tone", 2);
-    m_picture->setObjectName("figurePreview");
     m_picture->setAccessibleName(tr("Preview"));
     m_picture->setAlignment(Qt::AlignCenter);
-    m_picture->setWordWrap(true);
     m_picture->setMinimumSize(120, 90);
     m_picture->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Ignored);
     m_picture->installEventFilter(this);

@@ -1,4 +1,5 @@
 #pragma once
+#include <QLabel>
 #include <QMargins>
 #include <QWidget>
 #include <functional>
@@ -39,6 +40,27 @@ Layout* spaced(Layout* layout, QMargins margins, int between = -1) {
         if (between >= 0) layout->setSpacing(theme.px(between));
     });
     return layout;
+}
+
+// How a label looks. Its font is at scale 1 and follows the scale.
+struct LabelStyle {
+    const char* name = "";  // the object's
+    int tone = 1;           // of the text: 1 strong, 3 faint
+    bool isMono = false;
+    double size = 0;  // 0: the font of the style sheet
+    int weight = 400;
+    bool wraps = false;
+};
+inline QLabel* styled(QLabel* label, const LabelStyle& style) {
+    label->setObjectName(style.name);
+    if (style.tone != 1) label->setProperty("tone", style.tone);
+    label->setWordWrap(style.wraps);
+    if (style.size > 0)
+        followTheme(label, [label, style] {
+            const Theme& theme = Theme::current();
+            label->setFont(style.isMono ? theme.mono(style.size) : theme.text(style.size, style.weight));
+        });
+    return label;
 }
 
 // Of all that stands in a widget. Where that gets another parent, Qt's style sheets give its labels and buttons back the

@@ -15,7 +15,7 @@ namespace app {
 JobFoot::JobFoot(const QString& name, const QString& start, QWidget* parent)
     : QWidget(parent),
       m_command(new QLineEdit(this)),
-      m_message(new QLabel(this)),
+      m_message(styled(new QLabel(this), {.wraps = true})),
       m_progress(new QProgressBar(this)),
       m_showFolder(new QPushButton(tr("Show folder"), this)),
       m_cancel(new QPushButton(tr("Cancel"), this)),
@@ -26,8 +26,6 @@ JobFoot::JobFoot(const QString& name, const QString& start, QWidget* parent)
     m_command->setAccessibleName(tr("The same as a command"));
     m_command->setReadOnly(true);
     m_message->setObjectName(name + "Message");
-    m_message->setProperty("tone", 1);
-    m_message->setWordWrap(true);
     m_message->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_progress->setAccessibleName(tr("Progress"));
     m_progress->setRange(0, 1000);

@@ -21,10 +21,9 @@ double addedBy(const std::vector<pipeline::LayerReport>& layers, std::size_t i, 
     return added;
 }
 
-LayersSection::LayersSection(QWidget* parent) : QWidget(parent), m_grid(new QGridLayout), m_sum(new QLabel(this)) {
+LayersSection::LayersSection(QWidget* parent)
+    : QWidget(parent), m_grid(new QGridLayout), m_sum(styled(new QLabel(this), {.tone = 2, .wraps = true})) {
     setAccessibleName(tr("Translucent layers"));
-    m_sum->setProperty("tone", 2);
-    m_sum->setWordWrap(true);
     auto* column = spaced(new QVBoxLayout(this), {});
     column->addLayout(m_grid);
     column->addWidget(m_sum);

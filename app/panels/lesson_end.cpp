@@ -133,9 +133,7 @@ void LessonEnd::addNext() {
 }
 
 void LessonEnd::addResults() {
-    auto* words = new QLabel(tr("Your results stay on this machine."), m_content);
-    words->setWordWrap(true);
-    words->setProperty("tone", 2);
+    auto* words = styled(new QLabel(tr("Your results stay on this machine."), m_content), {.tone = 2, .wraps = true});
     words->setFont(Theme::current().text(12));
     m_column->addWidget(words);
     auto* row = new QHBoxLayout;

@@ -58,9 +58,9 @@ LessonHead::LessonHead(const LessonRun& run, QWidget* parent)
       m_run(run),
       m_all(new QPushButton(tr("All lessons"), this)),
       m_title(new ElidedLabel(this)),
-      m_whole(new QLabel(this)),
-      m_place(new QLabel(this)),
-      m_points(new QLabel(this)),
+      m_whole(styled(new QLabel(this), {.name = "lessonWholeTitle", .wraps = true})),
+      m_place(styled(new QLabel(this), {.name = "lessonPlace", .tone = 2})),
+      m_points(styled(new QLabel(this), {.name = "lessonPoints", .tone = 2})),
       m_only(new QToolButton(this)),
       m_close(new QToolButton(this)),
       m_segments(new PageSegments(run, this)) {
@@ -74,10 +74,6 @@ LessonHead::LessonHead(const LessonRun& run, QWidget* parent)
     m_close->setObjectName("closeLesson");
     m_close->setAccessibleName(tr("Close the lesson"));
     m_close->setToolTip(tr("Close the lesson; your scene comes back as it was"));
-    m_place->setProperty("tone", 2);
-    m_points->setProperty("tone", 2);
-    m_place->setObjectName("lessonPlace");
-    m_points->setObjectName("lessonPoints");
     auto* top = spaced(new QHBoxLayout, {}, 6);
     top->addWidget(m_all);
     top->addWidget(m_title, 1);
@@ -91,8 +87,6 @@ LessonHead::LessonHead(const LessonRun& run, QWidget* parent)
     column->addWidget(m_whole);
     column->addWidget(m_segments);
     column->addLayout(below);
-    m_whole->setObjectName("lessonWholeTitle");
-    m_whole->setWordWrap(true);
     m_whole->setTextFormat(Qt::PlainText);
     connect(m_all, &QPushButton::clicked, this, &LessonHead::leaveAsked);
     connect(m_close, &QToolButton::clicked, this, &LessonHead::leaveAsked);
@@ -139,10 +133,9 @@ LessonFoot::LessonFoot(LessonRun& run, QWidget* parent)
       m_run(run),
       m_back(new QPushButton(tr("Back"), this)),
       m_next(new QPushButton(tr("Next"), this)),
-      m_why(new QLabel(this)) {
+      m_why(styled(new QLabel(this), {.tone = 2, .size = 12})) {
     m_back->setObjectName("previousPage");
     m_next->setObjectName("nextPage");
-    m_why->setProperty("tone", 2);
     m_why->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     auto* row = spaced(new QHBoxLayout(this), {14, 6, 14, 8}, 10);
     row->addWidget(m_back);
@@ -150,10 +143,6 @@ LessonFoot::LessonFoot(LessonRun& run, QWidget* parent)
     row->addWidget(m_next);
     connect(m_back, &QPushButton::clicked, &run, [&run] { run.goTo(run.page() - 1); });
     connect(m_next, &QPushButton::clicked, &run, [&run] { run.goTo(run.page() + 1); });
-    followTheme(this, [this] {
-        const Theme& theme = Theme::current();
-        m_why->setFont(theme.text(12));
-    });
 }
 
 void LessonFoot::showRun() {

@@ -24,20 +24,18 @@ QColor barColor(NoteBox::Kind kind) {
 
 }  // namespace
 
-NoteBox::NoteBox(QWidget* parent) : QFrame(parent), m_heading(new QLabel(this)), m_text(new ProseView(this)) {
+NoteBox::NoteBox(QWidget* parent)
+    : QFrame(parent),
+      m_heading(styled(new QLabel(this), {.size = 13, .weight = 600, .wraps = true})),
+      m_text(new ProseView(this)) {
     setObjectName("note");
     setFocusPolicy(Qt::StrongFocus);
     m_text->setObjectName("comment");
     m_text->setAccessibleName(tr("Comment"));
     m_text->setFocusPolicy(Qt::NoFocus);
-    m_heading->setWordWrap(true);
     auto* column = spaced(new QVBoxLayout(this), {14, 8, 10, 8}, 4);
     column->addWidget(m_heading);
     column->addWidget(m_text);
-    followTheme(this, [this] {
-        const Theme& theme = Theme::current();
-        m_heading->setFont(theme.text(13, 600));
-    });
 }
 
 void NoteBox::say(Kind kind, const QString& heading, const QString& markdown) {

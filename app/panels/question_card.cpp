@@ -30,8 +30,8 @@ QuestionCard::QuestionCard(LessonRun& run, Document& document, QWidget* parent)
       m_run(run),
       m_document(document),
       m_column(new QVBoxLayout),
-      m_worth(new QLabel(this)),
-      m_tries(new QLabel(this)),
+      m_worth(styled(new QLabel(this), {.name = "worth", .size = 12, .weight = 600})),
+      m_tries(styled(new QLabel(this), {.name = "tries", .tone = 2, .size = 12})),
       m_question(new ProseView(this)),
       m_note(new NoteBox(this)),
       m_hints(new QWidget(this)),
@@ -43,9 +43,6 @@ QuestionCard::QuestionCard(LessonRun& run, Document& document, QWidget* parent)
     auto* title = spaced(new QHBoxLayout, {12, 7, 12, 7});
     title->addWidget(m_worth, 1);
     title->addWidget(m_tries);
-    m_worth->setObjectName("worth");
-    m_tries->setObjectName("tries");
-    m_tries->setProperty("tone", 2);
     m_question->setAccessibleName(tr("Question"));
     m_question->setObjectName("questionText");
     m_question->setFocusPolicy(Qt::NoFocus);
@@ -61,8 +58,6 @@ QuestionCard::QuestionCard(LessonRun& run, Document& document, QWidget* parent)
         m_column->addWidget(part);
     followTheme(this, [this, all] {
         const Theme& theme = Theme::current();
-        m_worth->setFont(theme.text(12, 600));
-        m_tries->setFont(theme.text(12));
         all->setContentsMargins(1, 1, 1, theme.px(10));
         all->setSpacing(theme.px(6));
         m_column->setContentsMargins(theme.px(12), 0, theme.px(12), 0);

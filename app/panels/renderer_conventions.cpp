@@ -48,9 +48,7 @@ void RendererConventions::addRow(const ConventionChoice& choice, int row) {
             Qt::QueuedConnection);
         beside = back;
     } else {
-        auto* certainty = new QLabel(choice.certainty, this);
-        certainty->setProperty("tone", 2);
-        certainty->setWordWrap(true);
+        auto* certainty = styled(new QLabel(choice.certainty, this), {.tone = 2, .wraps = true});
         beside = certainty;
     }
     m_grid->addWidget(key, row, 0);

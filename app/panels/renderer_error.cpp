@@ -16,10 +16,12 @@ namespace foreign = pipeline::foreign;
 using foreign::Candidate;
 
 RendererError::RendererError(QWidget* parent)
-    : QWidget(parent), m_title(new QLabel(this)), m_beside(new QLabel(this)), m_box(new QFrame(this)) {
+    : QWidget(parent),
+      m_title(new QLabel(this)),
+      m_beside(styled(new QLabel(this), {.tone = 2, .size = 12})),
+      m_box(new QFrame(this)) {
     setObjectName("rendererError");
     m_box->setProperty("kind", "overlay");
-    m_beside->setProperty("tone", 2);
     auto* head = new QHBoxLayout;
     head->addWidget(m_title, 1);
     head->addWidget(m_beside);
@@ -30,7 +32,6 @@ RendererError::RendererError(QWidget* parent)
     followTheme(this, [this] {
         const Theme& theme = Theme::current();
         m_title->setFont(theme.text(13, 600));
-        m_beside->setFont(theme.text(12));
         m_column->setContentsMargins(theme.px(10), theme.px(8), theme.px(10), theme.px(8));
         m_column->setSpacing(theme.px(4));
     });

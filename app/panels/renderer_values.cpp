@@ -53,11 +53,12 @@ QString numbersOf(const foreign::Values& values, std::size_t element) {
 }  // namespace
 
 RendererValues::RendererValues(Document& document, QWidget* parent)
-    : QWidget(parent), m_document(document), m_grid(new QGridLayout), m_first(new QLabel(this)) {
+    : QWidget(parent),
+      m_document(document),
+      m_grid(new QGridLayout),
+      m_first(styled(new QLabel(this), {.name = "firstDifference", .size = 12, .weight = 600, .wraps = true})) {
     setObjectName("rendererValues");
-    m_first->setWordWrap(true);
     m_first->setTextFormat(Qt::PlainText);
-    m_first->setObjectName("firstDifference");
     auto* column = spaced(new QVBoxLayout(this), {});
     column->addLayout(m_grid);
     column->addWidget(m_first);
@@ -67,7 +68,6 @@ RendererValues::RendererValues(Document& document, QWidget* parent)
         const Theme& theme = Theme::current();
         m_grid->setHorizontalSpacing(theme.px(8));
         m_grid->setVerticalSpacing(theme.px(2));
-        m_first->setFont(theme.text(12, 600));
     });
 }
 

@@ -57,17 +57,10 @@ SettingRow::SettingRow(Document& document, pipeline::SettingRef setting, QGridLa
       m_setting(setting),
       m_form(form),
       m_row(row),
-      m_label(new QLabel(parent)),
-      m_note(new QLabel(parent)) {
-    m_note->setWordWrap(true);
-    m_label->setWordWrap(true);
+      m_label(styled(new QLabel(parent), {.size = 13, .wraps = true})),
+      m_note(styled(new QLabel(parent), {.tone = 3, .size = 12, .wraps = true})) {
     m_label->setTextFormat(Qt::RichText);
-    m_note->setProperty("tone", 3);
-    followTheme(m_label, [this] {
-        m_label->setFont(Theme::current().text());
-        m_label->setText(labelWithSymbol(labelOf(m_setting)));
-        m_note->setFont(Theme::current().text(12));
-    });
+    followTheme(m_label, [this] { m_label->setText(labelWithSymbol(labelOf(m_setting))); });
     const bool isNumber = setting.setting->kind == SettingKind::Number || setting.setting->kind == SettingKind::Integer;
     isNumber ? addNumber(parent) : addChoice(parent);
     for (QWidget* control : m_controls) {

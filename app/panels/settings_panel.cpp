@@ -43,7 +43,7 @@ SettingsPanel::SettingsPanel(Document& document, QWidget* parent)
       m_document(document),
       m_tabs(new QTabBar(this)),
       m_scroll(new QScrollArea(this)),
-      m_changed(new QLabel(this)) {
+      m_changed(styled(new QLabel(this), {.name = "lastChange", .tone = 2, .size = 12, .wraps = true})) {
     setObjectName("settings");
     auto* column = spaced(new QVBoxLayout(this), {}, 0);
     column->addWidget(m_tabs);
@@ -59,15 +59,11 @@ SettingsPanel::SettingsPanel(Document& document, QWidget* parent)
     m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_scroll->setFrameShape(QFrame::NoFrame);
     m_scroll->setFocusPolicy(Qt::NoFocus);
-    m_changed->setObjectName("lastChange");
-    m_changed->setWordWrap(true);
     m_changed->setTextFormat(Qt::RichText);
-    m_changed->setProperty("tone", 2);
     m_changed->setContextMenuPolicy(Qt::NoContextMenu);
     followTheme(this, [this] {
         const Theme& theme = Theme::current();
         m_tabs->setFont(theme.text(13, 500));
-        m_changed->setFont(theme.text(12));
         m_changed->setMargin(theme.px(8));
         showLastChange();  // its link has the theme's accent in it
         build();           // what stands side by side depends on the letters' size

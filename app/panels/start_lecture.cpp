@@ -19,14 +19,10 @@ QWidget* makeLectureTitle(const StartLecture& lecture, QWidget* parent) {
     auto* title = new QWidget(parent);
     auto* row = spaced(new QHBoxLayout(title), {}, 12);
     auto* name = new QLabel(lecture.title, title);
-    auto* about = new QLabel(lecture.about, title);
-    about->setProperty("tone", 2);
+    auto* about = styled(new QLabel(lecture.about, title), {.tone = 2, .size = 13});
     row->addWidget(name, 0, Qt::AlignBaseline);
     row->addWidget(about, 1, Qt::AlignBaseline);
-    followTheme(title, [name, about] {
-        name->setFont(Theme::current().text(16, 600));
-        about->setFont(Theme::current().text(13));
-    });
+    followTheme(title, [name] { name->setFont(Theme::current().text(16, 600)); });
     return title;
 }
 

@@ -13,15 +13,16 @@
 namespace app {
 
 StartLessons::StartLessons(QWidget* parent)
-    : QFrame(parent), m_title(new QLabel(tr("Lessons"), this)), m_done(new QLabel(this)), m_list(new QWidget(this)) {
+    : QFrame(parent),
+      m_title(new QLabel(tr("Lessons"), this)),
+      m_done(styled(new QLabel(this), {.tone = 2, .size = 12})),
+      m_list(new QWidget(this)) {
     setProperty("kind", "panel");
-    m_done->setProperty("tone", 2);
     m_done->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     m_list->setProperty("kind", "page");
     m_area = scrolling(m_list, this);
     followTheme(this, [this] {
         m_title->setFont(Theme::current().text(13, 600));
-        m_done->setFont(Theme::current().text(12));
         place();
     });
 }

@@ -43,9 +43,10 @@ protected:
 StartViewCard::StartViewCard(const StartLecture& lecture, QWidget* parent)
     : QFrame(parent),
       m_view(lecture.first),
-      m_title(new QLabel(m_view.title, this)),
-      m_talkTitle(new QLabel(tr("%1 as a talk").arg(lecture.title), this)),
-      m_talkPlace(new QLabel(this)),
+      m_title(styled(new QLabel(m_view.title, this), {.size = 13, .weight = 600, .wraps = true})),
+      m_talkTitle(
+          styled(new QLabel(tr("%1 as a talk").arg(lecture.title), this), {.size = 13, .weight = 600, .wraps = true})),
+      m_talkPlace(styled(new QLabel(this), {.tone = 2, .size = 12})),
       m_open(new QPushButton(this)),
       m_talk(new QPushButton(this)) {
     setObjectName(QStringLiteral("view:") + m_view.name);
@@ -55,9 +56,6 @@ StartViewCard::StartViewCard(const StartLecture& lecture, QWidget* parent)
         connect(picture, &Picture::clicked, this, [this, scene = part.scene] { emit sceneChosen(scene); });
         m_pictures.push_back(picture);
     }
-    m_title->setWordWrap(true);
-    m_talkTitle->setWordWrap(true);
-    m_talkPlace->setProperty("tone", 2);
     m_open->setObjectName(QStringLiteral("open:") + m_view.name);
     m_open->setAccessibleName(tr("Open %1").arg(m_view.title));
     m_open->setProperty("kind", "primary");
@@ -70,9 +68,6 @@ StartViewCard::StartViewCard(const StartLecture& lecture, QWidget* parent)
     setFocusProxy(m_open);
     followTheme(this, [this] {
         const Theme& theme = Theme::current();
-        m_title->setFont(theme.text(13, 600));
-        m_talkTitle->setFont(theme.text(13, 600));
-        m_talkPlace->setFont(theme.text(12));
         for (QPushButton* button : {m_open, m_talk}) button->setFont(theme.text(13, 500));
         place();
     });

@@ -8,11 +8,12 @@
 
 namespace app {
 
-StudyFoot::StudyFoot(QWidget* parent) : QWidget(parent), m_words(new ElidedLabel(this)), m_load(new QLabel(this)) {
+StudyFoot::StudyFoot(QWidget* parent)
+    : QWidget(parent),
+      m_words(new ElidedLabel(this)),
+      m_load(styled(new QLabel(this), {.name = "studyLoad", .tone = 2, .size = 12})) {
     m_words->setObjectName("studyAnswers");
     m_words->setTextFormat(Qt::PlainText);
-    m_load->setObjectName("studyLoad");
-    m_load->setProperty("tone", 2);
     m_load->setToolTip(
         tr("Programs that ran, on average over the minute before the times were measured. "
            "More than one a core disturbs them."));
@@ -22,7 +23,6 @@ StudyFoot::StudyFoot(QWidget* parent) : QWidget(parent), m_words(new ElidedLabel
     followTheme(this, [this] {
         const Theme& theme = Theme::current();
         m_words->setFont(theme.text(13));
-        m_load->setFont(theme.text(12));
         fit();
     });
     setLoad({});

@@ -186,10 +186,8 @@ void StudyPanel::use() {
 QLayout* StudyPanel::makeBar() {
     m_sweep = new StudySweep(m_document, this);
     m_run = new StudyRun(m_document, this);
-    m_message = new QLabel(this);
-    m_message->setObjectName("studyMessage");
+    m_message = styled(new QLabel(this), {.name = "studyMessage", .wraps = true});
     m_message->setTextFormat(Qt::PlainText);
-    m_message->setWordWrap(true);
     m_message->hide();
     m_export = new QPushButton(tr("Export"), this);
     m_export->setObjectName("studyExport");

@@ -21,13 +21,8 @@ StudySweep::StudySweep(Document& document, QWidget* parent) : QWidget(parent), m
     m_named = new QComboBox(this);
     m_named->setObjectName("studySweep");
     nameChoice(*m_named, tr("Sweep"));
-    m_meaning = new QLabel(this);
-    m_meaning->setWordWrap(true);
-    m_meaning->setProperty("tone", 2);
-    m_state = new QLabel(this);
-    m_state->setObjectName("studySweepState");
-    m_state->setWordWrap(true);
-    m_state->setProperty("tone", 2);
+    m_meaning = styled(new QLabel(this), {.tone = 2, .size = 12, .wraps = true});
+    m_state = styled(new QLabel(this), {.name = "studySweepState", .tone = 2, .size = 12, .wraps = true});
     m_own = new QWidget(this);
     auto* own = spaced(new QVBoxLayout(m_own), {});
     for (std::size_t i = 0; i < m_axes.size(); ++i) {
@@ -53,10 +48,6 @@ StudySweep::StudySweep(Document& document, QWidget* parent) : QWidget(parent), m
     auto* column = spaced(new QVBoxLayout(this), {}, 6);
     for (QWidget* part : {static_cast<QWidget*>(m_meaning), m_own, static_cast<QWidget*>(m_state)})
         column->addWidget(part);
-    followTheme(this, [this] {
-        m_meaning->setFont(Theme::current().text(12));
-        m_state->setFont(Theme::current().text(12));
-    });
     connect(m_named, &QComboBox::currentIndexChanged, this, &StudySweep::showState);
     connect(m_named, &QComboBox::activated, this, [this](int at) {
         if (at == m_named->count() - 1) emit ownAsked();

@@ -56,13 +56,9 @@ TablePage::TablePage(Document& document, pipeline::TableId table, QWidget* paren
 }
 
 void TablePage::build() {
-    m_facts = new QLabel(this);
-    m_facts->setProperty("tone", "2");
-    m_facts->setWordWrap(true);
+    m_facts = styled(new QLabel(this), {.tone = 2, .wraps = true});
     m_facts->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    m_remarks = new QLabel(this);
-    m_remarks->setProperty("tone", "3");
-    m_remarks->setWordWrap(true);
+    m_remarks = styled(new QLabel(this), {.tone = 3, .wraps = true});
     m_view = new QTableView(this);
     m_view->setTabKeyNavigation(false);  // else nothing leads out of it
     m_view->setModel(m_model);

@@ -43,7 +43,7 @@ TermsSection::TermsSection(Document& document, QWidget* parent)
       m_document(document),
       m_grid(new QGridLayout),
       m_sum(new QLabel(this)),
-      m_words(new QLabel(this)),
+      m_words(styled(new QLabel(this), {.tone = 2, .wraps = true})),
       m_reset(new QPushButton(tr("Every term as it is"), this)) {
     setAccessibleName(tr("Terms of the intensity"));
     auto* column = spaced(new QVBoxLayout(this), {});
@@ -55,8 +55,6 @@ TermsSection::TermsSection(Document& document, QWidget* parent)
     column->addLayout(foot);
     m_grid->setColumnStretch(3, 1);
     m_sum->setTextFormat(Qt::RichText);
-    m_words->setWordWrap(true);
-    m_words->setProperty("tone", "2");
     m_reset->setProperty("kind", "link");
     connect(m_reset, &QPushButton::clicked, &document.mixer(), &MixModel::reset);
     connect(&document.mixer(), &MixModel::changed, this, &TermsSection::showMix);

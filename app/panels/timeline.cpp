@@ -40,7 +40,7 @@ QStringList levelNames() {
 Timeline::Timeline(Document& document, const Transport& transport, QWidget* parent)
     : QWidget(parent),
       m_document(document),
-      m_by(new QLabel(tr("Step by"), this)),
+      m_by(styled(new QLabel(tr("Step by"), this), {.tone = 2, .size = 12})),
       m_levels(new Segmented(levelNames(), this)),
       m_levelList(new QComboBox(this)),
       m_bar(new StepBar(document.stepper(), this)),
@@ -55,7 +55,6 @@ Timeline::Timeline(Document& document, const Transport& transport, QWidget* pare
     constexpr std::array kNames{"firstStep", "stepBack", "play", "stepOn", "lastStep"};
     for (std::size_t i = 0; i < actions.size(); ++i)
         row->addWidget(m_buttons[i] = addButton(actions[i], kNames[i], kIcons[i]));
-    m_by->setProperty("tone", 2);
     m_levels->setObjectName("stepLevel");
     m_levelList->setObjectName("stepLevelList");
     m_levels->setAccessibleName(tr("What a step is"));
@@ -85,7 +84,6 @@ Timeline::Timeline(Document& document, const Transport& transport, QWidget* pare
     connect(&document, &Document::stageChanged, this, &Timeline::show);
     followTheme(this, [this] {
         const Theme& theme = Theme::current();
-        m_by->setFont(theme.text(12));
         for (QToolButton* button : m_buttons) button->setIconSize(QSize(1, 1) * theme.px(16));
         for (QComboBox* list : {m_speed, m_levelList}) list->setFont(theme.text(12));
         setCompact(m_compact);
