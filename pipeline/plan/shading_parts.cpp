@@ -21,6 +21,7 @@ Need adding(const Decision& d, const Light& light) {
 }
 namespace {
 
+constexpr const char* kNoSpecular = "The illumination model has no specular term.";
 constexpr const char* kOnlyR = "The specular terms are Phong's, of R and not of H.";
 constexpr const char* kOnlyH = "The specular terms are of H and not of R.";
 
@@ -47,7 +48,7 @@ Need needOfLight(const Decision& d, std::size_t k) {
 }
 Need needOfSpecular(const Decision& d, std::size_t k) {
     if (!d.of(Part::Light, k)) return d.of(Part::Light, k);
-    if (modelOf(d.scene).light.specular.empty()) return {"The illumination model has no specular term."};
+    if (modelOf(d.scene).light.specular.empty()) return {kNoSpecular};
     if (anyMaterial(d.drawn, [&](const Material& m) { return shines(d.scene.settings.model, m); })) return {};
     return d.unless(Rule::Specular,
                     d.ofAll("k_s is 0 in every material.", "k_s is 0 in every material that is drawn."));
@@ -68,6 +69,11 @@ Need needOfAmbient(const Decision& d, std::size_t) {
                               return anySign(m.diffuse) || anySign(m.ambient);
                           });
     return d.unless(Rule::Ambient, product == Vec3d(0) && !negative ? "The ambient light is 0." : "");
+}
+// Why no specular term reads R, or H; empty if one does. other: the reason of a model whose terms read the other one.
+std::string whyUnread(const Scene& scene, bool VectorsRead::*vector, const char* other) {
+    if (anySpecularReads(scene, vector)) return {};
+    return modelOf(scene).light.specular.empty() ? kNoSpecular : other;
 }
 // R and H: also what the model reads is left out of a scene without specular terms.
 Need needOfDirection(const Decision& d, Part part, bool VectorsRead::*vector, const char* other) {
@@ -209,9 +215,7 @@ constexpr auto kRowsOfShading = std::to_array<PartInfo>({
      .saves = "a vector a point and light",
      .isListed = hasLights,
      .ofOutlines = false,
-     .useless = [](auto& scene, auto&, auto) -> std::string {
-         return anySpecularReads(scene, &VectorsRead::R) ? "" : kOnlyH;
-     }},
+     .useless = [](auto& scene, auto&, auto) { return whyUnread(scene, &VectorsRead::R, kOnlyH); }},
     {.id = R::Halfway,
      .stage = S::Shading,
      .name = "H",
@@ -221,9 +225,7 @@ constexpr auto kRowsOfShading = std::to_array<PartInfo>({
      .saves = "a normalisation a point and light",
      .isListed = hasLights,
      .ofOutlines = false,
-     .useless = [](auto& scene, auto&, auto) -> std::string {
-         return anySpecularReads(scene, &VectorsRead::H) ? "" : kOnlyR;
-     }},
+     .useless = [](auto& scene, auto&, auto) { return whyUnread(scene, &VectorsRead::H, kOnlyR); }},
     {.id = R::Powers,
      .stage = S::Shading,
      .name = "powers",
