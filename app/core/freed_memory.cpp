@@ -8,9 +8,9 @@
 namespace app {
 
 FreedMemory::FreedMemory(Document& document, QObject* parent) : QObject(parent) {
-    constexpr int kRestMilliseconds = 500;  // the views begin after the frame, and free what they showed before
+    constexpr int kIdleMilliseconds = 500;  // the views begin after the frame, and free what they showed before
     m_rest.setSingleShot(true);
-    m_rest.setInterval(kRestMilliseconds);
+    m_rest.setInterval(kIdleMilliseconds);
     connect(&document, &Document::sceneOpened, this, [this] { m_due = true; });
     connect(&document.frames(), &FrameFeed::busyChanged, this,
             [this](bool busy) { busy || !m_due ? m_rest.stop() : m_rest.start(); });

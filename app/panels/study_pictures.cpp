@@ -44,10 +44,10 @@ void PictureFrame::paintEvent(QPaintEvent*) {
     const QRect place = pictureRect(), words(0, place.bottom() + 1, width(), height() - place.height());
     painter.setFont(theme.text(12));
     painter.setPen(theme.colors().text2);
-    constexpr int kFlags = Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap;
+    constexpr int kCaptionFlags = Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap;
     const QFontMetrics metrics(painter.font());
-    if (metrics.boundingRect(words, kFlags, m_caption).height() <= words.height())
-        painter.drawText(words, kFlags, m_caption);
+    if (metrics.boundingRect(words, kCaptionFlags, m_caption).height() <= words.height())
+        painter.drawText(words, kCaptionFlags, m_caption);
     else
         painter.drawText(words, Qt::AlignLeft | Qt::AlignTop, metrics.elidedText(m_caption, Qt::ElideRight, width()));
     if (m_picture.isNull()) {
