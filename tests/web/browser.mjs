@@ -6,6 +6,12 @@ import path from 'node:path';
 
 // When a live page is ready: it has started, or says why it has not.
 const kReady = 'document.documentElement.dataset.ready === "1" || !document.querySelector("#wrong").hidden';
+// Frames that take long come from a worker, and some work waits for the next picture of the screen: after whatever a script
+// does the page is waited for, so that no claim depends on how fast the machine is.
+const kSettled = `new Promise(done => {
+  const look = () => ((typeof running !== 'undefined' && running) || (typeof waiting !== 'undefined' && waiting.size > 0) ? setTimeout(look, 5) : done());
+  look();
+})`;
 
 export async function launch(program = process.env.CHROMIUM || 'chromium') {
   const profile = fs.mkdtempSync(path.join(os.tmpdir(), 'shadescope-chromium-'));
@@ -50,15 +56,21 @@ export async function launch(program = process.env.CHROMIUM || 'chromium') {
     if (!scripts) await ask('Emulation.setScriptExecutionDisabled', { value: true });
     if (!kept) await ask('Page.addScriptToEvaluateOnNewDocument', { source: 'try { localStorage.clear(); } catch {}' });
     await ask('Page.navigate', { url });
-    const run = async expression => {
+    const evaluate = async expression => {
       const result = await ask('Runtime.evaluate', { expression, awaitPromise: true, returnByValue: true, allowUnsafeEvalBlockedByCSP: false });
       if (result.exceptionDetails) throw new Error(result.exceptionDetails.exception?.description || result.exceptionDetails.text);
       return result.result.value;
     };
+    const settle = () => evaluate(kSettled).catch(() => {});  // it may be leaving
+    const run = async expression => {
+      const value = await evaluate(expression);
+      await settle();
+      return value;
+    };
     /** Asks again until the page says yes. */
     const until = async expression => {
-      for (let tries = 0; tries < 3000; ++tries) {
-        if (await run(expression).catch(() => false)) return;
+      for (let tries = 0; tries < 18000; ++tries) {
+        if (await evaluate(expression).catch(() => false)) return;
         await new Promise(done => setTimeout(done, 10));
       }
       throw new Error(`${expression} does not come true\n${log.join('\n')}`);
@@ -68,9 +80,11 @@ export async function launch(program = process.env.CHROMIUM || 'chromium') {
       const event = { key: name, modifiers, windowsVirtualKeyCode: codes[name] || name.toUpperCase().charCodeAt(0) };
       await ask('Input.dispatchKeyEvent', { type: 'keyDown', ...event, text: name.length === 1 ? name : name === 'Enter' ? '\r' : undefined });
       await ask('Input.dispatchKeyEvent', { type: 'keyUp', ...event });
+      await settle();
     };
     const click = async (x, y) => {
       for (const type of ['mousePressed', 'mouseReleased']) await ask('Input.dispatchMouseEvent', { type, x, y, button: 'left', clickCount: 1 });
+      await settle();
     };
     const shot = async file => {
       const { data } = await ask('Page.captureScreenshot', { format: 'png' });

@@ -2,19 +2,11 @@
 // console, show every picture, and print without a cut figure. Arguments: the program, then lessons.
 import { execFileSync } from 'node:child_process';
 import fs from 'node:fs';
-import os from 'node:os';
 import path from 'node:path';
 import { launch } from './browser.mjs';
+import { expect, folder } from './claims.mjs';
 
 const [program, ...lessons] = process.argv.slice(2);
-const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'shadescope-handouts-'));
-let failed = 0, held = 0;
-/** @param {string} claim @param {any} true_ @param {any} [found] */
-function expect(claim, true_, found = '') {
-  if (true_) return void ++held;
-  ++failed;
-  console.log(`FAILED: ${claim}${found === '' ? '' : ': ' + JSON.stringify(found)}`);
-}
 // A4 with the browser's own margins of 1 cm, at 96 dots per inch.
 const paper = { width: Math.round(19 / 2.54 * 96), height: Math.round(27.7 / 2.54 * 96) };
 const wide = 'document.documentElement.scrollWidth - document.documentElement.clientWidth';
@@ -45,7 +37,4 @@ try {
   }
 } finally {
   await browser.close();
-  fs.rmSync(folder, { recursive: true, force: true });
 }
-console.log(`${held} claims held, ${failed} failed`);
-process.exit(failed === 0 && held > 0 ? 0 : 1);

@@ -4,22 +4,15 @@ import fs from 'node:fs';
 import os from 'node:os';
 import path from 'node:path';
 import { launch } from './browser.mjs';
+import { expect, folder, leaveOut } from './claims.mjs';
 
 const [program, cues] = process.argv.slice(2);
-const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'shadescope-talk-')), file = path.join(folder, 'talk.html'), url = 'file://' + file;
-let failed = 0, held = 0;
-/** @param {string} claim @param {any} true_ @param {any} [found] */
-function expect(claim, true_, found = '') {
-  if (true_) return void ++held;
-  ++failed;
-  console.log(`FAILED: ${claim}${found === '' ? '' : ': ' + JSON.stringify(found)}`);
-}
+const file = path.join(folder, 'talk.html'), url = 'file://' + file;
 try {
   execFileSync(program, ['present', 'export', cues, '-o', file], { stdio: ['ignore', 'ignore', 'inherit'] });
 } catch (error) {
   if (error.status !== 2) throw error;
-  console.log('Left out: this build draws no views');
-  process.exit(77);
+  leaveOut('this build draws no views');
 }
 
 const list = fs.readFileSync(cues, 'utf8'), names = [...list.matchAll(/^name = "(.*)"$/gm)].map(match => match[1]);
@@ -100,7 +93,4 @@ try {
   await paper.close();
 } finally {
   await browser.close();
-  fs.rmSync(folder, { recursive: true, force: true });
 }
-console.log(`${held} claims hold, ${failed} do not`);
-process.exitCode = failed === 0 ? 0 : 1;

@@ -5,9 +5,11 @@ const kLongFrame = 50;  // ms
 
 /** @type {?Worker} */
 let helper = null;
-/** What the worker is at: the state it was given, and the settings that have moved since. @type {?{changes: number, since: string[]}} */
+/** @typedef {{work: () => void, done: () => void}} Wait */
+/** What the worker is at: the state it was given, the settings that have moved since, and what waits for its frame.
+ * @type {?{changes: number, since: string[], waits: Wait[]}} */
 let running = null;
-/** What waits for the frame. @type {{work: () => void, done: () => void}[]} */
+/** What waits for the frame after it. @type {Wait[]} */
 let afterFrame = [];
 
 function startHelper() {
@@ -27,13 +29,13 @@ function startHelper() {
   helper.onmessage = ({ data }) => guarded(() => takeFrame(data));
   helper.onerror = event => guarded(() => {
     helper?.terminate(), helper = null;
-    setWorking(null);
+    forgetFrame(), setWorking(null);
     throw new Error('The frame could not be computed: ' + event.message);
   });
   return core.module;
 }
 
-/** @param {?{changes: number, since: string[]}} work */
+/** @param {typeof running} work */
 function setWorking(work) {
   running = work;
   document.documentElement.classList.toggle('working', work !== null);
@@ -44,27 +46,30 @@ function setWorking(work) {
 function sendFrame() {
   wantShown();
   const module = helper ? undefined : startHelper(), memory = core.memory.slice(0);
-  setWorking({ changes: core.changes, since: [] });
+  setWorking({ changes: core.changes, since: [], waits: afterFrame });
+  afterFrame = [];
   /** @type {Worker} */ (helper).postMessage({ module, memory, calls: frameCalls() }, [memory]);
 }
 
 /** @param {ArrayBuffer} memory */
 function takeFrame(memory) {
-  const { changes, since } = running, isOld = changes !== core.changes;
+  const { changes, since, waits } = running;
   setWorking(null);
-  if (isOld) return afterFrame.length ? sendFrame() : undefined;  // a step was made, say
+  if (changes !== core.changes) {  // a step was made, say
+    afterFrame = [...waits, ...afterFrame];
+    return afterFrame.length ? sendFrame() : undefined;
+  }
   core.become(memory);
   for (const assignment of since) core.call('set', assignment);
-  const waited = afterFrame;
-  afterFrame = [];
   frameIsThere(core.ask('plan').milliseconds);
-  for (const { work } of waited) guarded(work);
-  for (const { done } of waited) done();
-  if (since.length && !running) sendFrame();
+  for (const { work } of waits) guarded(work);
+  for (const { done } of waits) done();
+  if ((since.length || afterFrame.length) && !running) sendFrame();
 }
 
 /** Nobody waits for a frame any more: a page is opened. */
 function forgetFrame() {
-  for (const { done } of afterFrame) done();
+  for (const { done } of [...(running?.waits || []), ...afterFrame]) done();
   afterFrame = [];
+  if (running) running.waits = [];
 }
