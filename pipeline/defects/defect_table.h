@@ -52,6 +52,10 @@ std::optional<Defect> findDefect(std::string_view id);  // "y-down"
 // The scene with a defect planted. way: an index into the row's ways; beyond them, the last.
 Scene plant(Scene scene, Defect defect, int way = 0);
 
+// The same beside the defect that is planted already, for somebody who makes two errors. The scene as it is where it has two,
+// where both are the same, or where both change the text of one stage.
+Scene plantToo(Scene scene, Defect defect, int way = 0);
+
 // Where a renderer samples its pixels, if not at their centres: at their first corner in its own order of rows. That is a
 // convention, and drawn as a planted one: the setting `defect` of the scene changes, and takes the one planted before along.
 enum class PixelCorner : std::uint8_t { None, UpperLeft, LowerLeft };

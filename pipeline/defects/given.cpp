@@ -3,7 +3,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "pipeline/core/elementary.h"
 #include "pipeline/defects/defect_table.h"
+#include "pipeline/defects/defect_ways.h"
 #include "pipeline/defects/hooks.h"
 #include "pipeline/defects/own.h"
 #include "pipeline/plan/stage_keys.h"
@@ -39,10 +41,29 @@ double ofWay(const double (&values)[count], std::size_t way) {
     return values[std::min(way, count - 1)];
 }
 
-// defectWay holds the way and, times this, the way of half-pixel that the samples lie at.
-constexpr int kSamplesAt = 100;
+// Settings::defectWay of a scene that a program plants holds more than the way, which is all that a scene's text may state:
+// the way of half-pixel that the samples lie at, and a second defect with its way.
+struct Ways {
+    int way = 0, samples = 0, second = 0, secondWay = 0;
+};
+constexpr int kMostWays = 100, kMostSamples = 10, kMostDefects = 1000;
+static_assert(kDefectCount < kMostDefects);
+Ways waysOf(const Settings& settings) {
+    const int samples = settings.defectWay / kMostWays, second = samples / kMostSamples;
+    return {settings.defectWay % kMostWays, samples % kMostSamples, second % kMostDefects, second / kMostDefects};
+}
+int packed(const Ways& ways) {
+    return ((ways.secondWay * kMostDefects + ways.second) * kMostSamples + ways.samples) * kMostWays + ways.way;
+}
 constexpr int kUnmoved = 99;  // a way of half-pixel that moves nothing: the samples alone are elsewhere
-int wayOf(const Settings& settings) { return settings.defectWay % kSamplesAt; }
+
+// The defects of a scene, each with its way, in the order in which they were planted.
+std::vector<Planted> plantedIn(const Settings& settings) {
+    const Ways ways = waysOf(settings);
+    std::vector<Planted> all{{settings.defect, std::uint8_t(ways.way)}};
+    if (ways.second > 0) all.push_back({Defect(ways.second), std::uint8_t(ways.secondWay)});
+    return all;
+}
 
 // By how much the picture is moved, pixels: as the ways of half-pixel say.
 glm::dvec2 halfPixelOf(std::size_t way) {
@@ -100,27 +121,26 @@ void spoilShadowBias(const Planted& planted, StageKeys& keys) {
     shadow.biasValue = ofWay({1.0 / 4, 1.0 / 8, 1.0 / 2}, planted.way) * (view.far - view.near);
 }
 
-// Who changes its own text.
-void tellStage(const Scene& scene, Planted planted, StageKeys& keys) {
+// The inputs in which a defect is told to those who change their own text for it.
+std::vector<Planted*> toldOf(const Planted& planted, StageKeys& keys) {
     using enum Defect;
+    Planted *const light = &keys.shading.illumination.detail.planted, *const shading = &keys.shading.planted;
     switch (planted.defect) {
         case NormalMatrix:
-            if (planted.way >= 3) keys.normals.planted = planted;
-            [[fallthrough]];
-        case ClipNormals: keys.transform.planted = planted; return;
-        case NormalSpace:  // of given normals, and of polygons
-            keys.transform.planted = keys.normals.planted = planted;
-            return;
+            if (planted.way >= 3) return {&keys.normals.planted, &keys.transform.planted};
+            return {&keys.transform.planted};
+        case ClipNormals: return {&keys.transform.planted};
+        case NormalSpace: return {&keys.transform.planted, &keys.normals.planted};  // of given normals, and of polygons
         case CullSign:
         case CullAxis:
-        case NearDrop: keys.cull.planted = planted; return;
-        case NormalFlip: keys.normals.planted = planted; return;
-        case ZClear: planted.value = middleDepth(scene); [[fallthrough]];
+        case NearDrop: return {&keys.cull.planted};
+        case NormalFlip: return {&keys.normals.planted};
+        case ZClear:
         case ZFlip:
         case ZNoWrite:
-        case ZAffine: keys.zBuffer.planted = planted; return;
-        case ShadowSpace: keys.shading.shadow.eye = keys.transform.view; [[fallthrough]];
-        case ShadowFlip: keys.shading.shadow.planted = planted; return;
+        case ZAffine: return {&keys.zBuffer.planted};
+        case ShadowSpace:
+        case ShadowFlip: return {&keys.shading.shadow.planted};
         case LRaw:
         case LightFrom:
         case NoMax:
@@ -129,16 +149,13 @@ void tellStage(const Scene& scene, Planted planted, StageKeys& keys) {
         case HRaw:
         case KsKd:
         case FadeTwice:
-        case NoSpecular: keys.shading.illumination.detail.planted = planted; return;
-        case LightInEye:
-            if (planted.way < 2) return;
-            keys.shading.shadow.eye = keys.transform.view, keys.shading.planted = planted;
-            return;
-        case EyeAtOrigin: keys.shading.shadow.eye = keys.transform.view, keys.shading.planted = planted; return;
-        case Exponent:
-            if (planted.way >= 2) keys.shading.illumination.detail.planted = planted;
-            return;
-        case NormalShort: keys.shading.illumination.detail.planted = planted; [[fallthrough]];
+        case NoSpecular: return {light};
+        case Exponent: return planted.way >= 2 ? std::vector{light} : std::vector<Planted*>();
+        case LightInEye: return planted.way >= 2 ? std::vector{shading} : std::vector<Planted*>();
+        case NormalShort:
+            if (planted.way == kMeanNotUnit) return {light, shading, &keys.normals.planted};
+            return {light, shading};
+        case EyeAtOrigin:
         case AmbientInShadow:
         case AmbientPerLight:
         case NoAmbient:
@@ -147,9 +164,22 @@ void tellStage(const Scene& scene, Planted planted, StageKeys& keys) {
         case Gamma:
         case NoScale:
         case Bgr:
-        case Unsorted: keys.shading.planted = planted; return;
-        default: return;
+        case Unsorted: return {shading};
+        default: return {};
     }
+}
+
+void tellStage(const Scene& scene, Planted planted, StageKeys& keys) {
+    if (planted.defect == Defect::ZClear) planted.value = middleDepth(scene);
+    if (planted.defect == Defect::CullAxis && planted.way == kAlongTheLight && !keys.shading.lights.empty()) {
+        const Vec3d l = keys.shading.lights[0].position;  // its direction, as two angles
+        planted.value = kDegrees * pipeline::atan2(l.y, l.x);
+        planted.second = kDegrees * pipeline::atan2(l.z, glm::length(glm::dvec2(l)));
+    }
+    using enum Defect;
+    if (planted.defect == ShadowSpace || planted.defect == LightInEye || planted.defect == EyeAtOrigin)
+        keys.shading.shadow.eye = keys.transform.view;
+    for (Planted* const told : toldOf(planted, keys)) *told = planted;
 }
 
 // The stage that calls it; keys.transform.view is that of the scene.
@@ -185,11 +215,14 @@ void spoilView(const Scene& scene, const Planted& planted, StageKeys& keys) {
         case Defect::YDown: spoilAxes(planted, view); return;
         case Defect::HalfPixel: view.centre += halfPixelOf(planted.way); return;
         case Defect::HalfAngle:
-            if (planted.way > 0) {  // divided by the distance of what the camera looks at instead of z
+            if (planted.way == kOneDistance) {  // divided by the distance of what the camera looks at instead of z
                 if (view.perspective) view.perspective = false, view.scale /= middleDepth(scene);
                 return;
             }
-            if (2 * scene.camera.fovY < 180) spoilCamera(scene, keys, [](Camera& camera) { camera.fovY *= 2; });
+            if (planted.way > kOneDistance)
+                spoilCamera(scene, keys, [](Camera& camera) { camera.fovY /= 2; });
+            else if (2 * scene.camera.fovY < 180)
+                spoilCamera(scene, keys, [](Camera& camera) { camera.fovY *= 2; });
             return;
         case Defect::Aspect: view.scale.x *= planted.way == 0 ? aspect * aspect : aspect; return;
         case Defect::NearSmall:
@@ -203,26 +236,42 @@ void spoilView(const Scene& scene, const Planted& planted, StageKeys& keys) {
 
 Scene sampledAt(Scene scene, PixelCorner corner) {
     if (corner == PixelCorner::None) return scene;
-    const int way = corner == PixelCorner::UpperLeft ? 1 : 2;
-    if (scene.settings.defect == Defect::None)
-        return plant(std::move(scene), Defect::HalfPixel, kUnmoved + way * kSamplesAt);
-    scene.settings.defectWay = wayOf(scene.settings) + way * kSamplesAt;
+    Ways ways = waysOf(scene.settings);
+    if (scene.settings.defect == Defect::None) scene.settings.defect = Defect::HalfPixel, ways.way = kUnmoved;
+    ways.samples = corner == PixelCorner::UpperLeft ? 1 : 2;
+    scene.settings.defectWay = packed(ways);
     return scene;
 }
 
 glm::dvec2 sampleShiftOf(const Scene& scene) {
-    const int way = scene.settings.defectWay / kSamplesAt;
+    const int way = waysOf(scene.settings).samples;
     return way > 0 ? halfPixelOf(std::size_t(way)) : glm::dvec2(0);
 }
 
-void spoilGiven(const Scene& scene, StageKeys& keys) {
-    if (scene.settings.own) tellOwn(*scene.settings.own, scene.camera, keys);
-    const int way = wayOf(scene.settings);
-    const Planted planted{scene.settings.defect, std::uint8_t(std::clamp(way, 0, 255)), 0};
+Scene plantToo(Scene scene, Defect defect, int way) {
+    if (scene.settings.defect == Defect::None) return plant(std::move(scene), defect, way);
+    Ways ways = waysOf(scene.settings);
+    if (ways.second > 0 || scene.settings.defect == defect) return scene;
+    StageKeys keys{};
+    const std::vector<Planted*> first = toldOf(plantedIn(scene.settings)[0], keys);
+    for (Planted* const told : toldOf({defect, std::uint8_t(way)}, keys))
+        if (std::ranges::find(first, told) != first.end()) return scene;
+    ways.second = int(index(defect)), ways.secondWay = way;
+    scene.settings.defectWay = packed(ways);
+    return scene;
+}
+
+namespace {
+
+void spoilOne(const Scene& scene, const Planted& planted, StageKeys& keys) {
     spoilView(scene, planted, keys);
-    keys.transform.view.centre += sampleShiftOf(scene);
     switch (planted.defect) {
-        case Defect::TrsOrder: spoilTranslations(keys); break;
+        case Defect::TrsOrder:
+            if (planted.way == kTheOtherWay)
+                spoilRotations(keys, -1);
+            else
+                spoilTranslations(keys);
+            break;
         case Defect::Degrees: spoilRotations(keys, 1 / kDegrees); break;
         case Defect::LightInEye: spoilLightSpace(planted, keys); break;
         case Defect::NoBias:
@@ -236,6 +285,14 @@ void spoilGiven(const Scene& scene, StageKeys& keys) {
         default: break;
     }
     tellStage(scene, planted, keys);
+}
+
+}  // namespace
+
+void spoilGiven(const Scene& scene, StageKeys& keys) {
+    if (scene.settings.own) tellOwn(*scene.settings.own, scene.camera, keys);
+    for (const Planted& planted : plantedIn(scene.settings)) spoilOne(scene, planted, keys);
+    keys.transform.view.centre += sampleShiftOf(scene);
 }
 
 namespace {
@@ -264,29 +321,30 @@ bool areAlike(const Mesh& a, const Mesh& b) {
 }  // namespace
 
 void spoilMeshes(const Scene& scene, const Topology* before, std::vector<std::shared_ptr<const Mesh>>& meshes) {
-    const Settings& settings = scene.settings;
-    if (settings.defect != Defect::Winding && settings.defect != Defect::OneBased) return;
-    bool isReversed = false;  // one polygon is, the one in the middle of the first mesh that has any
-    for (std::size_t i = 0; i < meshes.size(); ++i) {
-        const Mesh& mesh = *meshes[i];
-        const auto vertices = std::uint32_t(mesh.positions.size());
-        if (mesh.polygonCount() == 0) continue;
-        if (settings.defect == Defect::OneBased) {
-            // The number of a vertex, counted from 1, read as if from 0; the vertex after the last is the first.
-            const std::uint32_t next = wayOf(settings) == 0 ? 1 : vertices - 1;
-            meshes[i] = withCorners(mesh, [&](std::size_t, std::vector<std::uint32_t>& corners) {
-                for (std::uint32_t& corner : corners) corner = (corner + next) % vertices;
-            });
-        } else {
-            const bool all = wayOf(settings) > 0;
-            if (isReversed && !all) continue;
-            meshes[i] = withCorners(mesh, [&](std::size_t polygon, std::vector<std::uint32_t>& corners) {
-                if (all || polygon == mesh.polygonCount() / 2) std::ranges::reverse(corners);
-            });
-            isReversed = true;
+    for (const Planted& planted : plantedIn(scene.settings)) {
+        if (planted.defect != Defect::Winding && planted.defect != Defect::OneBased) continue;
+        bool isReversed = false;  // one polygon is, the one in the middle of the first mesh that has any
+        for (std::size_t i = 0; i < meshes.size(); ++i) {
+            const Mesh& mesh = *meshes[i];
+            const auto vertices = std::uint32_t(mesh.positions.size());
+            if (mesh.polygonCount() == 0) continue;
+            if (planted.defect == Defect::OneBased) {
+                // The number of a vertex, counted from 1, read as if from 0; the vertex after the last is the first.
+                const std::uint32_t next = planted.way == 0 ? 1 : vertices - 1;
+                meshes[i] = withCorners(mesh, [&](std::size_t, std::vector<std::uint32_t>& corners) {
+                    for (std::uint32_t& corner : corners) corner = (corner + next) % vertices;
+                });
+            } else {
+                const bool all = planted.way > 0;
+                if (isReversed && !all) continue;
+                meshes[i] = withCorners(mesh, [&](std::size_t polygon, std::vector<std::uint32_t>& corners) {
+                    if (all || polygon == mesh.polygonCount() / 2) std::ranges::reverse(corners);
+                });
+                isReversed = true;
+            }
+            if (before && i < before->meshes.size() && areAlike(*before->meshes[i], *meshes[i]))
+                meshes[i] = before->meshes[i];
         }
-        if (before && i < before->meshes.size() && areAlike(*before->meshes[i], *meshes[i]))
-            meshes[i] = before->meshes[i];
     }
 }
 

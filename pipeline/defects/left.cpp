@@ -1,7 +1,9 @@
 // Defects that rewrite what a stage has left.
 #include <cmath>
 
+#include "pipeline/core/angles.h"
 #include "pipeline/core/numerics.h"
+#include "pipeline/defects/defect_ways.h"
 #include "pipeline/defects/hooks.h"
 #include "pipeline/defects/own_hooks.h"
 #include "pipeline/stages/cull.h"
@@ -25,15 +27,22 @@ Reaching reachOf(const TransformOutput<Real>& in, const Topology::Corners& corne
     return beyond;
 }
 
-// Whether a polygon faces the way that the camera looks, whatever the line of sight to it.
+// The way that everything is taken to be looked at: the camera's, or away from a light.
+Vec3d axisOf(const Planted& planted, const View& view) {
+    if (planted.way != kAlongTheLight) return view.forward;
+    const double across = cosDegrees(planted.second);
+    return -Vec3d(across * cosDegrees(planted.value), across * sinDegrees(planted.value), sinDegrees(planted.second));
+}
+
+// Whether a polygon faces along an axis, whatever the line of sight to it.
 template <class Real>
-bool facesAlongAxis(const TransformOutput<Real>& in, std::size_t polygon) {
+bool facesAlong(Vec3d axis, const TransformOutput<Real>& in, std::size_t polygon) {
     const Topology::Corners corners = in.topology->corners(polygon);
     const Vec3<Real> first = in.world[corners[0]];
     Vec3<Real> sum(0);
     for (std::size_t i = 2; i < corners.size(); ++i)
         sum += glm::cross(in.world[corners[i - 1]] - first, in.world[corners[i]] - first);
-    const bool along = glm::dot(sum, Vec3<Real>(in.view.forward)) > 0;
+    const bool along = glm::dot(sum, Vec3<Real>(axis)) > 0;
     return along != (in.mirrored[in.topology->objectOfPolygon(polygon)] != 0);
 }
 
@@ -42,6 +51,7 @@ bool facesAlongAxis(const TransformOutput<Real>& in, std::size_t polygon) {
 template <class Real>
 void spoilVerdicts(const CullInputs& inputs, const TransformOutput<Real>& in, std::size_t polygons, Culled& out) {
     const Own* const own = inputs.planted.own;
+    const Vec3d axis = axisOf(inputs.planted, in.view);
     for (std::size_t polygon = 0; polygon < polygons; ++polygon) {
         Verdict& verdict = out.verdicts[polygon];
         if (!goesOn(verdict) && verdict != Verdict::BackFacing) continue;
@@ -53,7 +63,7 @@ void spoilVerdicts(const CullInputs& inputs, const TransformOutput<Real>& in, st
         std::uint8_t& marks = out.marks[polygon];
         const bool isBack = own ? ownIsBack(*own, in, polygon, out.isBack(polygon))
                             : inputs.planted.defect == Defect::CullSign ? !out.isBack(polygon)
-                                                                        : facesAlongAxis(in, polygon);
+                                                                        : facesAlong(axis, in, polygon);
         if (own && isBack == out.isBack(polygon)) continue;
         marks = std::uint8_t(isBack ? marks | CullMark::kBack : marks & ~CullMark::kBack);
         if (isBack && inputs.mode == CullMode::Back)
@@ -67,6 +77,7 @@ template <class Real>
 void spoilPolygonNormals(const Planted& planted, const TransformOutput<Real>& in, std::size_t polygons,
                          NormalsOutput<Real>& out) {
     if (planted.own) return ownPolygonNormals(*planted.own, in, polygons, out);
+    if (planted.defect == Defect::NormalShort) return;  // those of vertices alone
     const View& view = in.view;
     const auto inView = [&](Vec3<Real> n) {
         const Real along = glm::dot(Vec3<Real>(view.forward), n);
@@ -87,7 +98,7 @@ void spoilPolygonNormals(const Planted& planted, const TransformOutput<Real>& in
     };
     // The normal of a polygon in its own space is along Mᵀ N; the wrong matrix, which stage 1 has left, takes it back.
     const auto throughMatrix = [&](Vec3<Real> n, std::size_t polygon) {
-        if (planted.way > 5) return ofTheFile(n, polygon);
+        if (planted.way == kUntouched) return ofTheFile(n, polygon);
         const glm::dmat3& wrong = in.normalMatrix[in.topology->objectOfPolygon(polygon)];
         const glm::dmat3 linear = planted.way % 3 == 0   ? wrong
                                   : planted.way % 3 == 1 ? glm::inverse(wrong)

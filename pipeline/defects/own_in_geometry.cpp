@@ -1,5 +1,6 @@
 // A student's functions in stages 1 to 3.
 #include <algorithm>
+#include <numeric>
 
 #include "pipeline/core/numerics.h"
 #include "pipeline/defects/own_hooks.h"
@@ -106,7 +107,9 @@ template <class Real>
 void spoilVertexNormals(const NormalsInputs& inputs, const TransformOutput<Real>& in, std::size_t object,
                         NormalsOutput<Real>& out) {
     const Own* const own = inputs.planted.own;
-    if (!own || own->function != OwnFunction::VertexNormal || inputs.weight != NormalWeight::Mean) return;
+    const bool isMean = inputs.planted.defect == Defect::NormalShort;  // left as it is
+    if (inputs.weight != NormalWeight::Mean || !(isMean || (own && own->function == OwnFunction::VertexNormal))) return;
+    if (!inputs.ownNormals.empty() && inputs.ownNormals[object]) return;
     const Topology& topology = *in.topology;
     const std::size_t first = topology.firstVertex[object], end = topology.firstVertex[object + 1];
     std::vector<std::vector<Vec3<Real>>> around(end - first);
@@ -118,6 +121,12 @@ void spoilVertexNormals(const NormalsInputs& inputs, const TransformOutput<Real>
     for (std::size_t i = first; i < end; ++i) {
         if (around[i - first].empty() || out.vertex[i] == around[i - first][0])
             continue;  // a vanishing sum, or one normal
+        if (isMean) {
+            const auto count = Real(around[i - first].size());
+            out.vertex.own()[i] =
+                std::accumulate(around[i - first].begin(), around[i - first].end(), Vec3<Real>(0)) / count;
+            continue;
+        }
         OwnCall call(*own);
         call << double(around[i - first].size());
         for (const Vec3<Real>& normal : around[i - first]) call << normal;

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "pipeline/core/numerics.h"
+#include "pipeline/defects/defect_ways.h"
 #include "pipeline/defects/own_hooks.h"
 #include "pipeline/scene/model_facts.h"
 #include "pipeline/stages/shading.h"
@@ -96,7 +97,10 @@ void ownPixel(const Own& own, const ShadingSources<Real>& in, const VertexWeight
 template <class Real>
 void spoilSum(const ShadingInputs& inputs, std::size_t light, Real shadow, const BaseTerms<Real>& base,
               ShadingScratch<Real>& scratch, Vec3<Real>& intensity) {
-    const Own* const own = inputs.planted.own;
+    const Planted& planted = inputs.planted;
+    if (planted.defect == Defect::AmbientInShadow && planted.way == kHighlightInShadow)
+        intensity += (1 - shadow) * scratch.samples[light].specular;
+    const Own* const own = planted.own;
     if (!own || (own->function != OwnFunction::InShadow && own->function != OwnFunction::Total)) return;
     if (light == 0) scratch.shadows.clear();
     scratch.shadows.push_back(shadow);

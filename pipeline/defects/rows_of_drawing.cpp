@@ -9,17 +9,20 @@ using S = StageId;
 using B = BufferId;
 using D = Defect;
 
+constexpr std::string_view kTrsWays[]{"the rotations the other way"};
 constexpr std::string_view kRadianWays[]{"the rotations of objects too"};
 constexpr std::string_view kWindingWays[]{"every polygon of the file"};
 constexpr std::string_view kMatrixWays[]{
     "the inverse, not transposed",  "the transpose, not inverted",    "of polygons too",
     "the inverse, of polygons too", "the transpose, of polygons too", "none: those of the object"};
-constexpr std::string_view kShortWays[]{"made unit after N·L", "that of one vertex"};
+constexpr std::string_view kShortWays[]{"made unit after N·L", "that of one vertex", "vertex normals left as means",
+                                        "vertices weighted alike", "vertices sorted without their normals"};
 constexpr std::string_view kYWays[]{"the viewing matrix transposed"};
 constexpr std::string_view kNoBiasWays[]{"with the wrong sign"};
 constexpr std::string_view kNoWriteWays[]{"painted without a test"};
 constexpr std::string_view kAffineZWays[]{"the mean of the vertices' depths"};
 constexpr std::string_view kBiasWays[]{"half as large", "twice as large"};
+constexpr std::string_view kAxisWays[]{"the light's direction"};
 constexpr std::string_view kNearWays[]{"a hundredth of what it may be", "a thousandth of what it may be"};
 
 constexpr auto kDefectsOfDrawing = std::to_array<DefectRow>({
@@ -36,7 +39,8 @@ constexpr auto kDefectsOfDrawing = std::to_array<DefectRow>({
      .first = B::VerticesWorld,
      .lesson = "pyramid",
      .heading = "Where one vertex goes",
-     .source = kOwnJudgement},
+     .source = kOwnJudgement,
+     .otherWays = kTrsWays},
     {.id = D::Radians,
      .name = "degrees taken for radians",
      .stage = S::Transform,
@@ -106,7 +110,8 @@ constexpr auto kDefectsOfDrawing = std::to_array<DefectRow>({
      .first = B::PolygonsVerdict,
      .lesson = "back-faces",
      .heading = "A test that is nearly right",
-     .source = kOwnJudgement},
+     .source = kOwnJudgement,
+     .otherWays = kAxisWays},
     {.id = D::NearDrop,
      .name = "cut polygons dropped",
      .stage = S::Cull,

@@ -11,6 +11,7 @@ using D = Defect;
 
 constexpr std::string_view kEyeSpaceWays[]{"with z away from the viewer", "and V too", "and V too, with z away"};
 constexpr std::string_view kSumWays[]{"in the sum alone"};
+constexpr std::string_view kShadowSumWays[]{"in the sum alone", "the highlight left in shadow"};
 constexpr std::string_view kMaxWays[]{"the absolute value, |N·L|", "half Lambert, (N·L + 1) / 2",
                                       "half Lambert, squared"};
 constexpr std::string_view kViewVectorWays[]{"V from the eye to the surface", "V along the viewing axis"};
@@ -140,11 +141,12 @@ constexpr auto kDefectsOfShading = std::to_array<DefectRow>({
      .wrong = "S (k_a c_a + k_d c N·L + k_s c (R·V)^n)",
      .fix = "k_a c_a + S (k_d c N·L + k_s c (R·V)^n)",
      .scene = "box_over_plane",
+     .settings = "material.0.ks=0.4 material.0.n=4",
      .first = B::Ambient,
      .lesson = "shadows",
      .heading = "What is left in the shadow",
      .source = kOwnJudgement,
-     .otherWays = kSumWays},
+     .otherWays = kShadowSumWays},
     {.id = D::AmbientPerLight,
      .name = "ambient light once a light",
      .stage = S::Shading,

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "pipeline/core/numerics.h"
+#include "pipeline/defects/defect_ways.h"
 #include "pipeline/defects/hooks.h"
 #include "pipeline/defects/own_hooks.h"
 #include "pipeline/scene/object_matrix.h"
@@ -31,8 +32,6 @@ glm::dmat3 throughClipSpace(const View& view, const ObjectMatrix& matrix) {
     modelView[3] = glm::dvec4(eye * (matrix.translation - view.eye), 1);
     return glm::dmat3(glm::transpose(glm::inverse(projectionOf(view) * modelView)));
 }
-
-constexpr int kUntouched = 6;  // way of NormalMatrix: no matrix at all
 
 // Of matrix that is none, nothing: then the right one stays.
 bool isFinite(const glm::dmat3& m) {

@@ -1,9 +1,11 @@
 // Defects within stage 6, at its points, sums and frame buffer.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "pipeline/core/elementary.h"
 #include "pipeline/core/numerics.h"
+#include "pipeline/defects/defect_ways.h"
 #include "pipeline/defects/hooks.h"
 #include "pipeline/defects/own_hooks.h"
 #include "pipeline/stages/shading.h"
@@ -26,16 +28,45 @@ void spoilSurface(const ShadingInputs& inputs, Surface<Real>& surface) {
     }
 }
 
+namespace {
+
+// The weights of vertices that are sorted by their rows, for values that stay in the order of the file.
+template <class Real>
+VertexWeights<Real> sortedAlone(const TransformOutput<Real>& in, const VertexWeights<Real>& right) {
+    std::array<std::size_t, 4> order{0, 1, 2, 3};
+    const auto row = [&](std::size_t i) {
+        const Vec3<Real> v = in.viewSpace(right.vertices[i]);
+        return in.view.perspective && v.z > 0 ? -v.y / v.z : -v.y;
+    };
+    std::stable_sort(order.begin(), order.begin() + std::ptrdiff_t(right.count),
+                     [&](std::size_t a, std::size_t b) { return row(a) < row(b); });
+    VertexWeights<Real> out = right;
+    for (std::size_t i = 0; i < right.count; ++i) out.weights[i] = right.weights[order[i]];
+    return out;
+}
+
+// The interpolated normal of a way of normal-short.
+template <class Real>
+Vec3<Real> wrongNormal(const ShadingInputs& inputs, const ShadingSources<Real>& in, VertexWeights<Real> weights) {
+    const auto normalOf = [&](std::uint32_t vertex) { return in.normals.vertex[vertex]; };
+    switch (inputs.planted.way) {
+        case kOneVertex: return normalOf(weights.vertices[0]);
+        case kAlike: weights.weights.fill(1 / Real(weights.count)); break;
+        case kSortedAlone: weights = sortedAlone(in.transform, weights); break;
+        default: return interpolated(weights, normalOf);  // not made unit
+    }
+    return normalized(interpolated(weights, normalOf), inputs.illumination.detail.unit);
+}
+
+}  // namespace
+
 template <class Real>
 void spoilPixel(const ShadingInputs& inputs, const ShadingSources<Real>& in, const VertexWeights<Real>& weights,
                 Surface<Real>& surface) {
     spoilSurface(inputs, surface);
     if (inputs.planted.own) return ownPixel(*inputs.planted.own, in, weights, surface);
     if (inputs.planted.defect != Defect::NormalShort || in.normals.vertex.empty()) return;
-    const Vec3<Real> normal =
-        inputs.planted.way > 1  // that of one vertex
-            ? in.normals.vertex[weights.vertices[0]]
-            : interpolated(weights, [&](std::uint32_t vertex) { return in.normals.vertex[vertex]; });
+    const Vec3<Real> normal = wrongNormal(inputs, in, weights);
     surface.N = glm::dot(normal, surface.N) < 0 ? -normal : normal;  // of a back face it has been turned round
 }
 
@@ -46,7 +77,7 @@ void spoilAmbient(const Planted& planted, std::size_t light, Real shadow, Vec3<R
     const bool isRight = planted.way > 0;  // the term itself, in a buffer of its own; the sum is not
     switch (planted.defect) {
         case Defect::AmbientInShadow:
-            if (light == 0) ambient = shadow * whole;
+            if (light == 0 && planted.way != kHighlightInShadow) ambient = shadow * whole;
             break;
         case Defect::AmbientPerLight:
             if (light > 0) ambient += whole;

@@ -1,0 +1,17 @@
+#pragma once
+#include <cstdint>
+
+// Ways of a defect that change another text than its way 0 does: indices into the row's otherWays, plus 1.
+namespace pipeline {
+
+inline constexpr std::uint8_t kTheOtherWay = 1;        // of trs-order: objects turn the other way
+inline constexpr std::uint8_t kAlongTheLight = 1;      // of cull-axis: the light's direction for the line of sight
+inline constexpr std::uint8_t kHighlightInShadow = 2;  // of ambient-in-shadow: the highlight is left in it
+inline constexpr std::uint8_t kOneDistance = 1;        // of half-angle: divided by the distance of the target
+inline constexpr std::uint8_t kUntouched = 6;          // of normal-matrix: no matrix at all
+inline constexpr std::uint8_t kOneVertex = 2;          // of normal-short, and those below
+inline constexpr std::uint8_t kMeanNotUnit = 3;        // normals of vertices are left as means
+inline constexpr std::uint8_t kAlike = 4;              // the vertices of a triangle count alike
+inline constexpr std::uint8_t kSortedAlone = 5;        // vertices are sorted by y, their normals are not
+
+}  // namespace pipeline

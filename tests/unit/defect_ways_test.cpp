@@ -1,0 +1,174 @@
+// Ways of making a defect that are errors of their own, and two defects at once: each against what is known without it.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+
+#include "pipeline/defects/defect_table.h"
+#include "pipeline/defects/defect_ways.h"
+#include "pipeline/run/frame_data.h"
+#include "tests/support/scenes.h"
+
+namespace {
+
+using namespace pipeline;
+
+FramePtr frameOf(Scene scene) {
+    scene.settings.precision = Precision::Double;
+    scene.settings.leaveOut = false;
+    return test::frameOf(scene);
+}
+const FrameData<double>& dataOf(const FramePtr& frame) { return *pipeline::dataOf<double>(*frame); }
+
+// The first buffer up to a stage in which two frames differ; empty: none.
+std::string difference(const FramePtr& a, const FramePtr& b, StageId until = StageId::Shading) {
+    BufferSet upTo;
+    for (const BufferInfo& info : bufferTable()) upTo[index(info.id)] = info.stage <= until;
+    return test::firstDifference(*a, *b, upTo);
+}
+
+Scene smoothBox() {
+    Scene scene = test::boxOverGround();
+    scene.settings.shading = Shading::Phong;
+    scene.settings.normalWeight = NormalWeight::Mean;
+    scene.objects[1].transform.rotation = {20, 0, 30};
+    for (Object& object : scene.objects) object.material.specular = Vec3d(0.5), object.material.exponent = 4;
+    return scene;
+}
+
+TEST(DefectWays, ObjectsTurnTheOtherWay) {
+    Scene scene = smoothBox(), turned = scene;
+    for (Object& object : turned.objects) object.transform.rotation = -object.transform.rotation;
+    const FramePtr wrong = frameOf(plant(scene, Defect::TrsOrder, kTheOtherWay));
+    EXPECT_EQ(difference(wrong, frameOf(turned)), "");
+    EXPECT_NE(difference(wrong, frameOf(scene)), "");
+}
+
+TEST(DefectWays, HalfOfTheAngleIsTakenForTheWhole) {
+    Scene scene = smoothBox(), narrow = scene;
+    narrow.camera.fovY /= 2;
+    EXPECT_EQ(difference(frameOf(plant(scene, Defect::HalfAngle, 2)), frameOf(narrow)), "");
+}
+
+// Who culls by a light that shines along the viewing axis culls by the viewing axis.
+TEST(DefectWays, ALightBehindTheEyeCullsAsTheViewingAxisDoes) {
+    Scene scene = smoothBox();
+    scene.camera.fovY = 90;
+    scene.lights[0].position = scene.camera.eye - scene.camera.target;
+    const FramePtr byLight = frameOf(plant(scene, Defect::CullAxis, kAlongTheLight));
+    EXPECT_EQ(difference(byLight, frameOf(plant(scene, Defect::CullAxis)), StageId::Cull), "");
+    scene.lights[0].position = -scene.lights[0].position;
+    EXPECT_NE(difference(frameOf(plant(scene, Defect::CullAxis, kAlongTheLight)), byLight, StageId::Cull), "");
+}
+
+// At the vertex of a box three unit normals meet at right angles: their mean has length 1/√3.
+TEST(DefectWays, NormalsOfVerticesAreLeftAsMeans) {
+    const FramePtr wrong = frameOf(plant(smoothBox(), Defect::NormalShort, kMeanNotUnit));
+    for (const Vec3d& normal : dataOf(wrong).normals->vertex)
+        EXPECT_NEAR(glm::length(normal), 1 / std::sqrt(3.0), 1e-12);
+    EXPECT_EQ(difference(wrong, frameOf(smoothBox()), StageId::Cull), "");
+}
+
+TEST(DefectWays, VerticesThatCountAlikeGiveATriangleOneNormal) {
+    const FramePtr wrong = frameOf(plant(smoothBox(), Defect::NormalShort, kAlike));
+    const auto& triangles = dataOf(wrong).zBuffer->triangle->pixels;
+    const auto& normals = dataOf(wrong).shading->vectors[index(BufferId::Normal)][0].pixels;
+    std::map<std::uint32_t, Vec3d> ofTriangle;
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+        if (triangles[i] == kNoTriangle) continue;
+        const auto [first, isNew] = ofTriangle.emplace(triangles[i], normals[i]);
+        EXPECT_EQ(first->second, normals[i]);
+        EXPECT_NEAR(glm::length(normals[i]), 1, 1e-12);
+    }
+    EXPECT_GT(ofTriangle.size(), 5u);
+}
+
+// In a triangle whose vertices the mesh has from the top to the bottom of the picture nothing changes; in the same
+// triangle with two of them exchanged the normal of one is at the place of the other.
+TEST(DefectWays, VerticesAreSortedWithoutTheirNormals) {
+    Scene scene = smoothBox();
+    scene.objects.resize(1);
+    scene.settings.cull = CullMode::None, scene.settings.normalWeight = NormalWeight::Given;
+    const auto triangle = [&](std::vector<std::uint32_t> order) {
+        Mesh mesh;
+        for (const Vec3d& p : {Vec3d(0, 0, 2), Vec3d(-1, 0, 1), Vec3d(1, 0, 0)}) mesh.positions.push_back(p);
+        for (const Vec3d& n : {Vec3d(0, 0, 1), Vec3d(-1, 0, 0), Vec3d(0, -1, 0)}) mesh.normals.push_back(n);
+        mesh.addPolygon(order);
+        scene.objects[0].mesh = makeMesh(std::move(mesh));
+        return scene;
+    };
+    const auto wrong = [](const Scene& of) { return frameOf(plant(of, Defect::NormalShort, kSortedAlone)); };
+    const auto normalsOf = [](const FramePtr& frame) {
+        return dataOf(frame).shading->vectors[index(BufferId::Normal)][0].pixels;
+    };
+    const auto right = normalsOf(frameOf(triangle({0, 1, 2})));
+    const auto sorted = normalsOf(wrong(triangle({0, 1, 2})));
+    const auto exchanged = normalsOf(wrong(triangle({0, 2, 1})));
+    // The lowest vertex has normal 1 then, and the middle one normal 2: as if these had been exchanged.
+    double differs = 0;
+    for (std::size_t i = 0; i < right.size(); ++i) {
+        EXPECT_NEAR(glm::length(sorted[i] - right[i]), 0, 1e-12);
+        differs = std::max(differs, glm::length(exchanged[i] - right[i]));
+        // Normals z, −x, −y: what was the share of −x is now that of −y.
+        EXPECT_NEAR(exchanged[i].x, right[i].y, 1e-12);
+        EXPECT_NEAR(exchanged[i].y, right[i].x, 1e-12);
+    }
+    EXPECT_GT(differs, 0.5);
+}
+
+TEST(DefectWays, TheHighlightIsLeftInTheShadow) {
+    Scene scene = smoothBox();
+    const FramePtr right = frameOf(scene), wrong = frameOf(plant(scene, Defect::AmbientInShadow, kHighlightInShadow));
+    scene.lights[0].castsShadow = false;
+    const FramePtr without = frameOf(scene);
+    const auto at = [](const FramePtr& frame, BufferId id) -> const auto& {
+        return dataOf(frame).shading->vectors[index(id)][0].pixels;
+    };
+    const auto& shadow = dataOf(right).shading->scalars[index(BufferId::Shadow)][0].pixels;
+    std::size_t dark = 0;
+    for (std::size_t i = 0; i < shadow.size(); ++i) {
+        const Vec3d added = at(wrong, BufferId::Intensity)[i] - at(right, BufferId::Intensity)[i];
+        const Vec3d expected = (1 - shadow[i]) * at(without, BufferId::Specular)[i];
+        EXPECT_NEAR(glm::length(added - expected), 0, 1e-9);
+        dark += glm::length(expected) > 1;
+    }
+    EXPECT_GT(dark, 50u);
+}
+
+TEST(TwoDefects, BothAreMade) {
+    Scene scene = smoothBox();
+    const Scene both = plantToo(plant(scene, Defect::TrsOrder, kTheOtherWay), Defect::NoAmbient);
+    Scene turned = scene;
+    for (Object& object : turned.objects) object.transform.rotation = -object.transform.rotation;
+    EXPECT_EQ(difference(frameOf(both), frameOf(plant(turned, Defect::NoAmbient))), "");
+    EXPECT_NE(difference(frameOf(both), frameOf(plant(scene, Defect::NoAmbient))), "");
+    // In the other order too, with ways of both.
+    const Scene other = plantToo(plant(scene, Defect::NormalShort, kAlike), Defect::TrsOrder, kTheOtherWay);
+    EXPECT_EQ(difference(frameOf(other), frameOf(plant(turned, Defect::NormalShort, kAlike))), "");
+    // Files too: one polygon the other way round.
+    const Scene winding = plantToo(plant(scene, Defect::NoAmbient), Defect::Winding);
+    EXPECT_EQ(difference(frameOf(winding), frameOf(plant(scene, Defect::Winding)), StageId::ZBuffer), "");
+    EXPECT_NE(difference(frameOf(winding), frameOf(plant(scene, Defect::Winding))), "");
+}
+
+TEST(TwoDefects, OfOneTextAreRefused) {
+    const Scene scene = plant(smoothBox(), Defect::CullSign);
+    EXPECT_EQ(plantToo(scene, Defect::CullSign), scene);
+    EXPECT_EQ(plantToo(scene, Defect::CullAxis, kAlongTheLight), scene);
+    const Scene two = plantToo(scene, Defect::NoMax);
+    EXPECT_NE(two, scene);
+    EXPECT_EQ(plantToo(two, Defect::Gamma), two) << "a third";
+}
+
+// Where the samples lie is a convention: it takes both along.
+TEST(TwoDefects, SamplesMayLieElsewhereToo) {
+    const Scene two = plantToo(plant(smoothBox(), Defect::CullSign), Defect::NoMax, 2);
+    const Scene moved = sampledAt(two, PixelCorner::UpperLeft);
+    EXPECT_EQ(sampleShiftOf(two), glm::dvec2(0));
+    EXPECT_EQ(sampleShiftOf(moved), glm::dvec2(0.5));
+    EXPECT_TRUE(difference(frameOf(moved), frameOf(two), StageId::Normals).starts_with("vertices.screen"));
+    EXPECT_EQ(dataOf(frameOf(moved)).keys.cull, dataOf(frameOf(two)).keys.cull);
+    EXPECT_EQ(dataOf(frameOf(moved)).keys.shading.illumination, dataOf(frameOf(two)).keys.shading.illumination);
+}
+
+}  // namespace
