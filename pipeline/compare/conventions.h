@@ -2,6 +2,7 @@
 #include <map>
 
 #include "pipeline/compare/reading.h"
+#include "pipeline/compare/reference_values.h"
 
 namespace pipeline::foreign {
 
@@ -56,8 +57,6 @@ struct Conventions {
     std::vector<Convention> said;
     ReadingContext context{};  // of their files: with what they show where nothing is drawn
 };
-
-using ReferenceValues = std::map<std::string, Values>;  // by the buffer's name
 
 // How far a reading is from the reference: the trimmed mean of the differences, in tolerances, and a penalty for what is
 // drawn in one alone.

@@ -179,8 +179,8 @@ Finding compareValues(const ReadFile& file, const Values& right, const Reference
     std::size_t numbers = 0;
     const OpenPixels open(reference);
     const TheirShadows shadows(file, right, reference, row.measure, out.tolerance);
-    const auto ofLight = reference.values.find("n_dot_l." + std::to_string(buffer.light));
-    const Values* const nDotL = buffer.id == Shadow && ofLight != reference.values.end() ? &ofLight->second : nullptr;
+    const Values* const nDotL =
+        buffer.id == Shadow ? reference.values.find("n_dot_l." + std::to_string(buffer.light)) : nullptr;
     const auto classify = [&](std::size_t i, double& difference) {
         const bool here = file.mine.there[i] != 0, there = right.there[i] != 0;
         difference = 0;

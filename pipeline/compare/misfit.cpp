@@ -132,16 +132,16 @@ Reading FolderEvidence::bestOnSample(const Testimony& one, const Geometry& geome
 
 double FolderEvidence::wrongIn(const Testimony& one, const Reading& reading, const Reference& hypothesis) const {
     const std::string name = one.file.name.buffer.text();
-    const auto values = hypothesis.values.find(name);
     if (!one.counts) return 0;
-    if (values == hypothesis.values.end() || (!one.isPicture && values->second.count() != one.elements)) return m_drawn;
+    const Values* const values = hypothesis.values.find(name);
+    if (!values || (!one.isPicture && values->count() != one.elements)) return m_drawn;
     Values enlarged;
     if (m_factor > 1 && one.file.name.buffer.id == BufferId::VerticesScreen) {
-        enlarged = values->second;
+        enlarged = *values;
         for (std::size_t v = 0; v < enlarged.count(); ++v)
             enlarged.at(v)[0] *= double(m_factor), enlarged.at(v)[1] *= double(m_factor);
     }
-    const Values& right = enlarged.numbers.empty() ? values->second : enlarged;
+    const Values& right = enlarged.numbers.empty() ? *values : enlarged;
     ReadingContext encoded;
     const bool isEncoded = one.file.name.buffer.id == BufferId::Color && reading.coding != Coding::AsIs;
     if (isEncoded) {
@@ -164,9 +164,10 @@ Misfit FolderEvidence::misfit(const Reference& hypothesis) const {
     std::vector<Tried> tried(m_geometries.size());
     for (std::size_t g = 0; g < tried.size(); ++g) tried[g].misfit.geometry = m_geometries[g];
     for (const Testimony& one : m_files) {
-        const auto values = hypothesis.values.find(one.file.name.buffer.text());
-        const bool isThere = one.isPicture && one.counts && values != hypothesis.values.end();
-        const Values some = isThere ? m_sample.of(values->second) : Values();
+        const Values* const values =
+            one.isPicture && one.counts ? hypothesis.values.find(one.file.name.buffer.text()) : nullptr;
+        const bool isThere = values != nullptr;
+        const Values some = isThere ? m_sample.of(*values) : Values();
         for (Tried& t : tried) {
             double least = 0;
             t.misfit.readings.push_back(isThere ? bestOnSample(one, t.misfit.geometry, some, covered, least)

@@ -29,14 +29,14 @@ public:
     Vec3d vector(const std::string& name, std::size_t i) {
         const Values* const theirs = find(name);
         if (theirs && theirs->there[i]) return read(name), vectorOf(*theirs, i);
-        const auto right = m_reference.values.find(name);
-        return right == m_reference.values.end() ? Vec3d(0) : vectorOf(right->second, i);
+        const Values* const right = m_reference.values.find(name);
+        return right ? vectorOf(*right, i) : Vec3d(0);
     }
     double number(const std::string& name, std::size_t i) {
         const Values* const theirs = find(name);
         if (theirs && theirs->there[i]) return read(name), theirs->at(i)[0];
-        const auto right = m_reference.values.find(name);
-        return right == m_reference.values.end() ? 0 : right->second.at(i)[0];
+        const Values* const right = m_reference.values.find(name);
+        return right ? right->at(i)[0] : 0;
     }
     void read(const std::string& name) {
         if (std::ranges::find(from, name) == from.end()) from.push_back(name);

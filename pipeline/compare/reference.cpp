@@ -22,12 +22,12 @@ BufferSet allCompared() {
 }
 
 double sceneExtent(const Reference& reference) {
-    const auto world = reference.values.find("vertices.world");
-    if (world == reference.values.end()) return 1;
+    const Values* const world = reference.values.find("vertices.world");
+    if (!world) return 1;
     Vec3d low(HUGE_VAL), high(-HUGE_VAL);
-    for (std::size_t i = 0; i < world->second.count(); ++i)
+    for (std::size_t i = 0; i < world->count(); ++i)
         for (int c = 0; c < 3; ++c)
-            low[c] = std::min(low[c], world->second.at(i)[c]), high[c] = std::max(high[c], world->second.at(i)[c]);
+            low[c] = std::min(low[c], world->at(i)[c]), high[c] = std::max(high[c], world->at(i)[c]);
     const double extent = glm::length(high - low);
     return std::isfinite(extent) && extent > 0 ? extent : 1;
 }
@@ -121,46 +121,6 @@ std::shared_ptr<const Scene> referenceScene(Scene scene, PixelCorner corner) {
     return std::make_shared<const Scene>(sampledAt(std::move(scene), corner));
 }
 
-std::vector<std::uint8_t> coveredIn(const Frame& frame) {
-    std::vector<std::uint8_t> covered;
-    const auto polygons = frame.buffer({BufferId::PolygonId});
-    if (!polygons) return covered;
-    covered.resize(polygons->count());
-    for (std::size_t i = 0; i < covered.size(); ++i) covered[i] = polygons->flat(i) >= 0;
-    return covered;
-}
-
-std::optional<Values> valuesIn(const Frame& frame, const BufferName& name) {
-    return valuesIn(frame, name, coveredIn(frame));
-}
-std::optional<Values> valuesIn(const Frame& frame, const BufferName& name, const std::vector<std::uint8_t>& covered) {
-    const auto buffer = frame.buffer(name);
-    if (!buffer) return {};
-    const bool ofSurface = name.id != BufferId::Color && name.id != BufferId::ZView;
-    Values out = valuesOf(*buffer, ofSurface ? covered : std::vector<std::uint8_t>());
-    if (name.id == BufferId::ZView) {  // cleared, as files of others are read
-        const View view = readStages(frame, [](const auto& data) { return data.transform->view; });
-        for (std::size_t i = 0; i < out.count(); ++i) {
-            const double z = out.at(i)[0];
-            if (z == 0 || z >= view.far * (1 - 1e-12) || (view.perspective && z < 0)) out.there[i] = 0;
-            if (!out.there[i]) out.at(i)[0] = 0;
-        }
-    }
-    if (name.id == BufferId::PolygonsVerdict)  // what is told of others: whether it goes on
-        for (double& code : out.numbers) code = goesOn(Verdict(int(code))) ? 1 : 0;
-    if (name.id == BufferId::VerticesScreen) {
-        // Before the near plane vertices have no agreed place; the depth is the z-buffer's affair.
-        const auto view = frame.buffer({BufferId::VerticesView});
-        const double near = readStages(frame, [](const auto& data) { return data.transform->view.near; });
-        const glm::dvec2 shift = sampleShiftOf(frame.scene());
-        for (std::size_t i = 0; i < out.count(); ++i) {
-            if (view && view->value(0, i, 2) < near) out.there[i] = 0;
-            out.at(i)[0] -= shift.x, out.at(i)[1] -= shift.y, out.at(i)[2] = 0;
-        }
-    }
-    return out;
-}
-
 namespace {
 
 constexpr BufferId kLit[]{BufferId::Color, BufferId::Intensity, BufferId::Diffuse, BufferId::Specular,
@@ -194,17 +154,13 @@ void readFrame(Reference& out, const BufferSet& wanted) {
     out.context.opensPlanes = scene.camera.near == 0 || scene.camera.far == 0;
     out.context.iMax = maximumIntensity(scene);
     out.context.width = std::size_t(settings.width), out.context.height = std::size_t(settings.height);
-    for (const BufferName& name : allBuffers(scene.lights.size()))
-        if (toleranceOf(name.id) && wanted[index(name.id)])
-            if (auto values = valuesIn(*out.frame, name, out.context.covered))
-                out.values.emplace(name.text(), std::move(*values));
-    const auto intensity = out.values.find("intensity"), color = out.values.find("color");
-    if (intensity == out.values.end() || color == out.values.end() || !(out.context.iMax > 0)) return;
-    for (std::size_t i = 0; i < intensity->second.numbers.size(); ++i) {
-        out.context.unrounded.push_back(255 * std::clamp(intensity->second.numbers[i] / out.context.iMax, 0.0, 1.0));
+    out.values = ReferenceValues(out.frame, out.context.covered, wanted);
+    const Values *const intensity = out.values.find("intensity"), *const color = out.values.find("color");
+    if (!intensity || !color || !(out.context.iMax > 0)) return;
+    for (std::size_t i = 0; i < intensity->numbers.size(); ++i) {
+        out.context.unrounded.push_back(255 * std::clamp(intensity->numbers[i] / out.context.iMax, 0.0, 1.0));
         // What a planted error of the frame buffer has stored does not follow.
-        if (!(std::abs(out.context.unrounded.back() - color->second.numbers[i]) < 0.6))
-            return out.context.unrounded.clear();
+        if (!(std::abs(out.context.unrounded.back() - color->numbers[i]) < 0.6)) return out.context.unrounded.clear();
     }
 }
 
@@ -223,13 +179,11 @@ std::optional<Reference> makeReference(const Scene& scene, const std::map<std::s
     if (!drawFrames(out, referenceScene(scene, corner), allCompared(), nullptr, stop)) return {};
     readFrame(out, allCompared());
     double nearest = HUGE_VAL, farthest = 0;
-    if (const auto z = out.values.find("z_view"); z != out.values.end())
-        for (std::size_t i = 0; i < z->second.count(); ++i)
-            if (z->second.there[i])
-                nearest = std::min(nearest, z->second.numbers[i]), farthest = std::max(farthest, z->second.numbers[i]);
+    if (const Values* const z = out.values.find("z_view"))
+        for (std::size_t i = 0; i < z->count(); ++i)
+            if (z->there[i]) nearest = std::min(nearest, z->numbers[i]), farthest = std::max(farthest, z->numbers[i]);
     const double extent = sceneExtent(out);
-    for (const auto& [name, values] : out.values) {
-        const BufferName buffer = *findBuffer(name);
+    for (const auto& [name, buffer] : out.values.names()) {
         const Tolerance& row = *toleranceOf(buffer.id);
         const double of = row.of == Tolerance::Of::Unit         ? 1
                           : row.of == Tolerance::Of::IMax       ? out.context.iMax

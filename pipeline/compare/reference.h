@@ -37,11 +37,6 @@ std::shared_ptr<const Scene> referenceScene(Scene scene, PixelCorner corner = Pi
 
 inline constexpr int kShadowBand = 3;  // pixels around an edge of a shadow: texels of any resolution
 
-// The values of one buffer of a frame; nothing where it has none.
-std::optional<Values> valuesIn(const Frame& frame, const BufferName& name);
-std::optional<Values> valuesIn(const Frame& frame, const BufferName& name, const std::vector<std::uint8_t>& covered);
-std::vector<std::uint8_t> coveredIn(const Frame& frame);
-
 // `overrides`: by the buffer's name without a light's index, in its unit. Nothing where it was stopped.
 std::optional<Reference> makeReference(const Scene& scene, const std::map<std::string, double>& overrides, Stop stop,
                                        PixelCorner corner = PixelCorner::None);

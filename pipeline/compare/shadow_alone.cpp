@@ -29,11 +29,11 @@ std::optional<LightAndShadow> colorsOf(const Reference& reference) {
         for (const std::string term : {"diffuse.", "specular."}) {
             const std::string name = term + std::to_string(k);
             const auto whole = valuesIn(*reference.unshadowed, *findBuffer(name));
-            const auto here = reference.values.find(name);
-            if (!whole || here == reference.values.end()) return {};
+            const Values* const here = reference.values.find(name);
+            if (!whole || !here) return {};
             for (std::size_t i = 0; i < lit.numbers.size(); ++i) {
-                lit.numbers[i] += whole->numbers[i] - here->second.numbers[i];
-                dark.numbers[i] -= here->second.numbers[i];
+                lit.numbers[i] += whole->numbers[i] - here->numbers[i];
+                dark.numbers[i] -= here->numbers[i];
             }
         }
     }
