@@ -33,9 +33,10 @@ std::optional<NamedError> errorOf(const foreign::Report& report) {
     if (!report.suspects || report.suspects->candidates.empty()) return {};
     const pipeline::foreign::KnownError& first = report.suspects->candidates[0].error;
     NamedError out{{}, {}, first.lesson, first.heading};
+    const bool areTogether = report.suspects->areTogether;
     for (const foreign::Candidate& one : report.suspects->candidates) {
-        out.id += (out.id.empty() ? "" : "|") + one.error.id;
-        out.name += (out.name.empty() ? "" : " or ") + one.error.name;
+        out.id += (out.id.empty() ? "" : areTogether ? "+" : "|") + one.error.id;
+        out.name += (out.name.empty() ? "" : areTogether ? " and " : " or ") + one.error.name;
     }
     return out;
 }

@@ -36,7 +36,7 @@ namespace {
 
 struct CompareArguments {
     SceneArgument scene;
-    std::vector<std::string> paths, tolerances;
+    std::vector<std::string> paths, tolerances, without;
     std::string stage, output;
     int hints = 3;
     std::string starter;
@@ -190,6 +190,8 @@ int runCompare(const CompareArguments& arguments) {
     int status = kDone;
     const auto scene = loadScene(arguments.scene, options.stop, status);
     if (!scene) return status;
+    for (const std::string& id : arguments.without)
+        if (const auto wrong = foreign::readWithout(id, *scene, options.without)) return wrongCompare(*wrong);
     pipeline::FrameRequest request;
     for (const foreign::Tolerance& row : foreign::toleranceTable()) request.wanted.set(index(row.buffer));
     if (!fits(*scene, request, arguments.scene, status)) return status;
@@ -230,6 +232,9 @@ void declareCompare(CLI::App& program, const CliHost&, int& status) {
         ->capture_default_str();
     command->add_flag("--strict", arguments->strict, "Conventions other than the program's count as errors");
     command->add_flag("--no-known", arguments->noKnown, "Do not look for known errors");
+    command->add_option("--without", arguments->without, "Do not try this known error; may be given several times")
+        ->type_name("ID")
+        ->allow_extra_args(false);
     command->add_flag("--json", arguments->json, "Print JSON");
     const std::vector<CLI::Option*> notOfClass = command->get_options([](const CLI::Option* option) {
         return !option->check_name("SCENE") && !option->check_name("--help") && !option->check_name("--output");

@@ -121,7 +121,7 @@ void RendererError::addExperiment(const foreign::Suspects& suspects) {
         m_column->addWidget(line);
     }
     if (!suspects.experiment) {
-        if (others == 0 && suspects.kind.empty())
+        if (others == 0 && suspects.kind.empty() && !suspects.areTogether)
             add(tr("They leave the same numbers in every buffer of this scene."), 12, 400);
         return;
     }
@@ -140,9 +140,10 @@ void RendererError::show(const foreign::Report& report) {
     const foreign::Suspects& suspects = *report.suspects;
     const auto count = suspects.candidates.size();
     m_title->setText(count > 1 ? tr("Likely errors") : tr("Likely error"));
-    m_beside->setText(count == 1  ? tr("clearly best of %1").arg(suspects.tried)
-                      : count > 1 ? tr("%1 are as good as each other").arg(count)
-                                  : QString());
+    m_beside->setText(suspects.areTogether ? tr("two at once")
+                      : count == 1         ? tr("clearly best of %1").arg(suspects.tried)
+                      : count > 1          ? tr("%1 are as good as each other").arg(count)
+                                           : QString());
     add(toQString(namesText(report)), count == 0 ? 13 : 12, count == 0 ? 600 : 400);
     if (count == 0) return;
     int number = 0;

@@ -228,11 +228,11 @@ private:
         m_html += element("p", namesText(m_report));
         for (const Candidate& one : suspects.candidates) {
             m_html += fmt::format(
-                "<p><b>{}</b> explains {:.1f} % of the difference{}.</p><p><span class=differs>{}</span> in place of "
+                "<p><b>{}</b> {} {:.1f} % of the difference{}.</p><p><span class=differs>{}</span> in place of "
                 "{}</p>",
-                escapedHtml(one.error.name), 100 * one.explained,
-                one.otherRows ? ", if the rows run the other way" : "", escapedHtml(one.error.wrong),
-                escapedHtml(one.error.right));
+                escapedHtml(one.error.name), suspects.areTogether ? "and the other explain" : "explains",
+                100 * one.explained, one.otherRows ? ", if the rows run the other way" : "",
+                escapedHtml(one.error.wrong), escapedHtml(one.error.right));
             if (!one.error.lesson.empty())
                 m_html += fmt::format("<p class=t2>Lesson {}, page “{}”.</p>", escapedHtml(one.error.lesson),
                                       escapedHtml(one.error.heading));

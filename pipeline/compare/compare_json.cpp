@@ -116,9 +116,11 @@ Json reportJson(const Report& report, int exitStatus) {
                                         {"worst", one.worst}});
     out["likely"] = report.options.hints >= 3 ? namesText(report) : "";
     out["known"] = Json::array();
+    out["together"] = false;  // whether the known errors are made at once; else they are alternatives
     out["experiment"] = nullptr;
     if (report.suspects && report.options.hints >= 3) {
         for (const Candidate& one : report.suspects->candidates) out["known"].push_back(candidateJson(one));
+        out["together"] = report.suspects->areTogether;
         out["tried"] = report.suspects->tried, out["kind"] = report.suspects->kind;
         out["next"] = report.suspects->next ? candidateJson(*report.suspects->next) : Json();
         if (const auto& experiment = report.suspects->experiment) {

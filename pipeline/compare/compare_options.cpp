@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "pipeline/core/text.h"
 #include "pipeline/formats/text_scanner.h"
 
@@ -33,6 +35,16 @@ std::optional<std::string> readUntil(const std::string& text, StageId& until) {
     std::string names;
     for (const StageId stage : kStages) names += (names.empty() ? "" : ", ") + std::string(stageInfo(stage).name);
     return fmt::format("--stage: no stage is called {}; the stages are {}", inQuotes(text), names);
+}
+
+std::optional<std::string> readWithout(const std::string& id, const Scene& scene, std::vector<std::string>& into) {
+    std::vector<std::string> ids;
+    for (const KnownError& error : knownErrors(scene)) ids.push_back(error.id);
+    if (std::ranges::find(ids, id) == ids.end())
+        return fmt::format("--without: no known error of this scene is called {}; the nearest is {}", inQuotes(id),
+                           nearest(id, ids));
+    into.push_back(id);
+    return {};
 }
 
 int exitStatus(const Report& report) {

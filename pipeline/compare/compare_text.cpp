@@ -100,8 +100,10 @@ private:
         for (const Candidate& one : suspects.candidates) {
             const std::string which = suspects.candidates.size() > 1 ? fmt::format("{}  ", ++number) : std::string();
             labelled("likely", which + one.error.name, true);
-            labelled("likely", fmt::format("{}{} in place of {}; explains {:.1f} %{}", std::string(which.size(), ' '),
-                                           one.error.wrong, one.error.right, 100 * one.explained, rowsText(one)));
+            labelled("likely",
+                     fmt::format("{}{} in place of {}; {} {:.1f} %{}", std::string(which.size(), ' '), one.error.wrong,
+                                 one.error.right, suspects.areTogether ? "both explain" : "explains",
+                                 100 * one.explained, rowsText(one)));
             if (!one.error.lesson.empty())
                 labelled("likely", fmt::format("{}lesson {}, page “{}”", std::string(which.size(), ' '),
                                                one.error.lesson, one.error.heading));
@@ -114,7 +116,7 @@ private:
             for (std::size_t i = 0; i < suspects.experiment->values.size(); ++i)
                 text += fmt::format("{}{} means {}", i ? ", " : "", suspects.experiment->values[i], i + 1);
             labelled("experiment", text, true);
-        } else if (suspects.candidates.size() > 1 && suspects.kind.empty()) {
+        } else if (suspects.candidates.size() > 1 && suspects.kind.empty() && !suspects.areTogether) {
             labelled("experiment", "None: they leave the same numbers in every buffer of this scene.");
         }
     }

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <tuple>
+
+#include "pipeline/scene/settings_table.h"
 
 namespace pipeline::foreign {
 
@@ -16,12 +19,25 @@ constexpr double kLeftOfDrawn = 0.15;  // of the pixels drawn, at most: who draw
 constexpr double kTwin = 10,
                  kTwinShare = 0.05;  // as good: so many elements more, or such a share of those wrong
 
+// Two errors at once fit more by accident than one: they have to explain nearly all, and neither may do so alone.
+constexpr double kPixelsOfTwo = 160 * 120;  // of the picture that they are ranked in
+constexpr std::size_t kFirsts = 3;          // errors that a second one is tried with
+constexpr double kPart = 0.05;              // of what is wrong: what one of these explains, at least
+constexpr double kTwoExplain = 0.97, kTwoLeaveOfDrawn = 0.03;
+constexpr double kMatters = 0.25;  // of what each leaves alone: what both leave, at most
+
 Scene smaller(Scene scene, std::size_t factor) {
     scene.settings.width = std::max(1, scene.settings.width / int(factor));
     scene.settings.height = std::max(1, scene.settings.height / int(factor));
     scene.camera.pixelsPerUnit /= double(factor);
     scene.settings.shadowSize = std::min(scene.settings.shadowSize, 512);
     return scene;
+}
+
+// Whether a scene with two errors can be drawn. A second defect is beyond what the text of a scene may state.
+bool isValid(Scene scene) {
+    scene.settings.defectWay = 0;
+    return checkScene(scene).empty();
 }
 
 // The frames of a scene with errors beside the files, in one size.
@@ -57,13 +73,14 @@ private:
 // All known errors of a scene and what each leaves of each file, measured once.
 class Trial {
 public:
-    Trial(const Scene& scene, const Reference& reference, const Conventions& conventions,
-          const StatedConventions& stated)
+    Trial(const Scene& scene, std::vector<KnownError> errors, const Reference& reference,
+          const Conventions& conventions, const StatedConventions& stated)
         : m_scene(scene),
           m_reference(reference),
           m_conventions(conventions),
-          m_errors(knownErrors(scene)),
-          m_factor(factorOf(scene)),
+          m_stated(stated),
+          m_errors(std::move(errors)),
+          m_factor(factorOf(scene, kPixels)),
           m_full(reference, conventions, stated, 1) {
         if (m_factor > 1) m_small.emplace(reference, conventions, stated, m_factor);
     }
@@ -94,9 +111,7 @@ public:
     Suspects judge(const std::vector<std::size_t>& files, const Stop& stop) {
         Suspects out;
         out.tried = m_errors.size(), out.right = m_right.sum(files);
-        std::vector<std::size_t> ranked(m_errors.size());
-        for (std::size_t i = 0; i < ranked.size(); ++i) ranked[i] = i;
-        std::ranges::stable_sort(ranked, {}, [&](std::size_t i) { return m_misfits[i].sum(files); });
+        std::vector<std::size_t> ranked = ranking(files);
         if (m_factor > 1) {
             ranked.resize(std::min(ranked.size(), kConfirmed));
             for (const std::size_t i : ranked)
@@ -124,13 +139,92 @@ public:
         return out;
     }
 
+    // Which two at once explain these files: one pair, or none if several do. firsts: errors that explain a part of them;
+    // none: the best.
+    Suspects judgeTwo(const std::vector<std::size_t>& files, const std::vector<Candidate>& firsts, const Stop& stop) {
+        Suspects out;
+        out.tried = m_errors.size(), out.right = m_right.sum(files);
+        std::vector<Two> pairs;
+        if (!rankTwo(files, firsts, stop, pairs)) return out.stopped = true, out;
+        pairs.resize(std::min(pairs.size(), kConfirmed));
+        for (Two& pair : pairs) {
+            auto misfit = m_full.of(m_errors[pair.second].plant(m_errors[pair.first].plant(m_scene)), stop);
+            if (!misfit || !confirm(pair.first, stop) || !confirm(pair.second, stop)) return out.stopped = true, out;
+            pair.misfit = left(m_errors[pair.second], left(m_errors[pair.first], std::move(*misfit)));
+        }
+        const auto leaves = [&](const Two& pair) { return pair.misfit.sum(files); };
+        std::ranges::stable_sort(pairs, {}, leaves);
+        if (pairs.empty()) return out;
+        const Two& best = pairs[0];
+        const double least = leaves(best), drawn = double(std::max<std::size_t>(1, best.misfit.drawn));
+        const double alone = std::min(m_misfits[best.first].sum(files), m_misfits[best.second].sum(files));
+        if (least > (1 - kTwoExplain) * out.right || least > kTwoLeaveOfDrawn * drawn || least > kMatters * alone)
+            return out;
+        const double asGood = least + std::max(kTwin, kTwinShare * std::min(out.right, drawn));
+        const std::set<std::string> named = idsOf(best);
+        if (std::ranges::any_of(pairs, [&](const Two& pair) { return leaves(pair) <= asGood && idsOf(pair) != named; }))
+            return out;
+        for (const std::size_t i : {best.first, best.second}) {
+            out.candidates.push_back({m_errors[i], best.misfit});
+            out.candidates.back().left = least, out.candidates.back().explained = 1 - least / out.right;
+        }
+        std::ranges::stable_sort(out.candidates, {}, [](const Candidate& one) { return one.error.stage; });
+        out.areTogether = true;
+        return out;
+    }
+
 private:
-    static std::size_t factorOf(const Scene& scene) {
+    struct Two {
+        std::size_t first, second;  // of the known errors
+        Misfit misfit;
+    };
+    std::set<std::string> idsOf(const Two& pair) const { return {m_errors[pair.first].id, m_errors[pair.second].id}; }
+
+    // The errors, those first that leave the least of these files.
+    std::vector<std::size_t> ranking(const std::vector<std::size_t>& files) const {
+        std::vector<std::size_t> ranked(m_errors.size());
+        for (std::size_t i = 0; i < ranked.size(); ++i) ranked[i] = i;
+        std::ranges::stable_sort(ranked, {}, [&](std::size_t i) { return m_misfits[i].sum(files); });
+        return ranked;
+    }
+    // The errors, the best way of each, that a second one is tried with.
+    std::vector<std::size_t> firstsOf(const std::vector<std::size_t>& files,
+                                      const std::vector<Candidate>& firsts) const {
+        std::vector<std::size_t> out;
+        for (const std::size_t i : ranking(files)) {
+            const std::string& id = m_errors[i].id;
+            const bool isTaken = std::ranges::any_of(out, [&](std::size_t j) { return m_errors[j].id == id; });
+            const bool isAsked = std::ranges::any_of(firsts, [&](const Candidate& one) { return one.error.id == id; });
+            const bool isPart = m_misfits[i].sum(files) <= (1 - kPart) * m_right.sum(files);
+            if (!isTaken && (firsts.empty() ? isPart : isAsked) && out.size() < kFirsts) out.push_back(i);
+        }
+        return out;
+    }
+    // False where it was stopped.
+    bool rankTwo(const std::vector<std::size_t>& files, const std::vector<Candidate>& firsts, const Stop& stop,
+                 std::vector<Two>& pairs) const {
+        Court coarse(m_reference, m_conventions, m_stated, factorOf(m_scene, kPixelsOfTwo));
+        if (!coarse.of(m_scene, stop)) return false;
+        for (const std::size_t first : firstsOf(files, firsts)) {
+            const Scene one = m_errors[first].plant(m_scene);
+            for (std::size_t second = 0; second < m_errors.size(); ++second) {
+                if (m_errors[second].id == m_errors[first].id) continue;
+                const Scene two = m_errors[second].plant(one);
+                if (two == one || !isValid(two)) continue;
+                auto misfit = coarse.of(two, stop);
+                if (!misfit) return false;
+                pairs.push_back({first, second, std::move(*misfit)});
+            }
+        }
+        std::ranges::stable_sort(pairs, {}, [&](const Two& pair) { return pair.misfit.sum(files); });
+        return true;
+    }
+    static std::size_t factorOf(const Scene& scene, double most) {
         const double pixels = double(scene.settings.width) * scene.settings.height;
-        return std::max<std::size_t>(1, std::size_t(std::sqrt(pixels / kPixels) + 0.01));
+        return std::max<std::size_t>(1, std::size_t(std::sqrt(pixels / most) + 0.01));
     }
     bool confirm(std::size_t i, const Stop& stop) {
-        if (m_isConfirmed[i]) return true;
+        if (m_factor == 1 || m_isConfirmed[i]) return true;
         auto misfit = m_full.of(m_errors[i].plant(m_scene), stop);
         if (!misfit) return false;
         m_misfits[i] = left(m_errors[i], std::move(*misfit));
@@ -154,6 +248,7 @@ private:
     const Scene& m_scene;
     const Reference& m_reference;
     const Conventions& m_conventions;
+    const StatedConventions& m_stated;
     std::vector<KnownError> m_errors;
     std::size_t m_factor;
     Court m_full;
@@ -201,26 +296,13 @@ void askTheShadow(const Trial& trial, const Reference& reference, const Conventi
     }
 }
 
-}  // namespace
-
-Suspects findSuspects(const Scene& scene, const Reference& reference, const Conventions& conventions,
-                      const StatedConventions& stated, const std::vector<Finding>& findings, const FirstWrong& first,
-                      const Stop& stop, const HypothesisProgress& progress) {
-    Trial trial(scene, reference, conventions, stated);
-    Suspects stopped;
-    stopped.stopped = true;
-    if (!trial.measure(stop, progress)) return stopped;
-    std::vector<std::size_t> all(findings.size());
-    for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
-    Suspects out = trial.judge(all, stop);
-    if (!out.candidates.empty() || out.stopped) return out;
-    askTheShadow(trial, reference, conventions, findings, out);
-    if (!out.candidates.empty() || !first.stage) return out;
+// What explains the first wrong file and leaves those before as they are; or the picture alone, as files may be written
+// before the error is made, or after.
+Suspects judgeInParts(Trial& trial, const std::vector<Finding>& findings, const FirstWrong& first, const Stop& stop) {
     for (const std::vector<std::size_t>& files : focusOn(findings, *first.stage, first.wrongHere)) {
         Suspects focused = trial.judge(files, stop);
         if (!focused.candidates.empty() || focused.stopped) return focused;
     }
-    // The picture alone: files may be written before the error is made, or after.
     for (std::size_t i = 0; i < findings.size(); ++i) {
         if (findings[i].name.buffer.id != BufferId::Color || findings[i].agrees) continue;
         Suspects focused = trial.judge({i}, stop);
@@ -228,7 +310,32 @@ Suspects findSuspects(const Scene& scene, const Reference& reference, const Conv
         std::erase_if(focused.candidates, [&](const Candidate& c) { return c.error.stage != first.stage; });
         if (focused.candidates.size() == 1) return focused.experiment.reset(), focused;
     }
-    return out;
+    return {};
+}
+
+}  // namespace
+
+Suspects findSuspects(const Scene& scene, std::vector<KnownError> errors, const Reference& reference,
+                      const Conventions& conventions, const StatedConventions& stated,
+                      const std::vector<Finding>& findings, const FirstWrong& first, const Stop& stop,
+                      const HypothesisProgress& progress) {
+    Trial trial(scene, std::move(errors), reference, conventions, stated);
+    Suspects stopped;
+    stopped.stopped = true;
+    if (!trial.measure(stop, progress)) return stopped;
+    std::vector<std::size_t> all(findings.size());
+    for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
+    const auto isDecided = [](const Suspects& suspects) { return !suspects.candidates.empty() || suspects.stopped; };
+    Suspects out = trial.judge(all, stop);
+    if (isDecided(out)) return out;
+    askTheShadow(trial, reference, conventions, findings, out);
+    if (isDecided(out)) return out;
+    Suspects inParts;
+    if (first.stage) inParts = judgeInParts(trial, findings, first, stop);
+    if (inParts.stopped) return inParts;
+    Suspects two = trial.judgeTwo(all, inParts.candidates, stop);
+    if (isDecided(two)) return two;
+    return inParts.candidates.empty() ? out : inParts;
 }
 
 }  // namespace pipeline::foreign

@@ -25,7 +25,8 @@ struct Suspects {
     std::vector<Candidate> candidates;  // the best first: one, or all that are as good
     std::optional<Candidate> next;      // the best of the others
     std::optional<Experiment> experiment;
-    std::string kind;  // what the candidates have in common, where the shadow alone tells: "no light arrives"
+    std::string kind;          // what the candidates have in common, where the shadow alone tells: "no light arrives"
+    bool areTogether = false;  // the two candidates are made at once, that of the earlier stage first
     std::size_t tried = 0;
     bool stopped = false;
 };
@@ -47,9 +48,12 @@ std::optional<Experiment> experimentBetween(const std::vector<Candidate>& candid
 // the verdict counts: where right renderers may differ nothing is held against it. Large pictures are ranked in a smaller
 // one, and the best are confirmed in their own size. Where none explains all of the files, what explains the first wrong
 // file and leaves those before as they are is taken.
-Suspects findSuspects(const Scene& scene, const Reference& reference, const Conventions& conventions,
-                      const StatedConventions& stated, const std::vector<Finding>& findings, const FirstWrong& first,
-                      const Stop& stop, const HypothesisProgress& progress = {});
+//
+// If none explains them, two errors at once are tried: the best ones with every other.
+Suspects findSuspects(const Scene& scene, std::vector<KnownError> errors, const Reference& reference,
+                      const Conventions& conventions, const StatedConventions& stated,
+                      const std::vector<Finding>& findings, const FirstWrong& first, const Stop& stop,
+                      const HypothesisProgress& progress = {});
 
 // What the shadow test alone can have done: where nearly all pixels that are wrong have the very colour that they have in
 // light or in shadow, S is wrong and nothing else. How it changes tells the kind; of `errors` those of that kind.

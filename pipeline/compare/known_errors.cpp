@@ -12,6 +12,7 @@
 #include "pipeline/core/numerics.h"
 #include "pipeline/core/text.h"
 #include "pipeline/defects/defect_table.h"
+#include "pipeline/defects/defect_ways.h"
 #include "pipeline/scene/make_mesh.h"
 #include "pipeline/scene/object_matrix.h"
 #include "pipeline/scene/settings_table.h"
@@ -139,13 +140,19 @@ struct OwnName {
     StageId stage;
     std::string_view wrong, right;
 };
-constexpr std::string_view kPower = "k_s c (R·V)^n", kTowardsEye = "V = (eye − p) / |eye − p|",
-                           kFromMiddle = "x_s = w/2 + d x_v / z_v";
+constexpr std::string_view kPower = "k_s c (R·V)^n", kInterpolated = "N = Σ λ_i N_i, made unit",
+                           kTowardsEye = "V = (eye − p) / |eye − p|", kFromMiddle = "x_s = w/2 + d x_v / z_v";
 constexpr std::array kOwnNames{
+    OwnName{Defect::TrsOrder, kTheOtherWay, "rotation-sign", "objects turn the other way", StageId::Transform,
+            "R(−angle)", "R(angle)"},
+    OwnName{Defect::CullAxis, kAlongTheLight, "cull-light", "the light's direction is used for culling", StageId::Cull,
+            "drop where N·L < 0", "drop where N·(p − eye) > 0"},
     OwnName{Defect::NoMax, 2, "half-lambert", "half Lambert: light reaches the night side", StageId::Shading,
             "k_d c (N·L + 1) / 2", "k_d c max(0, N·L)"},
     OwnName{Defect::NoMax, 3, "half-lambert", "half Lambert: light reaches the night side", StageId::Shading,
             "k_d c ((N·L + 1) / 2)²", "k_d c max(0, N·L)"},
+    OwnName{Defect::AmbientInShadow, kHighlightInShadow, "spec-in-shadow", "the highlight is left in the shadow",
+            StageId::Shading, "S k_d c N·L + k_s c (R·V)^n", "S (k_d c N·L + k_s c (R·V)^n)"},
     OwnName{Defect::Exponent, 2, "no-power", "the exponent is left out", StageId::Shading, "k_s c R·V", kPower},
     OwnName{Defect::Exponent, 3, "times-n", "times n instead of to the power n", StageId::Shading, "k_s c (R·V) n",
             kPower},
@@ -157,18 +164,26 @@ constexpr std::array kOwnNames{
             kTowardsEye},
     OwnName{Defect::NoBias, 1, "bias-sign", "shadow bias with the wrong sign", StageId::Shading, "z' > Z' − b",
             "z' > Z' + b"},
-    OwnName{Defect::NormalMatrix, 6, "normals-untouched", "normals of the object are used in the world",
+    OwnName{Defect::NormalMatrix, kUntouched, "normals-untouched", "normals of the object are used in the world",
             StageId::Normals, "N of the file", "N' = (M⁻¹)ᵀ N"},
-    OwnName{Defect::NormalShort, 2, "one-normal", "one vertex's normal for the whole polygon", StageId::Shading,
-            "N = N_0", "N = Σ λ_i N_i, made unit"},
+    OwnName{Defect::NormalShort, kOneVertex, "one-normal", "one vertex's normal for the whole polygon",
+            StageId::Shading, "N = N_0", kInterpolated},
+    OwnName{Defect::NormalShort, kMeanNotUnit, "mean-not-unit", "normals of vertices are left as means",
+            StageId::Normals, "N_v = Σ N_p / m", "N_v = Σ N_p / |Σ N_p|"},
+    OwnName{Defect::NormalShort, kAlike, "weights-alike", "the vertices of a triangle count alike at every pixel",
+            StageId::Shading, "N = (N_0 + N_1 + N_2) / 3, made unit", kInterpolated},
+    OwnName{Defect::NormalShort, kSortedAlone, "data-unsorted", "vertices are sorted by y without their normals",
+            StageId::Shading, "N of the vertex that stood there before", kInterpolated},
     OwnName{Defect::ZAffine, 1, "one-depth", "one depth for a triangle", StageId::ZBuffer, "z = (z_0 + z_1 + z_2) / 3",
             "1 / z = Σ λ_i / z_i"},
     OwnName{Defect::ZNoWrite, 1, "no-test", "painted without a depth test", StageId::ZBuffer, "FB(x, y) = colour",
             "if z < zbuffer(x, y): FB(x, y) = colour"},
     OwnName{Defect::YDown, 1, "view-transposed", "the viewing matrix is transposed", StageId::Transform, "p_v = Rᵀ p",
             "p_v = R p"},
-    OwnName{Defect::HalfAngle, 1, "no-division", "divided by one distance instead of z", StageId::Transform,
+    OwnName{Defect::HalfAngle, kOneDistance, "no-division", "divided by one distance instead of z", StageId::Transform,
             "x_s = w/2 + d x_v / ρ", kFromMiddle},
+    OwnName{Defect::HalfAngle, 2, "double-angle", "half of the field of view is taken for the whole",
+            StageId::Transform, "d = h / (2 tan (fov / 4))", "d = h / (2 tan (fov / 2))"},
     OwnName{Defect::HalfPixel, 4, "column", "one pixel to the right", StageId::Transform, "x_s = w/2 + d x_v / z_v + 1",
             kFromMiddle},
     OwnName{Defect::HalfPixel, 5, "column", "one pixel to the left", StageId::Transform, "x_s = w/2 + d x_v / z_v − 1",
@@ -208,7 +223,7 @@ std::vector<KnownError> errorsOfReading(const Scene& scene) {
                 m.diffuse = Vec3d(0);
             });
         });
-    for (const double factor : {4.0, 0.25, 2.0, 0.5})
+    for (const double factor : {2.0, 0.5})
         add(fmt::format("exponent-{}", shortestText(factor)),
             fmt::format("the exponent n is taken times {}", shortestText(factor)), shading,
             fmt::format("(R·V)^({} n)", shortestText(factor)), "(R·V)^n",
@@ -259,12 +274,6 @@ std::vector<KnownError> errorsOfReading(const Scene& scene) {
         [](Scene& s) {
             for (Object& o : s.objects) o.transform.rotation = Vec3d(0), o.transform.turns.clear();
         });
-    add("rotation-sign", "objects turn the other way", transform, "R(−angle)", "R(angle)", [](Scene& s) {
-        for (Object& o : s.objects) {
-            o.transform.rotation = -o.transform.rotation;
-            for (AxisTurn& turn : o.transform.turns) turn.angle = -turn.angle;
-        }
-    });
     add("no-translation", "the translation of the objects is left out", transform, "p = R S v", "p = R S v + t",
         [](Scene& s) {
             for (Object& o : s.objects) o.transform.translation = Vec3d(0);
@@ -303,7 +312,7 @@ std::vector<KnownError> knownErrors(const Scene& scene) {
                 error.id = own->id, error.name = own->name, error.stage = own->stage, error.way.clear();
                 error.wrong = own->wrong, error.right = own->right;
             }
-            error.plant = [id = row.id, way](Scene planted) { return plant(std::move(planted), id, way); };
+            error.plant = [id = row.id, way](Scene planted) { return plantToo(std::move(planted), id, way); };
             all.push_back(std::move(error));
         }
     for (KnownError& error : errorsOfReading(scene))
@@ -314,6 +323,7 @@ std::vector<KnownError> knownErrors(const Scene& scene) {
             error.leaves = {VerticesWorld, VerticesView, PolygonsNormal, VerticesNormal};
     // What changes nothing, or cannot be drawn, explains nothing.
     std::erase_if(all, [&](const KnownError& error) {
+        if (error.id == "mean-not-unit" && scene.settings.normalWeight != NormalWeight::Mean) return true;
         const Scene planted = error.plant(scene);
         return planted == scene || !checkScene(planted).empty();
     });

@@ -17,6 +17,7 @@ struct KnownError {
     std::string wrong, right;      // the line, in the lecture's notation
     std::string lesson, heading;   // about it; empty where there is none
     std::string way;               // how it is made, where there are several
+    // The scene with the error, beside one that it may have already; as it is where that cannot be.
     std::function<Scene(Scene)> plant;
     std::vector<BufferId> leaves{};  // right, though its frame shows others
 };

@@ -173,6 +173,7 @@ void nameFirstWrong(Report& report) {
             if (std::ranges::any_of(report.suspects->candidates,
                                     [&](const Candidate& c) { return c.error.stage == stage; }))
                 stages.push_back(stage);
+        if (report.suspects->areTogether && stages.size() > 1) stages.resize(1);
         return only(std::move(stages));
     }
     for (const StageId stage : {Transform, Cull, Normals, ShadowBuffer})
@@ -244,8 +245,12 @@ Result<Report> compareRenderer(const Scene& scene, std::shared_ptr<const Referen
         const HypothesisProgress progress = [&](std::size_t done, std::size_t all) {
             if (options.progress) options.progress("known errors", done, all);
         };
-        out.suspects = findSuspects(scene, *out.reference, out.conventions, *stated, out.findings, firstWrongOf(out),
-                                    options.stop, progress);
+        std::vector<KnownError> errors = knownErrors(scene);
+        std::erase_if(errors, [&](const KnownError& error) {
+            return std::ranges::find(options.without, error.id) != options.without.end();
+        });
+        out.suspects = findSuspects(scene, std::move(errors), *out.reference, out.conventions, *stated, out.findings,
+                                    firstWrongOf(out), options.stop, progress);
         if (out.suspects->stopped) return Error{{}, "cancelled", {}};
         // The files as they are read if that is the error, for all that follows.
         if (!out.suspects->candidates.empty()) {

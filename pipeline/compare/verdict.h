@@ -21,9 +21,10 @@ struct StageVerdict {
 struct CompareOptions {
     std::map<std::string, double> tolerances;  // by the buffer's name, in its unit
     StageId until = StageId::Shading;
-    bool known = true;    // whether known errors are looked for
-    bool strict = false;  // conventions count as errors
-    int hints = 3;        // how much is given away: 0 nothing, 1 the stage, 2 the place, 3 the name
+    bool known = true;                   // whether known errors are looked for
+    std::vector<std::string> without{};  // ids of known errors that are not tried
+    bool strict = false;                 // conventions count as errors
+    int hints = 3;                       // how much is given away: 0 nothing, 1 the stage, 2 the place, 3 the name
     Stop stop;
     // What is being done, and how far it is.
     std::function<void(std::string_view what, std::size_t done, std::size_t all)> progress;

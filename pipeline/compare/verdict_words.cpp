@@ -101,6 +101,7 @@ std::string namesText(const Report& report) {
     const Suspects& suspects = *report.suspects;
     if (suspects.candidates.empty()) return fmt::format("None of the {} known errors explains this.", suspects.tried);
     if (!suspects.kind.empty()) return fmt::format("The shadow test alone is wrong: {}.", suspects.kind);
+    if (suspects.areTogether) return "Your files are those of a renderer with both of these errors.";
     return suspects.candidates.size() == 1 ? "Your files are those of a renderer with this error."
                                            : "Your files are those of a renderer with one of these errors.";
 }

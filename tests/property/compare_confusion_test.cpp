@@ -112,6 +112,38 @@ Outcome outcomeOf(const std::vector<BufferId>& handed) {
     return out;
 }
 
+// Two errors at once, in stages and in ways that do not hide each other: both are named, that of the earlier stage first.
+TEST(CompareConfusion, twoAtOnceAreBothNamed) {
+    struct Two {
+        Defect first;
+        int way;
+        Defect second;
+        std::vector<std::string> ids;
+    };
+    const std::vector<Two> all{{Defect::Aspect, 0, Defect::NoMax, {"aspect", "no-max"}},
+                               {Defect::NoAmbient, 0, Defect::CullSign, {"cull-sign", "no-ambient"}},
+                               {Defect::TrsOrder, 1, Defect::KsKd, {"rotation-sign", "ks-kd"}}};
+    const Scene scene = checkMe();
+    const auto reference = std::make_shared<const foreign::Reference>(*foreign::makeReference(scene, {}, {}));
+    for (const Two& two : all) {
+        FrameRequest request;
+        for (const BufferId id : {BufferId::ZView, BufferId::Color}) request.wanted.set(index(id));
+        const Scene planted = plantToo(plant(scene, two.first, two.way), two.second);
+        const FramePtr wrong = runFrame(std::make_shared<const Scene>(planted), request, nullptr);
+        foreign::HandedIn in;
+        for (const BufferId id : {BufferId::ZView, BufferId::Color})
+            in.files.push_back(file(*wrong, {id}, kConventions[0]));
+        const auto report = compareRenderer(scene, reference, std::move(in), "mine", {});
+        ASSERT_TRUE(report && report->suspects) << two.ids[0];
+        std::vector<std::string> ids;
+        for (const foreign::Candidate& one : report->suspects->candidates) ids.push_back(one.error.id);
+        EXPECT_EQ(ids, two.ids) << headline(*report);
+        EXPECT_TRUE(report->suspects->areTogether) << two.ids[0];
+        EXPECT_EQ(report->possiblyWrong.size(), 1u) << two.ids[0];
+        EXPECT_EQ(report->firstWrong, report->suspects->candidates.front().error.stage) << two.ids[0];
+    }
+}
+
 // A trial with colour alone named 100 of 132, 32 among two, none wrongly; bmp and noise aside this asks as much.
 TEST(CompareConfusion, ofColourAloneNothingIsNamedWrongly) {
     const Outcome out = outcomeOf({BufferId::Color});
