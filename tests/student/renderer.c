@@ -46,7 +46,16 @@ static V lightTo[8];
 static float lightPower[8], ambient, distance_, rho, theta, phi, nearPlane = 4, farPlane = 40;
 static int vertexCount, polygonCount, objectCount, lightCount, width = 320, height = 240, bottomUp = 1, shadows = 1;
 static const char *error = "";
-static int wrong(const char *name) { return strcmp(error, name) == 0; }
+/* Several errors at once: one+another. */
+static int wrong(const char *name) {
+    size_t length = strlen(name);
+    for (const char *at = error; *at; at += *at == '+') {
+        size_t word = strcspn(at, "+");
+        if (word == length && strncmp(at, name, length) == 0) return 1;
+        at += word;
+    }
+    return 0;
+}
 
 static V vec(float x, float y, float z) { V v = {x, y, z}; return v; }
 static V plus(V a, V b) { return vec(a.x + b.x, a.y + b.y, a.z + b.z); }

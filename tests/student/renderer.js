@@ -42,11 +42,12 @@ for (let i = 2; i < process.argv.length; ++i) {
   if (word.startsWith('--')) o[word.slice(2)] = process.argv[++i];
   else names.push(word);
 }
-if (names.length !== 2 || (o.error && !ERRORS[o.error])) {
+if (names.length !== 2 || (o.error && !o.error.split('+').every((name) => ERRORS[name]))) {
   console.error('renderer.js SCENE FOLDER [--size WxH] [--near N] [--error NAME]');
   process.exit(2);
 }
-const wrong = (name) => o.error === name;
+const made = o.error.split('+');  // several errors at once: one+another
+const wrong = (name) => made.includes(name);
 const [width, height] = o.size.split('x').map(Number);
 const near = Number(o.near);
 

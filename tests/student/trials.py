@@ -6,8 +6,9 @@
 Each renderer draws a scene of 320 x 240 in its own conventions, once with each of its errors, and hands in its natural files:
 picture and depth; normals too; all that it has. An error that changes none of these files beyond its tolerance is left out. Of
 each row: whether the first wrong stage is right, alone or among two, and whether the error is named alone, among two, in a
-larger set, not at all, or wrongly. Without --all, or SHADESCOPE_LONG=1, twelve spread rows are taken. The exit status is 1 where
-a count is below its floor, and 77 where something to run is missing.
+larger set, not at all, or wrongly. Level `left-out` hands in picture and depth, and the error's own name is not tried; level
+`two` has two errors at once. Without --all, or SHADESCOPE_LONG=1, twelve spread rows are taken. The exit status is 1 where a
+count is below its floor, and 77 where something to run is missing.
 """
 import argparse
 import json
@@ -32,8 +33,20 @@ WAYS = {
     "js": ("kiln", ["--near", "4"], DARK + BLINN + ["camera.near=4"]),
     "c": ("quay", ["--planes", "4,40"], ["camera.near=4", "camera.far=40"]),
 }
-LEVELS = {"picture": ("color", "depth", "z_view"), "normals": ("color", "depth", "z_view", "normal"), "all": ()}
+PICTURE = ("color", "depth", "z_view")
+LEVELS = {"picture": PICTURE, "normals": PICTURE + ("normal",), "all": (), "left-out": PICTURE, "two": PICTURE}
 TWELVE = 12
+# Two errors at once, each of which shows by itself, and their names in the program's table; the earlier stage first.
+TWO = [("js", "turn-back+half-lambert", "rotation-sign+half-lambert", "transform"),
+       ("js", "skip-scale+no-power", "no-scale+no-power", "transform"),
+       ("js", "cull-positive+light-vector-raw", "cull-sign+l-raw", "cull"),
+       ("js", "farther-wins+view-axis", "z-flip+v-axis", "z-buffer"),
+       ("js", "one-to-the-right+half-lambert", "column+half-lambert", "transform"),
+       ("c", "matrix-transposed+shadow-is-black", "view-transposed+ambient-in-shadow", "transform"),
+       ("c", "z-in-a-line+power-as-factor", "z-affine+times-n", "z-buffer"),
+       ("c", "normals-of-the-file+no-shadows", "normals-untouched+no-shadow", "normals")]
+# From the best outcome to the worst.
+OUTCOMES = ("agrees", "alone", "two", "set", "none", "wrong")
 
 
 class Trials:
@@ -65,10 +78,10 @@ class Trials:
             if LEVELS[level] and name.rsplit(".", 1)[0] not in LEVELS[level]:
                 os.remove(os.path.join(folder, name))
 
-    def compare(self, who, folder):
+    def compare(self, who, folder, *more):
         scene, _, settings = WAYS[who]
         command = [self.o.program, "compare", os.path.join(HERE, "scenes", scene + ".scene"), folder, "--json",
-                   "--size", "320x240", "--set", "shading=phong"]
+                   "--size", "320x240", "--set", "shading=phong", *more]
         for setting in settings:
             if not (setting.startswith("light.1") and scene == "quay"):
                 command += ["--set", setting]
@@ -77,45 +90,67 @@ class Trials:
             sys.exit(f"{' '.join(command)}: status {done.returncode}\n{done.stderr}")
         return done.returncode, json.loads(done.stdout)
 
+    def rows_of(self, level):
+        rows = [row for row in (TWO if level == "two" else self.rows) if row[0] in self.renderers]
+        if level == "left-out":
+            rows = [row for row in rows if row[2] != "-"]
+        rows = [row for row in rows if self.o.only in " ".join(row)]
+        if not self.o.all and len(rows) > TWELVE:
+            rows = [rows[i * (len(rows) - 1) // (TWELVE - 1)] for i in range(TWELVE)]
+        return rows
+
+    def outcome(self, level, status, known, found):
+        names = sorted({one["id"] for one in found["known"]})
+        if status == 0:
+            return "agrees"
+        if level == "two":
+            both = set(known.split("+"))
+            return "none" if not names else "alone" if set(names) == both else "set" if both & set(names) else "wrong"
+        if known in names and not found["together"]:
+            return "alone" if len(names) == 1 else "two" if len(names) == 2 else "set"
+        return "wrong" if names else "none"
+
     def run(self, level):
-        count = dict.fromkeys(("rows", "right renderers accused", "agrees", "stage", "stage of two", "alone", "two", "set",
-                               "none", "wrong", "unknown", "unknown named"), 0)
-        for who in self.renderers:
+        count = {"rows": 0, "right renderers accused": 0, "stage": 0, "stage of two": 0, "unknown": 0, "unknown named": 0,
+                 **dict.fromkeys(OUTCOMES, 0)}
+        kinds, outcomes = {}, {}
+        rows = self.rows_of(level)
+        for who in sorted({row[0] for row in rows}):
             right = self.render(who, "", os.path.join(self.work, f"right-{who}"))
             self.keep(right, level)
             status, found = self.compare(who, right)
             count["right renderers accused"] += status != 0
             print(f"{level} {who} right: {found['headline']}", flush=True)
-        rows = [row for row in self.rows if self.o.only in " ".join(row)]
-        if not self.o.all and len(rows) > TWELVE:
-            rows = [rows[i * (len(rows) - 1) // (TWELVE - 1)] for i in range(TWELVE)]
         for who, error, known, stage in rows:
             mine = self.render(who, error, os.path.join(self.work, "mine"))
             self.keep(mine, level)
             if not judge.differing(mine, os.path.join(self.work, f"right-{who}")):
                 print(f"{level} {who} {error}: changes nothing here")
                 continue
-            status, found = self.compare(who, mine)
+            begun = os.times()
+            status, found = self.compare(who, mine, *(["--without", known] if level == "left-out" else []))
+            ended = os.times()
             count["rows"] += 1
-            names = sorted({one["id"] for one in found["known"]})
             first = found.get("first_wrong") or {}
             stages = first.get("stages") or [first.get("stage")]
             count["stage"] += stages == [stage]
             count["stage of two"] += stage in stages and len(stages) <= 2
-            if status == 0:
-                outcome = "agrees"
-            elif known == "-":
+            outcome = self.outcome(level, status, known, found)
+            if known == "-":
                 count["unknown"] += 1
-                outcome = "unknown named" if names else "none"
-            elif known in names:
-                outcome = "alone" if len(names) == 1 else "two" if len(names) == 2 else "set"
+                count["unknown named"] += outcome == "wrong"
             else:
-                outcome = "wrong" if names else "none"
-            count[outcome] += 1
-            print(f"{level} {who} {error} ({known}): {outcome} {','.join(names)}; {'/'.join(map(str, stages))} for {stage}; "
-                  f"{found['headline']}", flush=True)
+                count[outcome] += 1
+                kinds.setdefault(stage, dict.fromkeys(OUTCOMES, 0))[outcome] += 1
+                outcomes[who, error] = outcome
+            seconds = ended.children_user + ended.children_system - begun.children_user - begun.children_system
+            print(f"{level} {who} {error} ({known}): {outcome} {','.join(one['id'] for one in found['known'])}; "
+                  f"{'/'.join(map(str, stages))} for {stage}; {found['headline']} next "
+                  f"{(found.get('next') or {}).get('id')}; {seconds:.1f} s", flush=True)
+        for stage, of in sorted(kinds.items()):
+            print(f"{level} {stage}: " + ", ".join(f"{name} {n}" for name, n in of.items() if n), flush=True)
         print(json.dumps({level: count}), flush=True)
-        return count
+        return count, outcomes
 
 
 def main():
@@ -125,19 +160,32 @@ def main():
     parser.add_argument("--c", required=True)
     parser.add_argument("--node", default="node")
     parser.add_argument("--only", default="")
+    parser.add_argument("--report", default="", help="a file for the outcome of each row, as JSON")
     parser.add_argument("--level", choices=tuple(LEVELS), action="append")
     parser.add_argument("--all", action="store_true", default=os.environ.get("SHADESCOPE_LONG", "0") not in ("", "0"))
     options = parser.parse_args()
     trials = Trials(options)
-    good = True
-    for level in options.level or (LEVELS if options.all else ("picture",)):
-        count = trials.run(level)
+    good, by_level = True, {}
+    for level in options.level or (LEVELS if options.all else ("picture", "two")):
+        count, by_level[level] = trials.run(level)
         good = good and count["right renderers accused"] == 0
-        known = sum(count[name] for name in ("alone", "two", "set", "none", "wrong", "agrees")) - count["unknown"]
-        known += count["unknown named"]
-        if level == "picture" and not options.all and not options.only and known >= 8:  # what has been reached
-            named = count["alone"] + count["two"]
+        known = sum(count[name] for name in OUTCOMES)
+        if options.only or known < 8:
+            continue
+        named = count["alone"] + count["two"]  # what has been reached
+        if level == "picture":
             good = good and named >= 0.5 * known and named + count["set"] >= 0.8 * known and count["wrong"] == 0
+        if level == "two":
+            good = good and count["wrong"] == 0
+    if "picture" in by_level and "normals" in by_level:
+        for row, before in by_level["picture"].items():
+            after = by_level["normals"].get(row, before)
+            if OUTCOMES.index(after) > OUTCOMES.index(before):
+                print(f"normals make it worse: {' '.join(row)}, {before} and then {after}")
+    if options.report:
+        with open(options.report, "w") as file:
+            json.dump({level: {" ".join(row): outcome for row, outcome in of.items()} for level, of in by_level.items()},
+                      file, indent=1)
     shutil.rmtree(trials.work, ignore_errors=True)
     return 0 if good else 1
 
