@@ -1,8 +1,10 @@
 // Time of `compare` for the picture alone, at 640 × 480, against every known error: of a picture that one of them explains,
-// and of one that none does, and of the stages alone.
+// and of one that none does, and of the stages alone. CPU times of one process; of the names, what one known error takes.
 //   renderer_bench                  the scene that compare --starter writes
 //   renderer_bench my_scene.toml
+#include <algorithm>
 #include <chrono>
+#include <ctime>
 #include <filesystem>
 #include <fstream>
 
@@ -32,11 +34,17 @@ void writePicture(const Scene& scene, bool redHalved, const std::filesystem::pat
             for (int c = 0; c < 3; ++c) out.put(char(int(color->value(x, y, c)) / (redHalved && c == 0 ? 2 : 1)));
 }
 
-double secondsOf(const Scene& scene, const std::filesystem::path& picture, const foreign::CompareOptions& options) {
+struct Cost {
+    double seconds = 0, cpu = 0;
+    std::size_t tried = 0;  // known errors
+};
+Cost costOf(const Scene& scene, const std::filesystem::path& picture, const foreign::CompareOptions& options) {
     const auto start = std::chrono::steady_clock::now();
+    const std::clock_t before = std::clock();
     const auto report = foreign::compareRenderer(scene, {picture.string()}, options);
     if (!report) fmt::print(stderr, "{}\n", format(report.errors().front()));
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return {std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(),
+            double(std::clock() - before) / CLOCKS_PER_SEC, report && report->suspects ? report->suspects->tried : 0};
 }
 
 }  // namespace
@@ -54,16 +62,19 @@ int main(int argc, char** argv) {
     wrong.settings.defect = Defect::NoMax;
     const test::TemporaryFolder folder;
     fmt::print("{}, {} processors; 640 × 480, the picture alone\n\n", bench::processorName(), bench::processorCount());
-    fmt::print("{:<34} {:>8} {:>13}\n", "the picture is explained by", "s", "stages, s");
+    fmt::print("{:<28} {:>6} {:>8} {:>15} {:>8} {:>18}\n", "the picture is explained by", "s", "CPU, s",
+               "stages, CPU s", "share", "a known error, ms");
     for (const bool known : {true, false}) {
         const auto picture = folder / (known ? "known/color.ppm" : "unknown/color.ppm");
         std::filesystem::create_directories(picture.parent_path());
         writePicture(known ? wrong : scene, !known, picture);
         foreign::CompareOptions options;
-        const double names = secondsOf(scene, picture, options);
+        const Cost names = costOf(scene, picture, options);
         options.known = false;
-        fmt::print("{:<34} {:>8.2f} {:>13.2f}\n", known ? "a known error" : "none", names,
-                   secondsOf(scene, picture, options));
+        const Cost stages = costOf(scene, picture, options);
+        fmt::print("{:<28} {:>6.2f} {:>8.2f} {:>15.2f} {:>6.0f} % {:>18.0f}\n", known ? "a known error" : "none",
+                   names.seconds, names.cpu, stages.cpu, 100 * stages.cpu / names.cpu,
+                   1000 * (names.cpu - stages.cpu) / double(std::max<std::size_t>(1, names.tried)));
         std::fflush(stdout);
     }
 }
