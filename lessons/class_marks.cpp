@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "lessons/class_page.h"
+#include "lessons/program_marks.h"
 #include "pipeline/compare/compare_html.h"
 #include "pipeline/core/printable.h"
 #include "pipeline/core/text.h"
@@ -29,27 +31,11 @@ double sumOf(const StudentMarks& student, double TaskMarks::Mark::*member) {
     return sum;
 }
 
-std::optional<NamedError> errorOf(const foreign::Report& report) {
-    if (!report.suspects || report.suspects->candidates.empty()) return {};
-    const pipeline::foreign::KnownError& first = report.suspects->candidates[0].error;
-    NamedError out{{}, {}, first.lesson, first.heading};
-    const bool areTogether = report.suspects->areTogether;
-    for (const foreign::Candidate& one : report.suspects->candidates) {
-        out.id += (out.id.empty() ? "" : areTogether ? "+" : "|") + one.error.id;
-        out.name += (out.name.empty() ? "" : areTogether ? " and " : " or ") + one.error.name;
-    }
-    return out;
-}
-
 std::string firstWrongOf(const foreign::Report& report) {
     std::string text;
     for (const pipeline::StageId stage : report.possiblyWrong)
         text += fmt::format("{}{}", text.empty() ? "" : " or ", stageInfo(stage).label);
     return text;
-}
-
-void addProblems(const pipeline::Errors& errors, std::vector<std::string>& to) {
-    for (const Error& error : errors) to.push_back(pipeline::escaped(format(error)));
 }
 
 void shorten(std::vector<std::string>& problems) {
@@ -84,12 +70,58 @@ std::vector<std::filesystem::path> filesIn(const std::filesystem::path& folder, 
     return files;
 }
 
+// All files of a program and of the folders in it, but hidden ones. False where there is too much.
+bool readProgram(const std::filesystem::path& folder, std::size_t most, std::size_t& size, HandInFiles::OfTask& files) {
+    namespace fs = std::filesystem;
+    std::error_code failed;
+    std::size_t entries = 0;
+    if (!is_directory(symlink_status(folder, failed))) {
+        files.problems.push_back({{}, "there is no folder " + pipeline::inQuotes(folder.filename().string()), {}});
+        return true;
+    }
+    for (fs::recursive_directory_iterator at(folder, failed), end; !failed && at != end; at.increment(failed)) {
+        if (++entries > kMostEntries) return false;
+        const std::string name = at->path().lexically_relative(folder).generic_string();
+        if (at->path().filename().string().starts_with('.')) {
+            at.disable_recursion_pending();
+        } else if (at->is_symlink(failed)) {
+            files.problems.push_back({{name}, "this is a link to another file: it is left out", {}});
+        } else if (at->is_regular_file(failed)) {
+            size += std::size_t(std::min<std::uintmax_t>(at->file_size(failed), pipeline::kMaxFileBytes + 1));
+            if (size > most) return false;
+            auto text = pipeline::readFile(at->path(), most);
+            if (!text) return false;
+            files.bytes[name] = std::move(text).value();
+            if ((at->status(failed).permissions() & fs::perms::owner_exec) != fs::perms::none)
+                files.executable.insert(name);
+        }
+    }
+    if (failed) files.problems.push_back({{}, "the folder cannot be read: " + failed.message(), {}});
+    return true;
+}
+
 // Whether the bytes of such a file are read; only the name of others is.
 bool isRead(const std::filesystem::path& file, std::size_t lights) {
     return file.filename() == "mine.toml" || foreign::findHanded(file.stem().string(), lights).has_value();
 }
 
 }  // namespace
+
+std::optional<NamedError> errorOf(const foreign::Report& report) {
+    if (!report.suspects || report.suspects->candidates.empty()) return {};
+    const pipeline::foreign::KnownError& first = report.suspects->candidates[0].error;
+    NamedError out{{}, {}, first.lesson, first.heading};
+    const bool areTogether = report.suspects->areTogether;
+    for (const foreign::Candidate& one : report.suspects->candidates) {
+        out.id += (out.id.empty() ? "" : areTogether ? "+" : "|") + one.error.id;
+        out.name += (out.name.empty() ? "" : areTogether ? " and " : " or ") + one.error.name;
+    }
+    return out;
+}
+
+void addProblems(const pipeline::Errors& errors, std::vector<std::string>& to) {
+    for (const Error& error : errors) to.push_back(pipeline::escaped(format(error)));
+}
 
 double StudentMarks::points() const { return sumOf(*this, &TaskMarks::Mark::points); }
 double StudentMarks::of() const { return sumOf(*this, &TaskMarks::Mark::of); }
@@ -98,9 +130,17 @@ HandInFiles readHandIn(const Course& course, const std::filesystem::path& folder
     HandInFiles out;
     std::string key = course.key;
     std::size_t size = 0;
+    std::map<std::filesystem::path, HandInFiles::OfTask> programs;  // by their folders: several tasks may share one
     for (const Course::Task& task : course.tasks) {
         HandInFiles::OfTask files;
-        for (const auto& path : filesIn(task.folder.empty() ? folder : folder / task.folder, files.problems)) {
+        const std::filesystem::path from = task.folder.empty() ? folder : folder / task.folder;
+        if (task.program) {
+            const auto [known, isNew] = programs.try_emplace(from);
+            if (isNew && !readProgram(from, course.mostBytes, size, known->second)) size = course.mostBytes + 1;
+            out.tasks.push_back(known->second);
+            continue;
+        }
+        for (const auto& path : filesIn(from, files.problems)) {
             const std::string name = path.filename().string();
             const std::string ending = path.extension().string();
             const bool isNumbers = ending.size() > 1 && pipeline::readsNumbers(ending.substr(1));
@@ -123,7 +163,7 @@ HandInFiles readHandIn(const Course& course, const std::filesystem::path& folder
     if (size > course.mostBytes)
         for (HandInFiles::OfTask& task : out.tasks) {
             const auto limit = fmt::format("at most {} MB in one hand-in", course.mostBytes / (1000 * 1000));
-            task = {{}, {{{}, "the files are too large", limit}}};
+            task = {{}, {{{}, "the files are too large", limit}}, {}};
         }
     for (const HandInFiles::OfTask& task : out.tasks) {
         for (const auto& [name, bytes] : task.bytes) key += fmt::format("{}\n{}\n", name, pipeline::sha256Of(bytes));
@@ -153,43 +193,60 @@ TaskMarks::Mark markOf(const foreign::Report& report, const Course::Check& check
     return mark;
 }
 
+pipeline::Result<std::monostate> Marker::markFiles(std::size_t number, const std::string& student,
+                                                   const HandInFiles::OfTask& files, const pipeline::Stop& stop,
+                                                   Marked& out) {
+    const Course::Task& task = m_course.tasks[number];
+    if (!m_references[number]) {
+        auto made = foreign::makeReference(*task.scene, {}, stop);
+        if (!made) return Error{{}, "cancelled", {}};
+        m_references[number] = std::make_shared<const foreign::Reference>(std::move(*made));
+    }
+    foreign::CompareOptions options;
+    options.hints = m_course.hints, options.stop = stop;
+    std::map<std::string, std::string_view> bytes;
+    for (const auto& [name, text] : files.bytes) bytes[name] = text;
+    TaskMarks marks;
+    marks.task = task.name;
+    addProblems(files.problems, marks.problems);
+    const auto report = compareRenderer(*task.scene, m_references[number],
+                                        foreign::readHandedIn(bytes, *m_references[number]->frame), student, options);
+    if (stop.stop_requested()) return Error{{}, "cancelled", {}};
+    if (report) {
+        marks.isCompared = true;
+        marks.headline = headline(*report), marks.hints = hints(*report);
+        marks.firstWrong = firstWrongOf(*report), marks.error = errorOf(*report);
+        for (const std::string& other : report->in->others) marks.problems.push_back(pipeline::escaped(other));
+        addProblems(report->in->errors, marks.problems);
+        marks.pages.push_back(task.name);
+        out.pages.emplace_back(task.name,
+                               reportHtml(*report, fmt::format("shadescope compare SCENE {}", out.marks.student)));
+    } else {
+        marks.headline = "Nothing could be compared.";
+        addProblems(report.errors(), marks.problems);
+        out.pages.emplace_back(task.name, classPage(task.name, marks.headline, {}));  // in place of an earlier one
+    }
+    for (const Course::Check& check : task.checks)
+        marks.marks.push_back(report ? markOf(*report, check)
+                                     : TaskMarks::Mark{check.name, "no file", 0, check.points});
+    out.marks.tasks.push_back(std::move(marks));
+    return std::monostate();
+}
+
 pipeline::Result<Marker::Marked> Marker::mark(const std::string& student, const HandInFiles& files,
                                               const pipeline::Stop& stop) {
     Marked out{{pipeline::escaped(student), files.key, {}}, {}};
     for (std::size_t i = 0; i < m_course.tasks.size(); ++i) {
         const Course::Task& task = m_course.tasks[i];
-        if (!m_references[i]) {
-            auto made = foreign::makeReference(*task.scene, {}, stop);
-            if (!made) return Error{{}, "cancelled", {}};
-            m_references[i] = std::make_shared<const foreign::Reference>(std::move(*made));
-        }
-        foreign::CompareOptions options;
-        options.hints = m_course.hints, options.stop = stop;
-        std::map<std::string, std::string_view> bytes;
-        for (const auto& [name, text] : files.tasks[i].bytes) bytes[name] = text;
-        TaskMarks marks;
-        marks.task = task.name;
-        addProblems(files.tasks[i].problems, marks.problems);
-        const auto report = compareRenderer(*task.scene, m_references[i],
-                                            foreign::readHandedIn(bytes, *m_references[i]->frame), student, options);
-        if (stop.stop_requested()) return Error{{}, "cancelled", {}};
-        if (report) {
-            marks.isCompared = true;
-            marks.headline = headline(*report), marks.hints = hints(*report);
-            marks.firstWrong = firstWrongOf(*report), marks.error = errorOf(*report);
-            for (const std::string& other : report->in->others) marks.problems.push_back(pipeline::escaped(other));
-            addProblems(report->in->errors, marks.problems);
-            out.pages.emplace_back(task.name,
-                                   reportHtml(*report, fmt::format("shadescope compare SCENE {}", out.marks.student)));
+        if (!task.program) {
+            if (const auto marked = markFiles(i, student, files.tasks[i], stop, out); !marked) return marked.errors();
         } else {
-            marks.headline = "Nothing could be compared.";
-            addProblems(report.errors(), marks.problems);
+            MarkedProgram marked = markProgram(m_course, task, files.tasks[i], m_open, stop);
+            if (stop.stop_requested()) return Error{{}, "cancelled", {}};
+            out.marks.tasks.push_back(std::move(marked.marks));
+            std::ranges::move(marked.pages, std::back_inserter(out.pages));
         }
-        shorten(marks.problems);
-        for (const Course::Check& check : task.checks)
-            marks.marks.push_back(report ? markOf(*report, check)
-                                         : TaskMarks::Mark{check.name, "no file", 0, check.points});
-        out.marks.tasks.push_back(std::move(marks));
+        shorten(out.marks.tasks.back().problems);
     }
     return out;
 }
@@ -215,6 +272,7 @@ Json toJson(const StudentMarks& student) {
                                  {"error", error},
                                  {"hints", task.hints},
                                  {"problems", task.problems},
+                                 {"pages", task.pages},
                                  {"marks", marks}});
     }
     return json;
@@ -237,7 +295,8 @@ std::optional<StudentMarks> marksFromJson(const std::string& text) {
                            texts(from.at("hints")),
                            texts(from.at("problems")),
                            {},
-                           from.at("compared").get<bool>()};
+                           from.at("compared").get<bool>(),
+                           texts(from.at("pages"))};
             if (const Json& error = from.at("error"); error.is(Json::kObject))
                 task.error = {error.at("id").text(), error.at("name").text(), error.at("lesson").text(),
                               error.at("heading").text()};

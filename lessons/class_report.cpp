@@ -202,8 +202,10 @@ std::string studentHtml(const Course& course, const StudentMarks& student) {
             classTable("<th>Part</th><th>Finding</th><th class=number>Points</th><th class=number>of</th>", rows);
         for (const std::string& note : task.problems) notes += element("li", note) + '\n';
         if (!notes.empty()) section += "<ul>\n" + notes + "</ul>\n";
-        if (task.isCompared)
-            section += fmt::format("<p><a href=\"{0}.html\">Pictures, the worst pixel and hints</a></p>\n", task.task);
+        for (const std::string& page : task.pages)
+            section += fmt::format("<p><a href=\"{}.html\">{}</a></p>\n", page,
+                                   page == task.task ? "Pictures, the worst pixel and hints"
+                                                     : page.substr(page.find('.') + 1) + ": results and pictures");
         if (course.hints >= 3 && task.error && !task.error->lesson.empty())
             section += element("p class=remark", "Treated by " + lessonText(*task.error) + '.');
         body += classSection(task.task, section);
@@ -243,9 +245,6 @@ Files classFiles(const MarkedClass& all) {
 
 Files studentFiles(const Course& course, const StudentMarks& student, Files pages) {
     Files files;
-    // In place of a page of an earlier hand-in.
-    for (const TaskMarks& task : student.tasks)
-        if (!task.isCompared) pages.emplace_back(task.task, classPage(task.task, task.headline, {}));
     for (auto& [task, html] : pages) files.emplace_back(task + ".html", std::move(html));
     files.emplace_back("index.html", studentHtml(course, student));
     files.emplace_back("results.json", gradescopeJson(course, student));

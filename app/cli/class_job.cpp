@@ -6,6 +6,8 @@
 #include <filesystem>
 
 #include "app/cli/cli.h"
+#include "app/cli/foreign_program.h"
+#include "app/cli/hand_in_folder.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/message.h"
 #include "app/cli/output_argument.h"
@@ -62,12 +64,6 @@ bool isWithin(const fs::path& path, const fs::path& folder) {
     return std::ranges::mismatch(outer, inner).in1 == outer.end();
 }
 
-std::string inShell(const std::string& word) {
-    std::string out = "'";
-    for (const char c : word) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return out + "'";
-}
-
 std::vector<std::string> namesOf(const std::vector<std::pair<std::string, std::string>>& files) {
     std::vector<std::string> names;
     for (const auto& [name, text] : files) names.push_back(name);
@@ -81,7 +77,7 @@ public:
           m_course(course),
           m_handIns(std::move(handIns)),
           m_interrupt(interrupt),
-          m_marker(course) {}
+          m_marker(course, opensHandIn(course, interrupt.token())) {}
 
     int run(std::size_t part, std::size_t parts) {
         lessons::MarkedClass all{m_course.title, {}, m_handIns.refused};
@@ -210,6 +206,7 @@ int runClass(const ClassRequest& request) {
     if (const auto names = namesOf(lessons::classFiles({}));
         !mayWriteInto(request.folder, names, names.back(), request.force))
         return kCouldNotWrite;
+    tellOfPrograms(*course);
     return ClassJob(request, *course, std::move(handIns).value(), interrupt)
         .run(std::size_t(shard.x - 1), std::size_t(shard.y));
 }

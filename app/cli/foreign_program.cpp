@@ -61,7 +61,7 @@ private:
 };
 
 [[noreturn]] void become(const std::vector<char*>& argv, const std::vector<char*>& environment, const Pipe& in,
-                         const Pipe& out, const Pipe& err) {
+                         const Pipe& out, const Pipe& err, const std::string& folder) {
     // Between fork and execve only what signal-safety(7) lists.
     ::setpgid(0, 0);
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -70,6 +70,7 @@ private:
     ::sigemptyset(&none);
     ::sigprocmask(SIG_SETMASK, &none, nullptr);
     ::dup2(in.end(0), STDIN_FILENO), ::dup2(out.end(1), STDOUT_FILENO), ::dup2(err.end(1), STDERR_FILENO);
+    if (!folder.empty() && ::chdir(folder.c_str()) != 0) ::_exit(126);
     ::execve(argv[0], argv.data(), environment.data());
     ::_exit(127);
 }
@@ -83,6 +84,12 @@ bool readInto(int from, std::string& text) {
 }
 
 }  // namespace
+
+std::string inShell(const std::string& word) {
+    std::string out = "'";
+    for (const char c : word) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return out + "'";
+}
 
 pipeline::Result<ProgramOutput> runProgram(const std::string& command, const std::string& input,
                                            const ProgramLimits& limits, const std::stop_token& stop) {
@@ -101,7 +108,7 @@ pipeline::Result<ProgramOutput> runProgram(const std::string& command, const std
     const Clock::time_point start = Clock::now();
     const pid_t child = ::fork();
     if (child < 0) return failed("could not start a process");
-    if (child == 0) become(argv, environment, in, out, err);
+    if (child == 0) become(argv, environment, in, out, err, limits.folder);
     ::setpgid(child, child);  // also here: whichever process comes first
     in.keep(1), out.keep(0), err.keep(0);
 
@@ -145,7 +152,7 @@ pipeline::Result<ProgramOutput> runProgram(const std::string& command, const std
     if (!ended.empty()) {
         while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
         }
-        result.failure = "Your program was ended: " + ended + ".";
+        result.failure = "Your program was ended: " + ended + ".", result.isEnded = true;
         return result;
     }
     result.seconds = std::chrono::duration<double>(Clock::now() - start).count();

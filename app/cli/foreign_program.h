@@ -3,21 +3,20 @@
 #include <stop_token>
 #include <string>
 
-#include "pipeline/core/result.h"
+#include "pipeline/compare/trial.h"
 
 namespace app {
+
+using pipeline::foreign::ProgramOutput;
 
 struct ProgramLimits {
     std::chrono::milliseconds time{10'000};
     std::size_t output = 64 << 20;  // bytes of standard output
+    std::string folder;             // where the program starts; empty: where this one does
 };
 
-struct ProgramOutput {
-    std::string failure;   // why it was ended, or how it ended, one sentence; empty with status 0
-    std::string output;    // standard output
-    std::string messages;  // the last 4 kB of standard error
-    double seconds = 0;    // wall clock
-};
+// A word as a shell reads it: in quotation marks.
+std::string inShell(const std::string& word);
 
 // Runs a command in a shell, hands it `input` and collects its output. The program and its children are ended after the time
 // limit, after too much output, or when it is asked to stop. It gets an environment of PATH, HOME and LANG alone. That limits

@@ -13,13 +13,12 @@
 #include "app/cli/message.h"
 #include "app/cli/output_argument.h"
 #include "app/cli/scene_argument.h"
+#include "app/cli/stage_course.h"
 #include "app/cli/stage_starter.h"
 #include "app/cli/watch.h"
 #include "pipeline/compare/compare_html.h"
 #include "pipeline/compare/compare_text.h"
-#include "pipeline/compare/own_blocks.h"
-#include "pipeline/compare/own_report.h"
-#include "pipeline/compare/stage_blocks.h"
+#include "pipeline/compare/trial.h"
 #include "pipeline/core/text.h"
 #include "pipeline/export/staging.h"
 
@@ -33,9 +32,12 @@ namespace fs = std::filesystem;
 struct StageArguments {
     std::string function;
     SceneArgument scene;
-    std::string with, starter, output;
-    bool json = false, watch = false;
+    std::string with, starter, output, course;
+    bool json = false, watch = false, force = false;
 };
+
+// In place of a language: ready assignments for a class.
+constexpr const char* kAssignments = "course";
 
 int wrongStage(const std::string& message) {
     tell("shadescope stage: {}\n", message);
@@ -68,120 +70,76 @@ std::vector<std::string> foldersOf(const std::string& command) {
     return folders;
 }
 
-// At most 160 pixels wide, with all that the picture shows.
-pipeline::Scene smaller(pipeline::Scene scene) {
-    constexpr int kWidth = 160;
-    const int width = scene.settings.width;
-    if (width <= kWidth) return scene;
-    scene.settings.width = kWidth;
-    scene.settings.height = std::max(1, scene.settings.height * kWidth / width);
-    scene.camera.pixelsPerUnit *= double(kWidth) / width;
-    return scene;
+// The program that the command starts. messages: the end of what its last run wrote to standard error.
+foreign::Program programOf(const std::string& command, const Interrupt& interrupt, std::string& messages) {
+    return [&command, &interrupt, &messages](const std::string& input) {
+        auto run = runProgram(command, input, {}, interrupt.token());
+        if (run) messages = run->messages;
+        return run;
+    };
 }
 
-// Runs the program. Nothing after the reason went to standard error.
-std::optional<ProgramOutput> output(const StageArguments& arguments, const std::string& input,
-                                    const Interrupt& interrupt) {
-    auto run = runProgram(arguments.with, input, {}, interrupt.token());
-    if (!run) return printErrors(run.errors()), std::nullopt;
-    if (run->failure.empty()) return std::move(run).value();
-    if (!interrupt.asked()) tell("{}\n{}", run->failure, run->messages);
-    return {};
-}
-
-// The program's results for some calls; nothing likewise.
-std::optional<pipeline::OwnResults> ask(const StageArguments& arguments, const pipeline::OwnContract& contract,
-                                        const std::vector<pipeline::OwnElement>& calls, const Interrupt& interrupt,
-                                        ProgramOutput& run) {
-    auto ran = output(arguments, foreign::callsText(contract, calls), interrupt);
-    if (!ran) return {};
-    run = std::move(*ran);
-    auto results = foreign::readResults(contract, calls.size(), run.output);
-    if (results) return std::move(results).value();
-    tell("{}", run.messages);
-    printErrors(results.errors());
-    return {};
-}
-
-// Results that change what is stored lead to calls that the right function does not make, such as those of a z-buffer that is
-// never written: they are asked in further runs.
-constexpr int kRuns = 8;
-
-int judgeOnce(const StageArguments& arguments, pipeline::OwnFunction function, const pipeline::Scene& scene,
-              const Interrupt& interrupt) {
-    const pipeline::OwnContract& contract = pipeline::ownContract(function);
-    const auto record = std::make_shared<pipeline::OwnRecord>();
-    pipeline::OwnFrame right = ownFrame(scene, function, record, interrupt.token());
+// Standard error of the program before what is wrong with it.
+int tellWhyNot(const std::string& messages, const pipeline::Errors& errors, const Interrupt& interrupt) {
     if (interrupt.asked()) return tellCancelled();
-    if (right.unknown.empty()) {
-        tell("{} is never called in this scene. It is called {}.\n", signatureOf(contract), contract.asked);
-        return kBadInput;
-    }
-    foreign::OwnReport report;
-    report.function = function, report.scene = arguments.scene.scene, report.command = arguments.with;
-    report.elements = std::move(right.unknown);
-    report.right = right.frame, report.isCut = right.isCut;
-    ProgramOutput run;
-    auto answered = ask(arguments, contract, report.elements, interrupt, run);
-    if (interrupt.asked()) return tellCancelled();
-    if (!answered) return kBadInput;
-    report.mine = std::move(*answered);
-    report.seconds = run.seconds, report.messages = run.messages;
-    report.verdict = judgeOwn(contract, report.elements, report.mine);
-    for (std::size_t i = 0; i < report.elements.size(); ++i) record->add(report.elements[i], report.mine[i]);
-    for (int runs = 1; contract.picture && !arguments.output.empty(); ++runs) {
-        pipeline::OwnFrame yours = ownFrame(scene, function, record, interrupt.token());
-        if (interrupt.asked()) return tellCancelled();
-        report.yours = yours.frame, report.notAsked = yours.unknown.size();
-        if (yours.unknown.empty() || runs == kRuns || report.isCut) break;
-        const auto more = ask(arguments, contract, yours.unknown, interrupt, run);
-        if (!more) return interrupt.asked() ? tellCancelled() : kBadInput;
-        for (std::size_t i = 0; i < yours.unknown.size(); ++i) record->add(yours.unknown[i], (*more)[i]);
-    }
-    const int status = report.verdict.isRight() ? kDone : kAnswerIsNo;
+    tell("{}", messages);
+    printErrors(errors);
+    return kBadInput;
+}
+
+// Writes the page, prints the result, gives the status.
+template <class Report, class Html, class Data, class Text>
+int show(const StageArguments& arguments, const Report& report, int status, Html html, Data data, Text text) {
     if (!arguments.output.empty())
-        if (const auto written = pipeline::writeWhole(arguments.output, ownHtml(report)); !written)
+        if (const auto written = pipeline::writeWhole(arguments.output, html(report)); !written)
             return printErrors(written.errors()), kCouldNotWrite;
-    if (arguments.json) {
-        say("{}\n", ownJson(report, status).dump(2));
-        return status;
-    }
-    for (const std::string& line : ownText(report)) say("{}\n", line);
-    if (!report.messages.empty()) tell("{}", report.messages);
+    if (arguments.json)
+        say("{}\n", data(report, status).dump(2));
+    else
+        text(report);
     return status;
+}
+
+int judgeOnce(const StageArguments& arguments, const foreign::FunctionTrial& trial, const Interrupt& interrupt) {
+    std::string messages;
+    auto report =
+        trial.judge(programOf(arguments.with, interrupt, messages), !arguments.output.empty(), interrupt.token());
+    if (!report) return tellWhyNot(messages, report.errors(), interrupt);
+    foreign::OwnReport named = std::move(report).value();
+    named.scene = arguments.scene.scene, named.command = arguments.with;
+    const int status = named.verdict.isRight() ? kDone : kAnswerIsNo;
+    return show(arguments, named, status, foreign::ownHtml, foreign::ownJson, [](const foreign::OwnReport& of) {
+        for (const std::string& line : ownText(of)) say("{}\n", line);
+        if (!of.messages.empty()) tell("{}", of.messages);
+    });
 }
 
 // A whole stage: its outputs are compared as those of another renderer, beside the inputs that it was handed.
-int compareStage(const StageArguments& arguments, const foreign::StageBlocks& blocks, const pipeline::Scene& scene,
-                 const Interrupt& interrupt) {
-    const pipeline::FramePtr frame = stageFrame(scene, blocks, interrupt.token());
-    if (!frame) return tellCancelled();
-    const auto run = output(arguments, stageText(*frame, blocks), interrupt);
-    if (interrupt.asked()) return tellCancelled();
-    if (!run) return kBadInput;
-    tell("{}", run->messages);
-    auto in = readStage(*frame, blocks, run->output);
-    if (!in) return printErrors(in.errors()), kBadInput;
+int judgeOnce(const StageArguments& arguments, const foreign::StageTrial& trial, const Interrupt& interrupt) {
+    std::string messages;
     foreign::CompareOptions options;
     options.stop = interrupt.token();
-    auto reference = foreign::makeReference(scene, {}, options.stop);
-    if (!reference) return tellCancelled();
-    const auto report = compareRenderer(scene, std::make_shared<const foreign::Reference>(std::move(*reference)),
-                                        std::move(in).value(), arguments.with, options);
-    if (interrupt.asked()) return tellCancelled();
-    if (!report) return printErrors(report.errors()), kBadInput;
-    const int status = report->agrees() ? kDone : kAnswerIsNo;
-    if (!arguments.output.empty())
-        if (const auto written = pipeline::writeWhole(arguments.output, reportHtml(*report, arguments.with)); !written)
-            return printErrors(written.errors()), kCouldNotWrite;
-    if (arguments.json)
-        say("{}\n", reportJson(*report, status).dump(2));
-    else
-        sayReport(*report);
-    return status;
+    const auto report = trial.judge(programOf(arguments.with, interrupt, messages), arguments.with, options);
+    if (!report) return tellWhyNot(messages, report.errors(), interrupt);
+    tell("{}", messages);
+    return show(
+        arguments, *report, report->agrees() ? kDone : kAnswerIsNo,
+        [&](const foreign::Report& of) { return reportHtml(of, arguments.with); }, foreign::reportJson, sayReport);
 }
 
 int runStage(const StageArguments& arguments) {
+    if (!arguments.course.empty())
+        return runStageCourse({arguments.course, arguments.function.empty() ? "." : arguments.function,
+                               arguments.output, arguments.json, arguments.force});
+    if (!arguments.starter.empty() && arguments.output.empty())
+        return wrongStage("--starter needs -o with the name of a folder");
+    if (arguments.starter == kAssignments) {
+        const auto written = writeAssignments(arguments.output);
+        if (!written) return printErrors(written.errors()), kCouldNotWrite;
+        for (const std::string& file : *written) say("{}\n", file);
+        return kDone;
+    }
+    if (arguments.function.empty()) return wrongStage("FUNCTION is missing");
     const auto function = pipeline::findOwn(arguments.function);
     const auto stage = pipeline::findStage(arguments.function);
     const foreign::StageBlocks* const blocks = stage ? foreign::stageBlocks(*stage) : nullptr;
@@ -189,10 +147,10 @@ int runStage(const StageArguments& arguments) {
         return wrongStage(fmt::format("no stage and no function is called {}; the nearest name is {}",
                                       pipeline::inQuotes(arguments.function),
                                       pipeline::nearest(arguments.function, names())));
-    if (!function && !arguments.starter.empty()) return wrongStage("--starter writes functions, not whole stages");
     if (!arguments.starter.empty()) {
-        if (arguments.output.empty()) return wrongStage("--starter needs -o with the name of a folder");
-        const auto written = writeFunctionStarter(ownContract(*function), arguments.starter, arguments.output);
+        const auto written = function
+                                 ? writeFunctionStarter(ownContract(*function), arguments.starter, arguments.output)
+                                 : writeStageStarter(*blocks, arguments.starter, arguments.output);
         if (!written) return printErrors(written.errors()), kCouldNotWrite;
         say("{}\n", *written);
         return kDone;
@@ -204,16 +162,18 @@ int runStage(const StageArguments& arguments) {
     int status = kDone;
     const auto whole = loadScene(of, interrupt.token(), status);
     if (!whole) return status;
-    const auto scene = std::make_shared<const pipeline::Scene>(of.size.empty() ? smaller(*whole) : *whole);
+    const pipeline::Scene scene = of.size.empty() ? foreign::trialScene(*whole) : *whole;
     pipeline::FrameRequest request;
     request.wanted = pipeline::setOf({pipeline::BufferId::Color, pipeline::BufferId::Normal});
-    if (!fits(*scene, request, of, status)) return status;
-    const auto once = [&] {
-        return function ? judgeOnce(arguments, *function, *scene, interrupt)
-                        : compareStage(arguments, *blocks, *scene, interrupt);
+    if (!fits(scene, request, of, status)) return status;
+    const auto every = [&](const auto& trial) {
+        const auto run = [&] { return judgeOnce(arguments, trial, interrupt); };
+        if (interrupt.asked()) return tellCancelled();
+        if (!arguments.watch) return run();
+        return watch([&] { return stateOfFiles(foldersOf(arguments.with), arguments.output); }, run, interrupt);
     };
-    if (!arguments.watch) return once();
-    return watch([&] { return stateOfFiles(foldersOf(arguments.with), arguments.output); }, once, interrupt);
+    return function ? every(foreign::FunctionTrial(scene, *function, interrupt.token()))
+                    : every(foreign::StageTrial(scene, *blocks, interrupt.token()));
 }
 
 }  // namespace
@@ -222,19 +182,34 @@ void declareStage(CLI::App& program, const CliHost&, int& status) {
     const auto arguments = std::make_shared<StageArguments>();
     CLI::App* command = program.add_subcommand(
         "stage", "Run your own function in the place of one of the pipeline's, and find its mistake");
-    command
-        ->add_option("FUNCTION", arguments->function, "A function of the manual's page \"Write the stage\": CalcNormal")
-        ->required();
+    command->add_option("FUNCTION", arguments->function,
+                        "A function of the manual's page \"Write the stage\": CalcNormal; or a stage");
     declareSceneArgument(*command, arguments->scene, SceneArgument::Need::Maybe);
+    std::vector<std::string> starters = starterLanguages();
+    starters.emplace_back(kAssignments);
     command->add_option("--with", arguments->with, "Starts your program: \"python3 mine.py\"")->type_name("COMMAND");
     command->add_flag("--watch", arguments->watch, "Run again whenever your files change, until Ctrl+C");
-    command->add_option("--starter", arguments->starter, "Write a program to complete into the folder -o")
+    command
+        ->add_option("--starter", arguments->starter,
+                     "Write a program to complete into the folder -o; course: six assignments for a class")
         ->type_name("LANGUAGE")
-        ->check(CLI::IsMember(starterLanguages()));
+        ->check(CLI::IsMember(starters));
     declareFolder(*command, arguments->output,
-                  "Write a page with your picture beside the right one; the folder of --starter")
+                  "Write a page with your picture beside the right one; the folder of --starter and --course")
         ->type_name("REPORT.html|DIR");
     command->add_flag("--json", arguments->json, "Print JSON");
+    const std::vector<CLI::Option*> notOfCourse = command->get_options([](const CLI::Option* option) {
+        return !option->check_name("FUNCTION") && !option->check_name("--help") && !option->check_name("--output") &&
+               !option->check_name("--json");
+    });
+    CLI::Option* course =
+        command
+            ->add_option("--course", arguments->course,
+                         "Mark your programs, in a folder in place of FUNCTION, by the points of this "
+                         "file")
+            ->type_name("COURSE.toml");
+    for (CLI::Option* option : notOfCourse) course->excludes(option);
+    declareForce(*command, arguments->force)->needs(course);
     command->callback([arguments, &status] { status = runStage(*arguments); });
 }
 

@@ -20,30 +20,41 @@ using pipeline::OwnKind;
 struct Language {
     std::string_view name, extension;
     std::string_view parameter, meaning, read;         // one of each; meaning is a line of a comment
+    std::string_view hint;                             // the same within a function
     std::array<std::string_view, 9> types{}, zeros{};  // by kind
 };
 constexpr std::array<std::string_view, 9> kListZeros{"", "False", "0", "[0, 0]", "[0, 0, 0]", "[0, 0, 0]"};
 constexpr std::array kLanguages{
-    Language{"python", ".py", "{0}", "#   {0}: {1}", "", {}, kListZeros},
+    Language{"python", ".py", "{0}", "#   {0}: {1}", "", "    # {0}: {1}", {}, kListZeros},
     Language{"cpp",
              ".cpp",
              "{1} {0}",
              "//   {0}: {1}",
              "        const auto {0} = read{1}();\n",
+             "    // {0}: {1}",
              {"", "bool", "double", "Point", "Vector", "Vector", "std::vector<double>", "std::vector<Point>",
               "std::vector<Vector>"}},
-    Language{"js", ".js", "{0}", "//   {0}: {1}", "", {}, {"", "false", "0", "[0, 0]", "[0, 0, 0]", "[0, 0, 0]"}},
+    Language{"js",
+             ".js",
+             "{0}",
+             "//   {0}: {1}",
+             "",
+             "  // {0}: {1}",
+             {},
+             {"", "false", "0", "[0, 0]", "[0, 0, 0]", "[0, 0, 0]"}},
     Language{"c",
              ".c",
              "{1} {0}",
              "     {0}: {1}",
              "        const {2} {0} = read{1}();\n",
+             "    /* {0}: {1} */",
              {"", "int", "double", "Point", "Vector", "Vector", "Numbers", "Points", "Vectors"}},
     Language{"java",
              ".java",
              "{1} {0}",
              "//   {0}: {1}",
              "            {2} {0} = read{1}();\n",
+             "        // {0}: {1}",
              {"", "boolean", "double", "double[]", "double[]", "double[]", "double[]", "double[][]", "double[][]"},
              {"", "false", "0", "new double[2]", "new double[3]", "new double[3]"}},
     Language{"rust",
@@ -51,6 +62,7 @@ constexpr std::array kLanguages{
              "{0}: {1}",
              "//   {0}: {1}",
              "        let {0} = words.read{1}();\n",
+             "    // {0}: {1}",
              {"", "bool", "f64", "Point", "Vector", "Vector", "Vec<f64>", "Vec<Point>", "Vec<Vector>"},
              {"", "false", "0.0", "[0.0; 2]", "[0.0; 3]", "[0.0; 3]"}},
 };
@@ -112,6 +124,30 @@ std::string filledIn(std::string_view text, const std::map<std::string, std::str
     }
 }
 
+// A file that is there already stays, and is an error. Gives its path.
+pipeline::Result<std::string> writeNew(const std::filesystem::path& file, const std::string& text) {
+    std::error_code failed;
+    std::filesystem::create_directories(file.parent_path(), failed);
+    if (std::filesystem::exists(file, failed))
+        return pipeline::Error{{file.string()}, "is there already and stays as it is", "the name of another folder"};
+    pipeline::ByteFile out(file);
+    out.write(text);
+    if (const auto written = out.close(); !written) return written.errors();
+    return file.string();
+}
+
+// words: what stands between the @ of a text of resources/starter, by the file that is written.
+template <class Words>
+pipeline::Result<std::string> writeStarter(std::string_view text, const std::string& name, const std::string& language,
+                                           const std::filesystem::path& folder, Words words) {
+    const Language& of = *std::ranges::find(kLanguages, language, &Language::name);
+    const std::filesystem::path file = folder / fmt::format("{}{}", name, of.extension);
+    const auto read =
+        pipeline::readFile(pipeline::resourceFolder() / "starter" / fmt::format("{}{}.in", text, of.extension));
+    if (!read) return read.errors();
+    return writeNew(file, filledIn(*read, words(of, file.string())));
+}
+
 }  // namespace
 
 std::vector<std::string> starterLanguages() {
@@ -122,20 +158,54 @@ std::vector<std::string> starterLanguages() {
 
 pipeline::Result<std::string> writeFunctionStarter(const pipeline::OwnContract& contract, const std::string& language,
                                                    const std::filesystem::path& folder) {
-    const Language& of = *std::ranges::find(kLanguages, language, &Language::name);
-    const std::string name = fmt::format("{}{}", contract.name, of.extension);
-    const std::filesystem::path file = folder / name;
-    const auto text =
-        pipeline::readFile(pipeline::resourceFolder() / "starter" / fmt::format("stage{}.in", of.extension));
-    if (!text) return text.errors();
+    return writeStarter("stage", std::string(contract.name), language, folder,
+                        [&](const Language& of, const std::string& file) { return wordsOf(contract, of, file); });
+}
+
+pipeline::Result<std::string> writeStageStarter(const pipeline::foreign::StageBlocks& blocks,
+                                                const std::string& language, const std::filesystem::path& folder) {
+    const std::string name(stageInfo(blocks.stage).name);
+    return writeStarter("whole", name, language, folder, [&](const Language& of, const std::string& file) {
+        const auto lineOf = [](std::string_view pattern, std::string_view what, std::string_view words) {
+            return fmt::format(fmt::runtime(pattern), what, words);
+        };
+        const auto listed = [](const auto& names) {
+            std::string text;
+            for (const std::string_view one : names) {
+                if (one.empty()) break;
+                const auto first = pipeline::findBuffer(fmt::format("{}.0", one));
+                const bool isPerLight = first && bufferInfo(first->id).perLight;
+                text += fmt::format("{}{}{}", text.empty() ? "" : ", ", one, isPerLight ? ".0 …" : "");
+            }
+            return text;
+        };
+        std::string hints;
+        for (std::size_t i = 0; i < pipeline::kOwnCount; ++i) {
+            const pipeline::OwnContract& contract = ownContract(pipeline::OwnFunction(i));
+            if (contract.stage != blocks.stage) continue;
+            hints += (hints.empty() ? "" : "\n") + lineOf(of.hint, signatureOf(contract), contract.hint);
+        }
+        return std::map<std::string, std::string>{{"STAGE", name},
+                                                  {"BLOCKS", lineOf(of.meaning, "gets", listed(blocks.gets)) + "\n" +
+                                                                 lineOf(of.meaning, "gives", listed(blocks.gives))},
+                                                  {"HINTS", hints},
+                                                  {"FILE", file}};
+    });
+}
+
+pipeline::Result<std::vector<std::string>> writeAssignments(const std::filesystem::path& folder) {
     std::error_code failed;
-    std::filesystem::create_directories(folder, failed);
-    if (std::filesystem::exists(file, failed))
-        return pipeline::Error{{file.string()}, "is there already and stays as it is", "the name of another folder"};
-    pipeline::ByteFile out(file);
-    out.write(filledIn(*text, wordsOf(contract, of, file.string())));
-    if (const auto written = out.close(); !written) return written.errors();
-    return file.string();
+    std::vector<std::string> written;
+    for (std::filesystem::directory_iterator at(pipeline::resourceFolder() / "assignments", failed), end;
+         !failed && at != end; at.increment(failed)) {
+        const auto text = pipeline::readFile(at->path());
+        if (!text) return text.errors();
+        const auto file = writeNew(folder / at->path().filename(), *text);
+        if (!file) return file.errors();
+        written.push_back(*file);
+    }
+    std::ranges::sort(written);
+    return written;
 }
 
 }  // namespace app

@@ -3,8 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/core/result.h"
-#include "pipeline/defects/own.h"
+#include "pipeline/compare/stage_blocks.h"
 
 namespace app {
 
@@ -14,5 +13,11 @@ std::vector<std::string> starterLanguages();  // "python", "cpp", …
 // Gives the file's path. A file that is there already stays, and is an error.
 pipeline::Result<std::string> writeFunctionStarter(const pipeline::OwnContract& contract, const std::string& language,
                                                    const std::filesystem::path& folder);
+
+// The same for a whole stage.
+pipeline::Result<std::string> writeStageStarter(const pipeline::foreign::StageBlocks& blocks,
+                                                const std::string& language, const std::filesystem::path& folder);
+// The six ready assignments and their scenes, likewise.
+pipeline::Result<std::vector<std::string>> writeAssignments(const std::filesystem::path& folder);
 
 }  // namespace app

@@ -58,16 +58,6 @@ std::string pageText(const OwnContract& contract) {
     return fmt::format("lesson {}, page \"{}\"", contract.lesson, contract.heading);
 }
 
-std::string headline(const OwnReport& report) {
-    const OwnContract& contract = report.contract();
-    const OwnVerdict& verdict = report.verdict;
-    if (verdict.isRight()) return fmt::format("Right: all {} results of {} agree.", verdict.all, contract.name);
-    if (verdict.names.size() == 1)
-        return fmt::format("{}{}: {} of {} results of {} differ.", char(std::toupper(verdict.names[0]->name[0])),
-                           verdict.names[0]->name.substr(1), verdict.wrong, verdict.all, contract.name);
-    return fmt::format("Not yet: {} of {} results of {} differ.", verdict.wrong, verdict.all, contract.name);
-}
-
 std::string shownAs(const Buffer2D<Color8>& picture, std::string_view caption) {
     return fmt::format(
         "<figure><img src=\"{}\" alt=\"{}\" width=\"{}\" height=\"{}\" style=\"height:auto\">{}</figure>\n",
@@ -90,16 +80,28 @@ Buffer2D<Color8> differenceBetween(const Buffer2D<Color8>& a, const Buffer2D<Col
 
 }  // namespace
 
+std::string headline(const OwnReport& report) {
+    const OwnContract& contract = report.contract();
+    const OwnVerdict& verdict = report.verdict;
+    if (verdict.isRight()) return fmt::format("Right: all {} results of {} agree.", verdict.all, contract.name);
+    if (report.hints >= 3 && verdict.names.size() == 1)
+        return fmt::format("{}{}: {} of {} results of {} differ.", char(std::toupper(verdict.names[0]->name[0])),
+                           verdict.names[0]->name.substr(1), verdict.wrong, verdict.all, contract.name);
+    return fmt::format("Not yet: {} of {} results of {} differ.", verdict.wrong, verdict.all, contract.name);
+}
+
 std::vector<std::string> ownText(const OwnReport& report) {
     const OwnContract& contract = report.contract();
     std::vector<std::string> lines{headline(report)};
-    if (report.verdict.first) {
+    if (report.verdict.first && report.hints >= 2) {
         const std::size_t first = *report.verdict.first;
         const OwnElement& element = report.elements[first];
         lines.push_back(fmt::format("The first is {}: {} returns {}, expected {}.",
                                     placeText(element, first, report.right->scene().settings.width), contract.name,
                                     resultText(contract, report.mine[first]), resultText(contract, element.right)));
         for (const std::string& text : argumentTexts(contract, element)) lines.push_back("    " + text);
+    }
+    if (report.verdict.first && report.hints >= 3) {
         for (const OwnMistake* const name : report.verdict.names)
             lines.push_back(fmt::format("{}: {} ({}).",
                                         report.verdict.names.size() > 1 ? "One of these" : "The mistake", name->name,
@@ -138,7 +140,7 @@ std::string ownHtml(const OwnReport& report) {
                     ? element("p", "The pictures are equal. The numbers above decide.") + "</div>\n"
                     : shownAs(differenceBetween(mine, right), "Where they differ: the darker, the more") + "</div>\n";
     }
-    if (!isRight) {
+    if (!isRight && report.hints >= 2) {
         html +=
             "<h2>The first results that differ</h2>\n<table class=small><tr><th>Where</th><th>Arguments</th><th>Yours"
             "</th><th>Expected</th></tr>\n";

@@ -17,10 +17,13 @@ struct OwnReport {
     FramePtr right, yours;     // yours: null where the pipeline does not go on with the results
     double seconds = 0;        // in the program
     std::string messages;      // the end of what it wrote to standard error
+    int hints = 3;             // how much is given away: 0 and 1 nothing, 2 the place, 3 the mistake's name
 
     const OwnContract& contract() const { return ownContract(function); }
 };
 
+// The first line of ownText().
+std::string headline(const OwnReport& report);
 // A line of text each, the first the verdict.
 std::vector<std::string> ownText(const OwnReport& report);
 // One page without anything from elsewhere. All texts of the program are escaped.

@@ -2,7 +2,7 @@
 # lessons and manual in share/shadescope where the program looks for them, and what a desktop reads.
 include(GNUInstallDirs)
 install(TARGETS shadescope RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-install(DIRECTORY resources/scenes resources/starter resources/sheets DESTINATION ${CMAKE_INSTALL_DATADIR}/shadescope)
+install(DIRECTORY resources/scenes resources/starter resources/assignments resources/sheets DESTINATION ${CMAKE_INSTALL_DATADIR}/shadescope)
 # Talks by name: present lecture1, export --cue lecture2:3.
 install(DIRECTORY resources/manual DESTINATION ${CMAKE_INSTALL_DATADIR}/shadescope FILES_MATCHING PATTERN "*.cues")
 install(DIRECTORY lessons/ DESTINATION ${CMAKE_INSTALL_DATADIR}/shadescope/lessons

@@ -10,7 +10,7 @@ namespace {
 
 using app::ProgramLimits;
 using app::runProgram;
-constexpr ProgramLimits kShort{std::chrono::milliseconds(300), 1000};
+const ProgramLimits kShort{std::chrono::milliseconds(300), 1000};
 
 bool fails(const pipeline::Result<app::ProgramOutput>& run, const char* part) {
     return run && run->failure.find(part) != std::string::npos;
