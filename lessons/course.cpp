@@ -175,7 +175,7 @@ private:
             const auto scene =
                 readScene(name, node, set, pipeline::setOf({pipeline::BufferId::Color, pipeline::BufferId::Normal}));
             if (!scene || m_stop.stop_requested()) continue;
-            trial.scene = std::make_shared<const pipeline::Scene>(pipeline::foreign::trialScene(*scene));
+            trial.scene = std::make_shared<const pipeline::Scene>(pipeline::ownScene(*scene));
             if (blocks) {
                 trial.stage = std::make_shared<const pipeline::foreign::StageTrial>(*trial.scene, *blocks, m_stop);
             } else {

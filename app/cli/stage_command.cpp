@@ -162,7 +162,7 @@ int runStage(const StageArguments& arguments) {
     int status = kDone;
     const auto whole = loadScene(of, interrupt.token(), status);
     if (!whole) return status;
-    const pipeline::Scene scene = of.size.empty() ? foreign::trialScene(*whole) : *whole;
+    const pipeline::Scene scene = of.size.empty() ? ownScene(*whole) : *whole;
     pipeline::FrameRequest request;
     request.wanted = pipeline::setOf({pipeline::BufferId::Color, pipeline::BufferId::Normal});
     if (!fits(scene, request, of, status)) return status;

@@ -28,16 +28,6 @@ void add(const std::vector<OwnElement>& calls, const OwnResults& results, OwnRec
 
 }  // namespace
 
-Scene trialScene(Scene scene) {
-    constexpr int kWidth = 160;
-    const int width = scene.settings.width;
-    if (width <= kWidth) return scene;
-    scene.settings.width = kWidth;
-    scene.settings.height = std::max(1, scene.settings.height * kWidth / width);
-    scene.camera.pixelsPerUnit *= double(kWidth) / width;
-    return scene;
-}
-
 FunctionTrial::FunctionTrial(Scene scene, OwnFunction function, const Stop& stop)
     : m_scene(std::move(scene)),
       m_function(function),
@@ -65,14 +55,11 @@ Result<OwnReport> FunctionTrial::judge(const Program& program, bool picture, con
 
     const auto record = std::make_shared<OwnRecord>();
     add(report.elements, report.mine, *record);
-    // Results that change what is stored lead to calls that the right function does not make, such as those of a z-buffer that
-    // is never written: they are asked in further runs.
-    constexpr int kRuns = 8;
     for (int runs = 1;; ++runs) {
         const OwnFrame yours = ownFrame(m_scene, m_function, record, stop);
         if (stop.stop_requested()) return stopped();
         report.yours = yours.frame, report.notAsked = yours.unknown.size();
-        if (yours.unknown.empty() || runs == kRuns || report.isCut) return report;
+        if (yours.unknown.empty() || runs == kOwnRuns || report.isCut) return report;
         const auto more = ask(program, yours.unknown, report);
         if (stop.stop_requested()) return stopped();
         if (!more) return more.errors();

@@ -19,9 +19,6 @@ struct ProgramOutput {
 // Hands a text to the program and collects what it prints. An error if it could not be started.
 using Program = std::function<Result<ProgramOutput>(const std::string& input)>;
 
-// At most 160 pixels wide, with all that the picture shows: some stages hand over a row of text for each pixel.
-Scene trialScene(Scene scene);
-
 class FunctionTrial {
 public:
     FunctionTrial(Scene scene, OwnFunction function, const Stop& stop);

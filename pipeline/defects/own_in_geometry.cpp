@@ -1,6 +1,9 @@
 // A student's functions in stages 1 to 3.
 #include <algorithm>
+#include <cmath>
 #include <numeric>
+#include <tuple>
+#include <utility>
 
 #include "pipeline/core/numerics.h"
 #include "pipeline/defects/own_hooks.h"
@@ -9,7 +12,16 @@
 
 namespace pipeline {
 
+namespace {
+
+thread_local std::pair<OwnPlace, std::size_t> t_place{OwnPlace::Unknown, 0};
+
+}  // namespace
+
+void setOwnPlace(OwnPlace kind, std::size_t place) { t_place = {kind, place}; }
+
 std::optional<OwnValue> OwnCall::result(OwnPlace kind, std::size_t place) const {
+    if (kind == OwnPlace::Unknown) std::tie(kind, place) = t_place;
     constexpr double kMost = 1e18;  // what no scene within its ranges comes near, and what float still squares
     const OwnContract& contract = ownContract(m_own.function);
     OwnValue out;

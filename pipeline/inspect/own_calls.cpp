@@ -198,6 +198,16 @@ private:
 
 }  // namespace
 
+Scene ownScene(Scene scene) {
+    constexpr int kWidth = 160;
+    const int width = scene.settings.width;
+    if (width <= kWidth) return scene;
+    scene.settings.width = kWidth;
+    scene.settings.height = std::max(1, scene.settings.height * kWidth / width);
+    scene.camera.pixelsPerUnit *= double(kWidth) / width;
+    return scene;
+}
+
 void OwnRecord::add(const OwnElement& element, const std::optional<OwnValue>& result) {
     m_results.insert_or_assign(keyOf(element.in), result);
 }
@@ -229,6 +239,7 @@ OwnFrame ownFrame(const Scene& scene, OwnFunction function, std::shared_ptr<cons
     FrameRequest request{setOf({BufferId::Color, BufferId::Normal, BufferId::VerticesNormal}), StageId::Shading, 1,
                          stop};
     if (contract.picture) request.own = own;
+    setOwnPlace(OwnPlace::Unknown, 0);
     out.frame = runFrame(planted, request, nullptr);
     if (out.frame && !contract.picture) CallsAlone(*own, *planted, *dataOf<double>(*out.frame)).make();
     // What is computed from the frame later asks the record alone.

@@ -13,6 +13,14 @@ namespace pipeline {
 // More calls of one function are not handed over: a class' programs read them as text.
 inline constexpr std::size_t kMostOwnCalls = 200'000;
 
+// Results that change what is stored lead to calls that the right function does not make, such as those of a z-buffer that is
+// never written: they are asked in further runs, at most so many in all.
+inline constexpr int kOwnRuns = 8;
+
+// The scene in which a function or a stage is judged: at most 160 pixels wide, with all that the picture shows, since some
+// hand over a row of text for each pixel.
+Scene ownScene(Scene scene);
+
 // What somebody's program has returned, by the arguments; nothing where it was no number.
 class OwnRecord {
 public:
