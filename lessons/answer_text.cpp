@@ -6,6 +6,8 @@
 
 #include "lessons/lesson_text.h"
 #include "pipeline/core/text.h"
+#include "pipeline/defects/own_words.h"
+#include "pipeline/inspect/own_calls.h"
 
 // What an answer is, in words.
 
@@ -137,6 +139,23 @@ Result<std::string> textOf(const UntilQuestion& until, const Context& context) {
     return listed(words);
 }
 
+Result<std::string> textOf(const WriteQuestion& write, const Context&) { return "```\n" + write.answer + "\n```"; }
+
+// The first result of a scene that a mistake makes wrong.
+std::string firstWrong(const WriteQuestion& write, std::string_view id, const pipeline::Scene& scene) {
+    const pipeline::OwnContract& contract = write.contract;
+    const auto own = ownFrame(pipeline::ownScene(scene), contract.id, std::make_shared<pipeline::OwnRecord>(), {});
+    const auto known = std::ranges::find(contract.mistakes, id, &pipeline::OwnMistake::id);
+    for (std::size_t i = 0; known != contract.mistakes.end() && i < own.unknown.size(); ++i) {
+        const auto mine = valueOf(contract, known->formula, own.unknown[i].in);
+        if (differenceOf(contract, mine, own.unknown[i].right) > contract.tolerance)
+            return fmt::format("{}: {} instead of {}",
+                               placeText(own.unknown[i], i, pipeline::ownScene(scene).settings.width),
+                               resultText(contract, mine), resultText(contract, own.unknown[i].right));
+    }
+    return "in another scene";
+}
+
 }  // namespace
 
 Pick pickOf(const Thing& thing) {
@@ -151,6 +170,8 @@ Pick pickOf(const Thing& thing) {
 
 Result<std::string> mistakeText(const Question& question, std::size_t mistake, const Context& context) {
     if (std::holds_alternative<UntilQuestion>(question.kind)) return std::string("other values");
+    if (const auto* const write = std::get_if<WriteQuestion>(&question.kind))
+        return firstWrong(*write, write->mistakes[mistake].id, context.frame.scene());
     const auto* const click = std::get_if<ClickQuestion>(&question.kind);
     if (!click) {
         const auto value = evaluate(mistakesOf(question)[mistake].value, context);

@@ -15,12 +15,16 @@ namespace {
 constexpr std::size_t kMostTries = 3;
 constexpr double kPrice = 0.25, kLeast = 0.25;  // of the full points: of a wrong try or a hint; of a late right answer
 constexpr std::size_t kMostGiven = 200;         // characters of an answer that are remembered
+constexpr std::size_t kMostWritten = 10'000;
 
-bool isUntil(const Question& question) { return std::holds_alternative<UntilQuestion>(question.kind); }
+// Each step of a slider, and each run of lines, is a try.
+bool isTrying(const Question& question) {
+    return std::holds_alternative<UntilQuestion>(question.kind) || std::holds_alternative<WriteQuestion>(question.kind);
+}
 
 // Numbers by their value: 3/2 is 1.5.
 bool wasTried(const Question& question, const std::vector<Try>& tries, const std::string& given) {
-    if (isUntil(question)) return false;
+    if (isTrying(question)) return false;
     const auto* number = std::get_if<NumberQuestion>(&question.kind);
     const auto valueOf = [&](const std::string& text) {
         const auto typed = number ? typedNumber(text, number->unit) : pipeline::Error{};
@@ -48,6 +52,7 @@ std::string textOf(const Question& question, const Given& given) {
         for (const std::size_t item : ordered->items) names.push_back(optionName(item));
         return fmt::format("{}", fmt::join(names, ", "));
     }
+    if (const auto* written = std::get_if<Written>(&given)) return written->text.substr(0, kMostWritten);
     const auto* pick = std::get_if<Pick>(&given);
     const auto* click = std::get_if<ClickQuestion>(&question.kind);
     if (!pick || !click) return "reached";
@@ -80,6 +85,8 @@ pipeline::Result<Verdict> Attempt::check(const Given& given, const Context& cont
     if (!right && wasTried(*m_question, m_progress.tries, text))
         return Verdict{Mark::Again, {}, {}, "You tried this answer already. It costs nothing.\n\n" + verdict.said};
     if (!right && isFree()) verdict.said += "\n\nA wrong prediction costs nothing.";
+    if (std::holds_alternative<Written>(given))  // the last text is enough
+        for (Try& one : m_progress.tries) one.given.clear();
     m_progress.tries.push_back({std::move(text), right, verdict.mistake, m_progress.hints, seconds});
     if (right)
         m_progress.outcome = Progress::Outcome::Right;
@@ -126,13 +133,13 @@ double Attempt::worth() const {
 }
 
 std::size_t Attempt::wrongTries() const {
-    if (isUntil(*m_question)) return 0;  // each step of a slider is a try
+    if (isTrying(*m_question)) return 0;
     const auto wrong = std::size_t(std::ranges::count(m_progress.tries, false, &Try::right));
     return wrong - (m_question->isPrediction && wrong > 0);
 }
 
 std::optional<std::size_t> Attempt::triesLeft() const {
-    if (isUntil(*m_question)) return {};
+    if (isTrying(*m_question)) return {};
     std::size_t most = kMostTries;
     // The last option that is left over needs no try.
     if (const auto* choice = std::get_if<ChoiceQuestion>(&m_question->kind))

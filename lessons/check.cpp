@@ -31,8 +31,11 @@ constexpr std::array<std::string_view, 12> kScreenWords{"click",         "drag "
 // Tries one page.
 class PageCheck {
 public:
-    PageCheck(const Page& page, const PageFrames& frames, const pipeline::Stop& stop)
-        : m_page(page), m_frames(frames), m_context{.frame = *frames.first, .changed = &m_changed, .stop = stop} {}
+    PageCheck(const Page& page, const PageFrames& frames, const LinesRunner& run, const pipeline::Stop& stop)
+        : m_page(page),
+          m_frames(frames),
+          m_run(run),
+          m_context{.frame = *frames.first, .changed = &m_changed, .stop = stop} {}
 
     Errors run() {
         checkHalf(m_page.first, m_context);
@@ -183,6 +186,9 @@ private:
         return pick;
     }
 
+    void check(const WriteQuestion& kind) {
+        add(writeErrorsOf(question(), kind, m_page.first.state.scene, m_run, m_context.stop));
+    }
     void check(const UntilQuestion& kind) {
         if (const auto holds = number(kind.holds); holds && *holds == 1)
             add(question().where, "the condition holds from the beginning", "a page on which it does not");
@@ -249,6 +255,7 @@ private:
 
     const Page& m_page;
     const PageFrames& m_frames;
+    const LinesRunner& m_run;
     ChangedFrames m_changed;
     Context m_context;
     Errors m_errors;
@@ -282,12 +289,13 @@ double minutesOf(const Lesson& lesson) {
     return minutes;
 }
 
-Errors checkLesson(const Lesson& lesson, const pipeline::Stop& stop, const CheckProgress& progress) {
+Errors checkLesson(const Lesson& lesson, const pipeline::Stop& stop, const CheckProgress& progress,
+                   const LinesRunner& run) {
     Errors errors;
     checkHeader(lesson, errors);
     const bool all = runPages(lesson, stop, [&](const Page& page, std::size_t number, const PageFrames& frames) {
         if (progress) progress(number);
-        const Errors found = PageCheck(page, frames, stop).run();
+        const Errors found = PageCheck(page, frames, run, stop).run();
         errors.insert(errors.end(), found.begin(), found.end());
     });
     if (!all) return {pipeline::Error{{}, "stopped", {}}};

@@ -2,6 +2,7 @@
 #include <functional>
 
 #include "lessons/lesson.h"
+#include "lessons/write_run.h"
 
 namespace lessons {
 
@@ -12,7 +13,9 @@ using CheckProgress = std::function<void(std::size_t page)>;
 // right, mistakes that are right or answered by another's sentence, choices of which not exactly one holds, first halves
 // that tell the answer, texts that cannot be filled in, buffers that are not there. At most kMaxErrors, each with its
 // place; "stopped" alone where it was stopped.
-pipeline::Errors checkLesson(const Lesson& lesson, const pipeline::Stop& stop = {}, const CheckProgress& progress = {});
+// run: for questions of kind write; without it their lines are not tried.
+pipeline::Errors checkLesson(const Lesson& lesson, const pipeline::Stop& stop = {}, const CheckProgress& progress = {},
+                             const LinesRunner& run = {});
 
 // Of checkLesson: where a page tells its answer before it is asked for. Answers of fewer than three digits are not
 // looked for in the texts.

@@ -6,7 +6,6 @@
 #include <set>
 
 #include "lessons/library.h"
-#include "lessons/misconceptions.h"
 #include "pipeline/core/printable.h"
 #include "pipeline/core/text.h"
 #include "pipeline/export/json_value.h"
@@ -91,6 +90,7 @@ std::optional<Given> writtenFor(const SeveralQuestion&, const std::string& text)
 }
 std::optional<Given> writtenFor(const OrderQuestion&, const std::string& text) { return writtenLetters<Ordered>(text); }
 std::optional<Given> writtenFor(const UntilQuestion&, const std::string&) { return {}; }
+std::optional<Given> writtenFor(const WriteQuestion&, const std::string&) { return {}; }
 std::optional<Given> writtenFor(const ClickQuestion& click, const std::string& text) {
     const std::size_t comma = text.find(',');
     if (click.kind == ThingKind::Pixel) {
@@ -109,7 +109,8 @@ std::optional<Given> givenFor(const Question& question, const std::string& text)
 
 class Grader {
 public:
-    Grader(const SheetKeys* sheets, const pipeline::Stop& stop) : m_sheets(sheets), m_stop(stop) {}
+    Grader(const SheetKeys* sheets, const LinesRunner& run, const pipeline::Stop& stop)
+        : m_sheets(sheets), m_run(run), m_stop(stop) {}
 
     Result<Graded> grade(std::span<const std::filesystem::path> files,
                          const std::function<void(std::size_t)>& progress) {
@@ -194,6 +195,8 @@ private:
             if (page) {
                 const Attempt attempt(*page->question, progress);
                 answer.points = attempt.points(), answer.full = attempt.full();
+                if (const auto* write = std::get_if<WriteQuestion>(&page->question->kind))
+                    runAgain(*write, *page, answer);
             } else {
                 answer.note = lesson ? "the lesson has no such question" : "no such lesson here";
             }
@@ -201,6 +204,18 @@ private:
         }
         std::ranges::stable_sort(answers, {}, &GradedAnswer::place);
         std::ranges::move(answers, std::back_inserter(m_graded.answers));
+    }
+
+    // The page has judged the lines; here they run once more. Who was shown the answer gets nothing for it.
+    void runAgain(const WriteQuestion& write, const Page& page, GradedAnswer& answer) {
+        const std::vector<Try>& tries = answer.progress.tries;
+        if (tries.empty()) return;
+        if (!m_run) return void(answer.note = "as the page judged: no Node.js here");
+        const auto judged = judgedIn(write, page.first.state.scene, tries.back().given, m_run, m_stop);
+        const bool isRight = judged && judged->verdict.isRight();
+        answer.note = isRight == tries.back().right ? "run again" : "run again: the page had judged otherwise";
+        if (isRight || answer.progress.outcome != Progress::Outcome::Right) return;
+        answer.progress.outcome = Progress::Outcome::Open, answer.points = 0;
     }
 
     // Judged here, by the frames of the sheet's own scene.
@@ -278,6 +293,7 @@ private:
     }
 
     const SheetKeys* m_sheets;
+    const LinesRunner& m_run;
     const pipeline::Stop& m_stop;
     std::vector<std::string> m_names;  // of the hand-ins
     std::string m_student;
@@ -301,8 +317,8 @@ std::map<std::string, std::vector<std::string>> treatments(const std::set<std::s
 }  // namespace
 
 Result<Graded> grade(std::span<const std::filesystem::path> files, const SheetKeys* sheets, const pipeline::Stop& stop,
-                     const std::function<void(std::size_t)>& progress) {
-    return Grader(sheets, stop).grade(files, progress);
+                     const std::function<void(std::size_t)>& progress, const LinesRunner& run) {
+    return Grader(sheets, run, stop).grade(files, progress);
 }
 
 std::vector<std::filesystem::path> handInsOf(std::span<const std::filesystem::path> paths) {
@@ -331,8 +347,7 @@ std::vector<SharedMistake> mistakesOf(const Graded& graded) {
     std::set<std::string> ids;
     std::vector<SharedMistake> shared;
     for (const auto& [id, who] : students) {
-        const Misconception* const row = findMisconception(id);
-        shared.push_back({id, row ? row->name : id, who.size(), times[id], {}});
+        shared.push_back({id, mistakeName(id), who.size(), times[id], {}});
         ids.insert(id);
     }
     auto pages = treatments(ids);

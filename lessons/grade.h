@@ -7,6 +7,7 @@
 
 #include "lessons/results.h"
 #include "lessons/sheet.h"
+#include "lessons/write_run.h"
 
 // A class's hand-ins: what each student answered, and which misconceptions they share.
 
@@ -21,7 +22,7 @@ struct GradedAnswer {
     std::string heading;
     Progress progress;
     double points = 0, full = 0;
-    std::string note;      // why it could not be counted; may be empty
+    std::string note;      // why it could not be counted, or how it was judged; may be empty
     bool onSheet = false;  // one of several, which ask the same with other numbers
 };
 
@@ -48,10 +49,11 @@ struct Graded {
 // {"version": 1, "sheet": 7, "answers": {"1": "0.77", "2": "B"}}, where sheets were given. Two hand-ins of one name are
 // told apart by their folders. An order that is partly right has its share of the points on a sheet (shareInOrder in
 // judge.h): it is handed in once. A link is refused: what it leads to is another one's. progress: of the hand-in that is
-// read, from 0. "stopped" is the only error.
+// read, from 0. run: runs lines of questions of kind write again; without it the page's verdict counts. "stopped" is the only error.
 pipeline::Result<Graded> grade(std::span<const std::filesystem::path> files, const SheetKeys* sheets,
                                const pipeline::Stop& stop = {},
-                               const std::function<void(std::size_t handIn)>& progress = {});
+                               const std::function<void(std::size_t handIn)>& progress = {},
+                               const LinesRunner& run = {});
 
 // Of each folder its files *.json in the order of their names, without those of folders in it; of anything else the path.
 std::vector<std::filesystem::path> handInsOf(std::span<const std::filesystem::path> paths);

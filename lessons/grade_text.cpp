@@ -196,7 +196,7 @@ std::string toHtml(const Graded& graded) {
                                     questionRows(graded)));
     body += classSection("Students",
                          classTable("<th>Student</th><th class=number>Points</th><th class=number>of</th>", students));
-    if (!notes.empty()) body += classSection("Not counted", "<ul>\n" + notes + "</ul>\n");
+    if (!notes.empty()) body += classSection("Notes", "<ul>\n" + notes + "</ul>\n");
     if (!refused.empty()) body += classSection("Hand-ins that could not be read", "<ul>\n" + refused + "</ul>\n");
     return classPage("Class",
                      fmt::format("{}, {}", pipeline::plural(std::int64_t(graded.students.size()), "student"),

@@ -37,6 +37,7 @@ section { margin-top: 2rem; padding-top: 1.25rem; border-top: 1px solid #D0D5DC;
 .equation p { margin: .15rem 0; } .equation .more { padding-left: 1.5rem; } .remark { color: #4A525D; font-size: .875rem; }
 .question { margin: .75rem 0 0; padding: .5rem .75rem .75rem; border: 1.5px solid #171A1F; break-inside: avoid; }
 .blank { display: inline-block; min-width: 12rem; border-bottom: 1px solid #171A1F; }
+.lines { margin-top: .5rem; padding: .25rem .75rem; border: 1px solid #828A95; font-family: "JetBrains Mono", monospace; } .lines p { margin: 0; } .lines .line { height: 2rem; border-bottom: 1px dotted #828A95; }
 .place { display: inline-block; width: 2rem; margin-right: .75rem; border-bottom: 1px solid #171A1F; }
 .gap { display: inline-block; min-width: 3.5rem; border-bottom: 1px solid #171A1F; text-align: left; } .gap b { font-size: .7em; vertical-align: super; }
 .answer { font-weight: 600; }
@@ -216,6 +217,18 @@ private:
         return "<p class=places>" + line + ' ' + escapedHtml(order.last.empty() ? "last" : order.last) + "</p>";
     }
 
+    // The contract in words, and empty lines between the head of the function and its end.
+    static std::string linesBox(const WriteQuestion& write) {
+        std::string given;
+        for (const pipeline::OwnParameter& one : write.contract.taken())
+            given += fmt::format("{}<code>{}</code>{}: {}", given.empty() ? "" : "; ", escapedHtml(one.name),
+                                 isList(one.kind) ? ", a list" : "", escapedHtml(one.meaning));
+        std::string lines = element("p", fmt::format("function {} {{", signatureOf(write.contract)));
+        for (std::size_t i = 0; i < write.lines; ++i) lines += "<p class=line>&nbsp;</p>";
+        return fmt::format("<p>{}. Return: {}.</p>\n<div class=lines>{}<p>}}</p></div>\n", given,
+                           escapedHtml(write.contract.result), lines);
+    }
+
     std::string ask(const Question& question, std::size_t number, const Context& context) {
         std::string box = "<div class=question>" + asked(question, context) + options(question, context, "&nbsp;");
         const auto* click = std::get_if<ClickQuestion>(&question.kind);
@@ -224,6 +237,8 @@ private:
             box += "<p>Mark the place with a cross in the picture.</p>";
         else if (const auto* order = std::get_if<OrderQuestion>(&question.kind))
             box += places(*order);
+        else if (const auto* write = std::get_if<WriteQuestion>(&question.kind))
+            box += linesBox(*write);
         else if (optionsOf(question).empty())
             box += "<p>" + blank("Answer") + (typed ? ' ' + escapedHtml(typed->unit) : std::string()) + "</p>";
         box += element("p class=remark", worthText(question)) + "</div>\n";

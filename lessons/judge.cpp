@@ -52,7 +52,8 @@ public:
                        [&](const SeveralQuestion& several) { return chosen(several, std::get_if<Chosen>(&given)); },
                        [&](const ClickQuestion& click) { return picked(click, std::get_if<Pick>(&given)); },
                        [&](const UntilQuestion& until) { return reached(until); },
-                       [&](const OrderQuestion& order) { return ordered(order, std::get_if<Ordered>(&given)); }},
+                       [&](const OrderQuestion& order) { return ordered(order, std::get_if<Ordered>(&given)); },
+                       [&](const WriteQuestion& write) { return written(write, std::get_if<Written>(&given)); }},
             m_question.kind);
         if (!m_errors.empty()) return m_errors;
         return verdict;
@@ -226,6 +227,24 @@ private:
         if (const Mistake* mistake = heldOf(question.mistakes)) return wrong(said(mistake->said), mistake->id);
         const auto gauge = gaugeOf(question, m_context);
         return wrong(gauge && *gauge ? fmt::format("Not yet: {}.", (*gauge)->said) : std::string());
+    }
+
+    Verdict written(const WriteQuestion& question, const Written* given) {
+        if (!given || given->verdict.all == 0) return again("Run your lines first.");
+        const pipeline::OwnVerdict& found = given->verdict;
+        if (found.isRight()) return right(fmt::format("All results of {} agree.", question.contract.name));
+        std::string text = fmt::format("{} of {} results differ.", found.wrong, found.all);
+        if (!given->trial.empty()) text = fmt::format("Right on this page, but not in {}: {}", given->trial, text);
+        if (found.names.size() != 1) {
+            std::vector<std::string> names;
+            for (const pipeline::OwnMistake* one : found.names) names.emplace_back(one->name);
+            if (!names.empty()) append(text, "One of these explains them: " + listed(names) + ".");
+            return wrong(text);
+        }
+        const pipeline::OwnMistake& known = *found.names[0];
+        for (const Mistake& one : question.mistakes)
+            if (one.id == known.id) append(text, said(one.said));
+        return {Mark::Known, std::string(known.id), std::string(known.name), text};
     }
 
     const Question& m_question;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lessons/question.h"
+#include "pipeline/defects/own_judge.h"
 
 namespace lessons {
 
@@ -20,7 +21,13 @@ struct Reached {};
 struct Ordered {
     std::vector<std::size_t> items;  // indices in the reader's order, each once
 };
-using Given = std::variant<Typed, Chosen, Pick, Reached, Ordered>;
+// To a question of kind write: the text, and what its results in a scene were judged to be.
+struct Written {
+    std::string text;
+    std::string trial;  // the name of the trial; empty: the page's own scene, or all of them where the verdict is right
+    pipeline::OwnVerdict verdict;
+};
+using Given = std::variant<Typed, Chosen, Pick, Reached, Ordered, Written>;
 
 enum class Mark : std::uint8_t {
     Right,

@@ -83,7 +83,7 @@ private:
                 continue;
             }
             if (!entry || has(others, entry->key) || has(kMarkWords, entry->key)) break;
-            if (isKnown(*entry, {keys, kRepeatedKeys, {}}, found, m_complaints)) found.push_back(*entry);
+            if (isKnown(*entry, {keys, kRepeatedKeys, {}, {}}, found, m_complaints)) found.push_back(*entry);
         }
         return found;
     }
@@ -208,7 +208,7 @@ private:
         if (text.empty()) m_complaints.add(page.where, "this page has no text", "Markdown below its keys");
         setText(page.first, text, names);
         page.first.held = heldFrom(settings, *scene, names, {}, m_complaints);
-        if (!question.empty()) page.question = questionFrom(question, *scene, names, m_complaints);
+        if (!question.empty()) page.question = questionFrom(question, *scene, m_sceneNamed, names, m_complaints);
         if (!then) return page;
 
         if (question.empty()) m_complaints.add(*then, "found \"## then\" without a question before it");

@@ -116,7 +116,7 @@ bool isKnown(const Entry& entry, const EntryKeys& known, std::span<const Entry> 
         complaints.add(entry.where, "found " + inQuotes(entry.id) + " behind " + key, "a colon");
     if (!has(known.repeated, entry.key) && find(before, entry.key))
         complaints.add(entry.where, "found " + key + " a second time", "it once");
-    if (!entry.line().text.empty()) return true;
+    if (!entry.line().text.empty() || has(known.blocks, entry.key)) return true;
     complaints.add(entry.line().where, "found nothing", "what " + key + " is");
     return false;
 }

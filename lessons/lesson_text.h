@@ -65,9 +65,9 @@ private:
 };
 
 // Where entries are gathered that have to be among `keys`; false and a complaint where one is not. Of keys that are not
-// in `repeated` there may be one.
+// in `repeated` there may be one. What a key of `blocks` is may begin on its next line.
 struct EntryKeys {
-    std::span<const std::string_view> keys, repeated, withId;
+    std::span<const std::string_view> keys, repeated, withId, blocks;
 };
 bool isKnown(const Entry& entry, const EntryKeys& known, std::span<const Entry> before, Complaints& complaints);
 

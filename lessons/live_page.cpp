@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -12,6 +13,7 @@
 #include "pipeline/core/text.h"
 #include "pipeline/core/version.h"
 #include "pipeline/export/file_hash.h"
+#include "pipeline/export/gzip.h"
 #include "pipeline/export/html_text.h"
 
 namespace lessons {
@@ -22,6 +24,8 @@ using pipeline::Error;
 using pipeline::Errors;
 using pipeline::Json;
 using pipeline::Result;
+
+constexpr std::string_view kStrict = "'use strict';\n";  // what a page's script begins with
 
 // JSON for a data block: no "<" in it begins or ends an element or a comment.
 std::string blockText(const Json& json) {
@@ -77,12 +81,17 @@ Result<LivePage> makePage(const LessonText& from, const std::string& folderName,
     LiveLesson live = std::move(read).value();
     auto handout = makeHandout(live.lesson, stop);
     if (!handout) return handout.errors();
+    const bool writes = std::ranges::any_of(live.lesson.pages, [](const Page& page) {
+        return page.question && std::holds_alternative<WriteQuestion>(page.question->kind);
+    });
+    const auto whole = writes ? withWriter(parts) : Result<LiveParts>(LiveParts());
+    if (!whole) return whole.errors();
     Errors leftOut;  // the handout has told of them
     const auto data = liveData(live, from, parts.index.empty() ? "" : livePageFile(live.lesson.next), leftOut);
     if (!data) return data.errors();
     return LivePage{
         filledPage(
-            parts, live.lesson.title, *data,
+            writes ? *whole : parts, live.lesson.title, *data,
             {{"PAPER", paperOf(handout->pages)},
              {"NOSCRIPT", "Open it in a browser with scripts for the live lesson. Below is the lesson on paper."},
              {"PLACES", ""},
@@ -91,6 +100,21 @@ Result<LivePage> makePage(const LessonText& from, const std::string& folderName,
 }
 
 }  // namespace
+
+Result<LiveParts> withWriter(LiveParts parts) {
+    const auto script = readPageFile("write.js"), style = readPageFile("write.css");
+    const auto writer = writerParts();
+    if (!script) return script.errors();
+    if (!style) return style.errors();
+    if (!writer) return writer.errors();
+    parts.script.insert(kStrict.size(), *script), parts.style += *style;
+    const std::string packed = pipeline::gzipped(Json{{"reader", writer->reader}, {"lines", writer->lines}}.dump());
+    parts.writer = fmt::format(
+        "<!-- The script below has acorn in it.\n{} -->\n"
+        "<script type=\"application/octet-stream\" id=\"writer\">{}</script>\n",
+        writer->notice, pipeline::base64(packed));
+    return parts;
+}
 
 std::string filledPage(const LiveParts& parts, std::string_view title, const Json& data, PageValues values) {
     values.insert({{"TITLE", pipeline::escapedHtml(title)},
@@ -102,7 +126,8 @@ std::string filledPage(const LiveParts& parts, std::string_view title, const Jso
                    {"SCRIPT", parts.script},
                    {"DATA", blockText(data)},
                    {"SELF", parts.sharedCore.empty() ? "" : " 'self' file:"},
-                   {"CORE", coreElement(parts)}});
+                   {"CORE", coreElement(parts)},
+                   {"WRITER", parts.writer}});
     return withHolesFilled(parts.page, values);
 }
 
@@ -117,7 +142,7 @@ Result<LiveParts> liveParts(LiveKind kind) {
                                                                  {"tokens.css", &parts.style},
                                                                  {"page.css", &parts.style},
                                                                  {"stage.css", &parts.style}};
-    parts.script = "'use strict';\n";
+    parts.script = kStrict;
     for (const std::string_view name : kScripts) files.emplace_back(name, &parts.script);
     if (kind == LiveKind::Lesson) {
         files.emplace_back("start.js", &parts.script);
@@ -139,6 +164,7 @@ Result<LiveParts> liveParts(LiveKind kind) {
             "under [live] of resources/packages.txt, then cmake --preset web && ninja -C build/web",
             {}};
     parts.core = std::move(core).value();
+    if (kind == LiveKind::Whole) return withWriter(std::move(parts));
     return parts;
 }
 

@@ -19,6 +19,7 @@ namespace lessons {
 struct LiveParts {
     std::string core;                 // WebAssembly, packed by gzip
     std::string page, style, script;  // page.html with holes @NAME@, its styles and scripts
+    std::string writer = {};          // elements that a page has with questions of kind write: see withWriter()
     std::string places = {};          // of the whole program: what the page has beside a lesson
     // The file beside the page that has the core, "globalThis.sharedCore = '…'" in base64; empty: it stands in the page.
     std::string sharedCore = {};
@@ -28,6 +29,9 @@ struct LiveParts {
 // the source tree and its folder build/web. An error says how to build the core where it is not there.
 enum class LiveKind : std::uint8_t { Lesson, Whole };
 pipeline::Result<LiveParts> liveParts(LiveKind kind = LiveKind::Lesson);
+
+// With what reads and runs lines, for lessons with questions of kind write. Errors: a file that is not there.
+pipeline::Result<LiveParts> withWriter(LiveParts parts);
 
 struct LivePage {
     std::string html;

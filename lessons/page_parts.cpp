@@ -1,6 +1,7 @@
 #include "lessons/page_parts.h"
 
 #include <filesystem>
+#include <utility>
 #include <vector>
 
 #include "pipeline/export/file_hash.h"
@@ -50,6 +51,19 @@ Result<std::string> readPageFile(std::string_view name) {
         return text && name.ends_with(".js") ? withoutComments(*text) : text;
     }
     return Error{{std::string(name), 0, 0}, "no such file", {}};
+}
+
+Result<WriterParts> writerParts() {
+    WriterParts parts;
+    for (const auto& [name, text] : {std::pair{"acorn.js", &parts.reader},
+                                     {"reader.js", &parts.reader},
+                                     {"lines.js", &parts.lines},
+                                     {"acorn.txt", &parts.notice}}) {
+        const auto read = readPageFile(name);
+        if (!read) return read.errors();
+        *text += *read;
+    }
+    return parts;
 }
 
 std::string policyHash(std::string_view text) {

@@ -11,6 +11,13 @@ namespace lessons {
 // program's resources, or in the source tree and its folder build/web. A script comes without its comments.
 pipeline::Result<std::string> readPageFile(std::string_view name);
 
+// What reads a student's lines and what runs them, for questions of kind write. reader: acorn, then the reader itself.
+// notice: acorn's licence, which goes wherever it goes.
+struct WriterParts {
+    std::string reader, lines, notice;
+};
+pipeline::Result<WriterParts> writerParts();
+
 // What a page's content policy calls a script or a style: "sha256-…".
 std::string policyHash(std::string_view text);
 

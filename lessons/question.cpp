@@ -10,6 +10,12 @@ std::string_view name(ThingKind kind) {
     return kNames[std::size_t(kind)];
 }
 
+std::optional<ThingKind> thingNamed(std::string_view word) {
+    for (int i = 0; i <= int(ThingKind::Light); ++i)
+        if (name(ThingKind(i)) == word) return ThingKind(i);
+    return {};
+}
+
 std::size_t countOf(ThingKind kind, const pipeline::Scene& scene) {
     std::size_t count = kind == ThingKind::Object ? scene.objects.size() : 0;
     if (kind == ThingKind::Light) count = scene.lights.size();
@@ -21,7 +27,8 @@ std::size_t countOf(ThingKind kind, const pipeline::Scene& scene) {
 }
 
 std::string_view kindName(const Question& question) {
-    static constexpr std::array<std::string_view, 6> kNames{"number", "choice", "several", "click", "until", "order"};
+    static constexpr std::array<std::string_view, 7> kNames{"number", "choice", "several", "click",
+                                                            "until",  "order",  "write"};
     static_assert(kNames.size() == std::variant_size_v<decltype(question.kind)>);
     return kNames[question.kind.index()];
 }
@@ -44,6 +51,7 @@ std::span<const Mistake> mistakesOf(const Question& question) {
     if (const auto* number = std::get_if<NumberQuestion>(&question.kind)) return number->mistakes;
     if (const auto* click = std::get_if<ClickQuestion>(&question.kind)) return click->mistakes;
     if (const auto* until = std::get_if<UntilQuestion>(&question.kind)) return until->mistakes;
+    if (const auto* write = std::get_if<WriteQuestion>(&question.kind)) return write->mistakes;
     return {};
 }
 
@@ -97,6 +105,7 @@ Expressions answersIn(const ChoiceQuestion& choice) { return answersIn(std::span
 Expressions answersIn(const SeveralQuestion& several) { return answersIn(std::span<const Option>(several.options)); }
 Expressions answersIn(const ClickQuestion& click) { return {&click.holds}; }
 Expressions answersIn(const UntilQuestion&) { return {}; }
+Expressions answersIn(const WriteQuestion&) { return {}; }
 Expressions answersIn(const OrderQuestion& order) {
     Expressions all;
     for (const OrderItem& item : order.items) all.push_back(&item.key);
@@ -118,7 +127,8 @@ std::vector<const Expression*> expressionsOf(const Question& question) {
         for (const UntilQuestion::Setting& setting : until->answer)
             if (setting.number) all.push_back(&*setting.number);
     }
-    for (const Mistake& mistake : mistakesOf(question)) all.push_back(&mistake.value);
+    if (!std::holds_alternative<WriteQuestion>(question.kind))
+        for (const Mistake& mistake : mistakesOf(question)) all.push_back(&mistake.value);
     return all;
 }
 

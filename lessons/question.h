@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "lessons/prose.h"
+#include "pipeline/defects/own.h"
+#include "pipeline/scene/scene.h"
 
 // The questions of a lesson as data. lessons/attempt.h asks them, resources/manual/write-a-lesson.md has their syntax.
 
@@ -23,6 +25,7 @@ struct Mistake {
 // Something that can be clicked.
 enum class ThingKind : std::uint8_t { Pixel, Polygon, Vertex, Object, Light };
 std::string_view name(ThingKind kind);
+std::optional<ThingKind> thingNamed(std::string_view word);
 // How many a scene has; of pixels none.
 std::size_t countOf(ThingKind kind, const pipeline::Scene& scene);
 struct Thing {
@@ -102,6 +105,19 @@ struct OrderQuestion {
     std::vector<Wrong> mistakes;
 };
 
+// The reader writes a function of the pipeline, in JavaScript.
+struct WriteQuestion {
+    pipeline::OwnContract contract;  // with the question's own tolerance
+    std::string start, answer;       // whole functions; the start is what the editor has first
+    std::vector<Mistake> mistakes;   // of the contract; their value is not used
+    struct Trial {
+        std::string name;  // as the lesson has it
+        pipeline::Scene scene;
+    };
+    std::vector<Trial> trials;  // judged after the page's scene, at most 4
+    std::size_t lines = 0;      // empty ones, on paper
+};
+
 struct Question {
     Prose text;
     Prose paper;                // the question as paper asks it; empty: as text
@@ -110,17 +126,18 @@ struct Question {
     Prose right, wrong;         // may be empty
     double points = 1;          // of a right first answer without a hint
     bool isPrediction = false;  // a wrong first answer costs nothing
-    std::variant<NumberQuestion, ChoiceQuestion, SeveralQuestion, ClickQuestion, UntilQuestion, OrderQuestion> kind;
+    std::variant<NumberQuestion, ChoiceQuestion, SeveralQuestion, ClickQuestion, UntilQuestion, OrderQuestion, WriteQuestion>
+        kind;
     pipeline::SourceLocation where;
 };
 
-// "number", "choice", "several", "click", "until", "order".
+// "number", "choice", "several", "click", "until", "order", "write".
 std::string_view kindName(const Question& question);
 // The options of a choice or several, else none.
 std::span<const Option> optionsOf(const Question& question);
 // The texts of its options, or of the items to be put in order; else none.
 std::vector<const Prose*> rowsOf(const Question& question);
-// The named mistakes of a number, click or until, else none.
+// The named mistakes of a number, click, until or write, else none.
 std::span<const Mistake> mistakesOf(const Question& question);
 
 // The ids of the misconceptions that its wrong answers name.

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "lessons/misconceptions.h"
+#include "lessons/write_reader.h"
 #include "pipeline/core/index_words.h"
 #include "pipeline/core/text.h"
 #include "pipeline/scene/settings_table.h"
@@ -16,24 +17,15 @@ namespace {
 
 using pipeline::inQuotes;
 
-constexpr std::array<std::string_view, 5> kRepeatedQuestionKeys{"choice", "several", "order", "mistake", "hint"};
-constexpr std::array<std::string_view, 3> kQuestionKeysWithId{"choice", "several", "mistake"};
-constexpr std::array<std::string_view, 10> kOneLineKeys{"answer", "tolerance", "unit",  "near", "click",
-                                                        "until",  "free",      "order", "ends", "differs"};
 constexpr std::size_t kMostOptions = 9, kMostHints = 9;  // one digit each
 constexpr double kMostPoints = 10;
-
-std::optional<ThingKind> thingNamed(std::string_view word) {
-    for (int i = 0; i <= int(ThingKind::Light); ++i)
-        if (name(ThingKind(i)) == word) return ThingKind(i);
-    return {};
-}
 
 // Turns the entries of one question into it.
 class QuestionReader {
 public:
-    QuestionReader(std::span<const Entry> entries, const pipeline::Scene& scene, Names& names, Complaints& complaints)
-        : m_entries(entries), m_scene(scene), m_names(names), m_complaints(complaints) {}
+    QuestionReader(std::span<const Entry> entries, const pipeline::Scene& scene, const SceneSource& sceneNamed,
+                   Names& names, Complaints& complaints)
+        : m_entries(entries), m_scene(scene), m_sceneNamed(sceneNamed), m_names(names), m_complaints(complaints) {}
 
     std::optional<Question> read() {
         Question question;
@@ -115,6 +107,10 @@ private:
             return readUntil(*until, question);
         } else if (find("order")) {
             readOrder(question);
+        } else if (const Entry* write = find("write")) {
+            auto read = writeFrom(m_entries, *write, m_sceneNamed, scope(), m_complaints);
+            if (!read) return false;
+            question.kind = std::move(*read);
         } else if (const Entry* differs = find("differs")) {
             readStages(*differs, question);
         } else if (const Entry* answer = find("answer")) {
@@ -370,31 +366,33 @@ private:
                 m_complaints.add(entry->where, fmt::format("found \"{}\" in a question of kind {}", key, kind),
                                  fmt::format("it in one of kind {}", fmt::join(kinds, ", ")));
         };
-        refuse("answer", {"number", "click", "until"});
-        refuse("tolerance", {"number"});
+        if (const Entry* entry = find("answer"); entry && kind != "write" && entry->value.size() > 1)
+            m_complaints.add(entry->value[1].where, "found " + inQuotes(entry->value[1].text),
+                             "a key such as \"hint:\"");
+        refuse("answer", {"number", "click", "until", "write"});
+        refuse("tolerance", {"number", "write"});
+        for (const std::string_view of : {"start", "trial", "lines"}) refuse(of, {"write"});
         refuse("unit", {"number"});
         refuse("near", {"click"});
         refuse("free", {"until"});
         refuse("ends", {"order"});
-        if (!find("differs")) refuse("mistake", {"number", "click", "until", "several", "order"});
-        for (const std::string_view other : {"choice", "several", "click", "until", "order"}) refuse(other, {other});
+        if (!find("differs")) refuse("mistake", {"number", "click", "until", "several", "order", "write"});
+        for (const std::string_view other : {"choice", "several", "click", "until", "order", "write"})
+            refuse(other, {other});
     }
 
     std::span<const Entry> m_entries;
     const pipeline::Scene& m_scene;
+    const SceneSource& m_sceneNamed;
     Names& m_names;
     Complaints& m_complaints;
 };
 
 }  // namespace
 
-bool goesOn(std::string_view key) { return std::ranges::find(kOneLineKeys, key) == kOneLineKeys.end(); }
-
-EntryKeys questionKeys() { return {kQuestionKeys, kRepeatedQuestionKeys, kQuestionKeysWithId}; }
-
-std::optional<Question> questionFrom(std::span<const Entry> entries, const pipeline::Scene& scene, Names& names,
-                                     Complaints& complaints) {
-    return QuestionReader(entries, scene, names, complaints).read();
+std::optional<Question> questionFrom(std::span<const Entry> entries, const pipeline::Scene& scene,
+                                     const SceneSource& sceneNamed, Names& names, Complaints& complaints) {
+    return QuestionReader(entries, scene, sceneNamed, names, complaints).read();
 }
 
 }  // namespace lessons

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "lessons/misconceptions.h"
 #include "pipeline/core/printable.h"
 #include "pipeline/export/json_value.h"
 #include "pipeline/export/staging.h"
@@ -112,8 +111,7 @@ Summary summaryOf(const Lesson& lesson, const Results& results) {
                 ++same->times;
                 continue;
             }
-            const Misconception* row = findMisconception(one.mistake);
-            summary.mistakes.push_back({one.mistake, row ? row->name : one.mistake, number, 1});
+            summary.mistakes.push_back({one.mistake, mistakeName(one.mistake), number, 1});
         }
         summary.points += of.points;
         summary.full += of.full;

@@ -16,6 +16,10 @@ namespace lessons {
 // As files and tables have the outcomes of Progress.
 inline constexpr std::array<std::string_view, 3> kOutcomeNames{"open", "right", "shown"};
 
+// What a mistake is called, by its id: as its row of misconceptions.md says, or the function that somebody wrote (own.h). The
+// id itself where neither knows it any more.
+std::string mistakeName(std::string_view id);
+
 class Results {
 public:
     // Null where nothing was answered on this page yet. A page is known by its heading, so that pages may move.

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 
+#include "lessons/misconceptions.h"
 #include "lessons/results.h"
 #include "pipeline/export/json_value.h"
 
@@ -23,6 +24,14 @@ Json toJson(const Progress& progress) {
 }
 
 }  // namespace
+
+std::string mistakeName(std::string_view id) {
+    if (const Misconception* row = findMisconception(id)) return row->name;
+    for (std::size_t i = 0; i < pipeline::kOwnCount; ++i)
+        for (const pipeline::OwnMistake& one : ownContract(pipeline::OwnFunction(i)).mistakes)
+            if (one.id == id) return std::string(one.name);
+    return std::string(id);
+}
 
 const Progress* Results::find(const Lesson& lesson, const Page& page) const {
     const auto pages = m_lessons.find(lesson.name);

@@ -7,6 +7,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/message.h"
+#include "app/cli/node_lines.h"
 #include "app/cli/output_argument.h"
 #include "app/cli/progress_printer.h"
 #include "app/cli/scene_argument.h"
@@ -48,8 +49,9 @@ int runGrade(const GradeRequest& request) {
     });
     const auto graded = [&] {
         ProgressPrinter progress("grade");
-        return lessons::grade(files, keys ? &*keys : nullptr, interrupt.token(),
-                              [&](std::size_t handIn) { progress.show(handIn, files.size(), "hand-ins"); });
+        return lessons::grade(
+            files, keys ? &*keys : nullptr, interrupt.token(),
+            [&](std::size_t handIn) { progress.show(handIn, files.size(), "hand-ins"); }, nodeLines(interrupt.token()));
     }();
     if (interrupt.asked() || !graded) return tellCancelled();
     printErrors(graded->refused);

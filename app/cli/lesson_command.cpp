@@ -7,6 +7,7 @@
 #include "app/cli/interrupt.h"
 #include "app/cli/live_argument.h"
 #include "app/cli/message.h"
+#include "app/cli/node_lines.h"
 #include "app/cli/output_argument.h"
 #include "app/cli/progress_printer.h"
 #include "app/cli/scene_argument.h"
@@ -93,7 +94,8 @@ void printPages(const lessons::Lesson& lesson, const Json& pages, bool answers) 
         if (!question.is(Json::kNull)) say("\n{}\n", question["text"].text());
         for (const Json& option : question["options"]) say("\n- {}\n", option.text());
         if (!answers) continue;
-        if (!question.is(Json::kNull)) say("\n**Answer**\n\n{}\n", question["works"].text());
+        if (!question.is(Json::kNull))
+            say("\n**Answer**\n\n{}\n", question[question["kind"].text() == "write" ? "answer" : "works"].text());
         if (!page["then"].is(Json::kNull)) say("\n{}\n", page["then"]["text"].text());
     }
 }
@@ -196,15 +198,20 @@ int exportLive(const std::string& name, const std::string& file, bool watches) {
     return watch([&] { return stateOfFiles({folder}, file); }, again, interrupt);
 }
 
-int checkOne(const std::string& name) {
+int checkOne(const std::string& name, bool strict) {
     const Interrupt interrupt;
     int status = kDone;
     const auto lesson = foundLesson(name, interrupt, status);
     if (!lesson) return status;
+    const auto writing = std::ranges::count_if(lesson->pages, [](const lessons::Page& page) {
+        return page.question && std::holds_alternative<lessons::WriteQuestion>(page.question->kind);
+    });
+    const lessons::LinesRunner run = writing > 0 ? nodeLines(interrupt.token()) : lessons::LinesRunner();
     const pipeline::Errors errors = [&] {
         ProgressPrinter progress("check");
-        return checkLesson(*lesson, interrupt.token(),
-                           [&](std::size_t page) { progress.show(page, lesson->pages.size(), "pages"); });
+        return checkLesson(
+            *lesson, interrupt.token(), [&](std::size_t page) { progress.show(page, lesson->pages.size(), "pages"); },
+            run);
     }();
     if (interrupt.asked()) {
         tell("Cancelled.\n");
@@ -218,7 +225,10 @@ int checkOne(const std::string& name) {
         std::ranges::count_if(lesson->pages, [](const auto& page) { return page.question.has_value(); });
     say("{}: {} and {} are right.\n", lesson->title, pipeline::plural(std::int64_t(lesson->pages.size()), "page"),
         pipeline::plural(questions, "question"));
-    return kDone;
+    if (run || writing == 0) return kDone;
+    say("The lines of {} of kind write were not tried: that needs Node.js and the core of live pages.\n",
+        pipeline::plural(writing, "question"));
+    return strict ? kCouldNotWrite : kDone;
 }
 
 int showResults(bool json, bool forget) {
@@ -265,7 +275,7 @@ void declareLesson(CLI::App& program, const CliHost&, int& status) {
     command->require_subcommand(1);
     struct Options {
         std::string name, folder;
-        bool json = false, answers = false, forget = false, live = false, watch = false, force = false;
+        bool json = false, answers = false, forget = false, live = false, watch = false, force = false, strict = false;
     };
     const auto options = std::make_shared<Options>();
     const auto addName = [&](CLI::App& to) {
@@ -285,7 +295,8 @@ void declareLesson(CLI::App& program, const CliHost&, int& status) {
     CLI::App* check =
         command->add_subcommand("check", "Try every question of a lesson and print what is wrong with it");
     addName(*check);
-    check->callback([options, &status] { status = checkOne(options->name); });
+    check->add_flag("--strict", options->strict, "Exit with 4 if lines of questions of kind write could not be tried");
+    check->callback([options, &status] { status = checkOne(options->name, options->strict); });
 
     CLI::App* results =
         command->add_subcommand("results", "Print your results of lessons, which are kept on this machine");

@@ -70,6 +70,7 @@ struct BodyOf {
     AnswerBody* operator()(const lessons::UntilQuestion& until) const {
         return makeUntilBody(until, run, document, parent);
     }
+    AnswerBody* operator()(const lessons::WriteQuestion& write) const { return makeWriteBody(write, run, parent); }
     AnswerBody* operator()(const lessons::OrderQuestion&) const { return makeOrderBody(run, parent); }
 };
 

@@ -40,6 +40,7 @@ AnswerBody* makeNumberBody(const lessons::NumberQuestion& question, QWidget* par
 AnswerBody* makeOptionsBody(const LessonRun& run, bool several, Document& document, QWidget* parent);
 AnswerBody* makePickBody(const lessons::ClickQuestion& question, Document& document, QWidget* parent);
 AnswerBody* makeOrderBody(const LessonRun& run, QWidget* parent);
+AnswerBody* makeWriteBody(const lessons::WriteQuestion& question, const LessonRun& run, QWidget* parent);
 AnswerBody* makeUntilBody(const lessons::UntilQuestion& question, LessonRun& run, Document& document, QWidget* parent);
 
 }  // namespace app

@@ -12,7 +12,7 @@
 #include "app/panels/follow_theme.h"
 #include "app/panels/note_box.h"
 #include "app/panels/prose_view.h"
-#include "lessons/misconceptions.h"
+#include "lessons/results.h"
 
 namespace app {
 
@@ -311,13 +311,14 @@ void QuestionCard::showSettled() {
     for (QWidget* part : {m_hints, m_buttons, m_sure, m_elsewhere}) part->hide();
     const auto solution = attempt.solution(m_run.context());
     if (!solution) return emit failed(tr("This answer cannot be filled in."), solution.errors());
-    QString text = QStringLiteral("● **%1**").arg(toQString(solution->answer));
+    const QString answer = toQString(solution->answer);  // a block of code stands by itself
+    QString text = (answer.startsWith("```") ? QStringLiteral("%1\n") : QStringLiteral("● **%1**")).arg(answer);
     for (const lessons::Try& one : attempt.progress().tries) {
         if (one.right) continue;
-        const lessons::Misconception* known = lessons::findMisconception(one.mistake);
+        const bool known = !one.mistake.empty();
         text += tr("\n\n%1 Tried: %2")
                     .arg(known ? QStringLiteral("△") : QStringLiteral("○"), toQString(one.given).toHtmlEscaped());
-        if (known) text += QStringLiteral(" (%1)").arg(toQString(known->name));
+        if (known) text += QStringLiteral(" (%1)").arg(toQString(lessons::mistakeName(one.mistake)));
     }
     if (attempt.state() == lessons::Attempt::State::Shown)
         for (const std::string& step : solution->steps) text += QStringLiteral("\n\n") + toQString(step);

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 
 #include "pipeline/compare/own_blocks.h"
 #include "pipeline/compare/reference.h"
