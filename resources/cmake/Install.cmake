@@ -10,9 +10,9 @@ install(DIRECTORY lessons/ DESTINATION ${CMAKE_INSTALL_DATADIR}/shadescope/lesso
   PATTERN expression EXCLUDE PATTERN state EXCLUDE)
 # What live pages are made of; the core where the preset web has built it.
 install(DIRECTORY app/web/page/ DESTINATION ${CMAKE_INSTALL_DATADIR}/shadescope/web
-  FILES_MATCHING PATTERN "*.html" PATTERN "*.css" PATTERN "*.js")
+  FILES_MATCHING PATTERN "*.html" PATTERN "*.css" PATTERN "*.js" PATTERN "*.txt")
 set(core ${PROJECT_SOURCE_DIR}/build/web/shadescope_core.wasm.gz)
-install(FILES ${core} ${PROJECT_SOURCE_DIR}/build/web/shadescope_core_all.wasm.gz
+install(FILES ${core} ${PROJECT_SOURCE_DIR}/build/web/shadescope_core_all.wasm.gz ${PROJECT_SOURCE_DIR}/build/web/acorn.js
   DESTINATION ${CMAKE_INSTALL_DATADIR}/shadescope/web OPTIONAL)
 install(CODE "if(NOT EXISTS ${core})
   message(WARNING \"Installed without live pages: the preset web has not built their core\")

@@ -136,7 +136,7 @@ buildCore() {
     local core="$root/build/web/shadescope_core.wasm.gz"
     if [ -n "${SHADESCOPE_CORE:-}" ]; then
         mkdir -p "${core%/*}"
-        cp "${SHADESCOPE_CORE%/*}"/shadescope_core*.wasm.gz "${core%/*}"
+        cp "${SHADESCOPE_CORE%/*}"/{shadescope_core*.wasm.gz,acorn.js} "${core%/*}"
     else
         installPackages live
         build web web

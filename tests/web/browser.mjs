@@ -37,8 +37,8 @@ export async function launch(program = process.env.CHROMIUM || 'chromium') {
     to.write(JSON.stringify({ id: count, method, params, sessionId }) + '\0');
   });
 
-  /** A page at an address, when it is ready. kept: with the answers that the browser has kept of it. */
-  async function open(url, { width = 1280, height = 800, dark = false, mobile = false, scale = 1, scripts = true, ready = kReady, kept = false } = {}) {
+  /** A page at an address, when it is ready. kept: with the answers that the browser has kept of it. online: for a server on this machine. */
+  async function open(url, { width = 1280, height = 800, dark = false, mobile = false, scale = 1, scripts = true, ready = kReady, kept = false, online = false } = {}) {
     const { targetId } = await send('Target.createTarget', { url: 'about:blank' });
     const { sessionId } = await send('Target.attachToTarget', { targetId, flatten: true });
     const ask = (method, params = {}) => send(method, params, sessionId);
@@ -50,7 +50,7 @@ export async function launch(program = process.env.CHROMIUM || 'chromium') {
       if (message.method === 'Runtime.consoleAPICalled' && message.params.type === 'error') log.push(message.params.args.map(arg => arg.value ?? arg.description).join(' '));
     });
     for (const domain of ['Page', 'Runtime', 'Network', 'Performance']) await ask(domain + '.enable');
-    await ask('Network.emulateNetworkConditions', { offline: true, latency: 0, downloadThroughput: -1, uploadThroughput: -1 });
+    await ask('Network.emulateNetworkConditions', { offline: !online, latency: 0, downloadThroughput: -1, uploadThroughput: -1 });
     await ask('Emulation.setDeviceMetricsOverride', { width, height, deviceScaleFactor: scale, mobile });
     await ask('Emulation.setEmulatedMedia', { features: [{ name: 'prefers-color-scheme', value: dark ? 'dark' : 'light' }] });
     if (!scripts) await ask('Emulation.setScriptExecutionDisabled', { value: true });

@@ -1,10 +1,11 @@
-// A live page, a page with a worker, and a talk in Firefox: what a reader sees and does, by its own remote protocol
+// A live page, a page with a worker, lines of the reader's own, and a talk in Firefox: what a reader sees and does, by its own remote protocol
 // (Marionette: "LENGTH:JSON" over a local socket). Arguments: the program, and a cue list.
 import { execFileSync, spawn } from 'node:child_process';
 import fs from 'node:fs';
 import net from 'node:net';
 import os from 'node:os';
 import path from 'node:path';
+import { hostile, right } from './hostile.mjs';
 
 const [program, cues] = process.argv.slice(2);
 const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'shadescope-firefox-'));
@@ -106,6 +107,25 @@ try {
   const first = await firefox.run(picture);
   await firefox.run(`(s => { s.value = '0.3'; s.dispatchEvent(new Event('input', { bubbles: true })); })(document.getElementById('set-light.0.intensity'))`);
   expect('its worker draws', await firefox.until('!document.documentElement.classList.contains("working")') && await firefox.until(`${picture} !== ${JSON.stringify(first.length)}`) && (await firefox.run(picture)) !== first, await firefox.run('document.querySelector("#wrong").textContent'));
+
+  // Lines of the reader's own, right, wrong, and meaning harm.
+  const page = JSON.parse(execFileSync(program, ['lesson', 'show', 'diffuse', '--json'], { encoding: 'utf8', maxBuffer: 1 << 26 })).pages.filter(one => !one.returns).findIndex(one => one.question?.kind === 'write') + 1;
+  await firefox.open(`${write('diffuse.html', 'lesson', 'export', 'diffuse', '--live')}?page=${page}`);
+  expect('a page with an editor starts', await firefox.until(kReady) && await firefox.run('document.querySelector("#code") !== null'));
+  const lines = async text => {
+    await firefox.run(`void (verdict = null, document.querySelector('#code').value = ${JSON.stringify(text)}, document.querySelector('#answer').requestSubmit())`);
+    return await firefox.until('!writing.busy && verdict !== null') ? firefox.run('document.querySelector("#said").innerText') : 'no verdict';
+  };
+  for (const [name, { text, said }] of Object.entries(hostile)) {
+    const found = await lines(text);
+    expect(`${name}: ${said}`, said.test(found) && !/^● Right/.test(found), found);
+  }
+  expect('the page lives, and nothing reached it', await firefox.run('document.querySelector("#heading").textContent === "Your own lambert" && typeof evil === "undefined" && !document.querySelector("#app img")'));
+  for (const [name, text] of Object.entries(right)) {
+    const said = await lines(text);
+    expect(`right: ${name}`, /^● Right/.test(said), said);
+  }
+  if (process.env.SHADESCOPE_SHOTS) await firefox.shot(path.join(process.env.SHADESCOPE_SHOTS, 'firefox-write.png'));
 
   let talk = '';
   try {

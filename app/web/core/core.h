@@ -12,6 +12,7 @@
 #include "lessons/expression/changed_frames.h"
 #include "lessons/lesson.h"
 #include "pipeline/export/json.h"
+#include "pipeline/inspect/own_calls.h"
 #include "pipeline/run/runner.h"
 #include "pipeline/steps/steps.h"
 
@@ -46,6 +47,18 @@ struct OpenLesson {
     lessons::ChangedFrames changed{};  // of what answers ask for with settings changed
 };
 
+// A function that the reader writes, in one of the scenes in which it is judged (write_calls.cpp).
+struct Writing {
+    std::size_t page = 0, number = 0;  // of the scene: 0 the page's own, then the trials
+    pipeline::Scene scene;
+    std::vector<pipeline::OwnElement> elements, asked;  // all calls; those whose results are still to come
+    std::vector<double> numbers;                        // of the calls that are asked
+    pipeline::OwnResults results;                       // of `elements`
+    std::shared_ptr<pipeline::OwnRecord> record;
+    pipeline::OwnVerdict verdict;
+    pipeline::FramePtr right, mine;  // mine: null where the pipeline does not go on with the results
+};
+
 // Everything that calls share: there is one page.
 struct LiveCore {
     std::map<std::string, std::string, std::less<>> files;  // that scenes and the engine may read, by name
@@ -55,8 +68,17 @@ struct LiveCore {
     pipeline::BufferSet wanted;
     lessons::DerivedRecipe recipe;  // of the buffers `condition`, `expression` and `mix`
     std::optional<OpenLesson> lesson;
+    std::optional<Writing> writing;
 };
 LiveCore& core();
+
+// The question that is open, or was; there has to be one.
+const lessons::Question& questionOf(const OpenLesson& open);
+// What an answer is judged by: the page's own frame, or the reader's where the reader changes it.
+lessons::Context contextOf(OpenLesson& open);
+// What the page needs to run lines: the function, its contract in words, and the last text that was run.
+Json writeJson(const lessons::WriteQuestion& write, const lessons::Attempt& attempt);
+Json verdictJson(const lessons::Verdict& verdict);
 
 std::string_view textAt(const char* start, int size);
 

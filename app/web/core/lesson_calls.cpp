@@ -4,10 +4,10 @@
 #include "app/web/core/scene_text.h"
 #include "lessons/hidden.h"
 #include "lessons/live_text.h"
-#include "lessons/misconceptions.h"
 #include "lessons/results.h"
 #include "lessons/state/view_tree.h"
 #include "pipeline/core/text.h"
+#include "pipeline/export/html_text.h"
 
 // The lesson's pages and their questions, judged by the engine of the program.
 
@@ -23,12 +23,6 @@ OpenLesson& opened() { return *core().lesson; }
 const Page& page() { return opened().lesson.pages[opened().page]; }
 Attempt attempt() { return Attempt(*page().question, opened().progress[opened().page]); }
 bool isSettled() { return page().question && attempt().isSettled(); }
-
-// What an answer is judged by: the page's own frame, or the reader's where the reader changes it.
-lessons::Context contextOf(const lessons::Question& question) {
-    const bool byReader = std::holds_alternative<lessons::UntilQuestion>(question.kind);
-    return {.frame = byReader ? *core().own.frame : *opened().first, .changed = &opened().changed};
-}
 
 std::string html(const pipeline::Result<std::string>& said, Errors& errors) {
     if (said) return lessons::liveHtml(*said);
@@ -58,7 +52,7 @@ std::vector<std::string> settingsInPlay() {
 
 Json questionJson(Errors& errors) {
     const lessons::Question& question = *page().question;
-    const lessons::Context context = contextOf(question);
+    const lessons::Context context = contextOf(opened());
     const Attempt attempt = web::attempt();
     static constexpr std::array<const char*, 5> kStates{"open", "known", "not yet", "right", "shown"};
     Json json{{"kind", kindName(question)},
@@ -82,6 +76,8 @@ Json questionJson(Errors& errors) {
         json["ends"] = {order->first, order->last};
     if (const auto* typed = std::get_if<lessons::NumberQuestion>(&question.kind)) json["unit"] = typed->unit;
     if (const auto* click = std::get_if<lessons::ClickQuestion>(&question.kind)) json["click"] = name(click->kind);
+    if (const auto* write = std::get_if<lessons::WriteQuestion>(&question.kind))
+        json["write"] = writeJson(*write, attempt);
     if (const auto* until = std::get_if<lessons::UntilQuestion>(&question.kind)) {
         if (const auto gauge = gaugeOf(*until, context); gauge && *gauge) json["gauge"] = (*gauge)->said;
         // For Show me; a page tells no answer before.
@@ -100,7 +96,10 @@ Json questionJson(Errors& errors) {
         errors.insert(errors.end(), solution.errors().begin(), solution.errors().end());
         return json;
     }
-    json["solution"] = {{"answer", lessons::liveHtml(solution->answer)}, {"steps", Json::array()}};
+    const auto* write = std::get_if<lessons::WriteQuestion>(&question.kind);
+    json["solution"] = {{"answer", write ? "<pre><code>" + pipeline::escapedHtml(write->answer) + "</code></pre>"
+                                         : lessons::liveHtml(solution->answer)},
+                        {"steps", Json::array()}};
     for (const std::string& line : solution->steps) json["solution"]["steps"].push_back(lessons::liveHtml(line));
     return json;
 }
@@ -252,6 +251,19 @@ Json parsed(const char* text, int size) { return Json::read(textAt(text, size)).
 
 }  // namespace
 
+const lessons::Question& questionOf(const OpenLesson& open) { return *open.lesson.pages[open.page].question; }
+
+lessons::Context contextOf(OpenLesson& open) {
+    const bool byReader = std::holds_alternative<lessons::UntilQuestion>(questionOf(open).kind);
+    return {.frame = byReader ? *core().own.frame : *open.first, .changed = &open.changed};
+}
+
+Json verdictJson(const lessons::Verdict& verdict) {
+    static constexpr std::array<const char*, 4> kMarks{"right", "known", "not yet", "again"};
+    return {
+        {"mark", kMarks[std::size_t(verdict.mark)]}, {"name", verdict.name}, {"said", lessons::liveHtml(verdict.said)}};
+}
+
 pipeline::BufferSet readByPage(const OpenLesson& open) {
     const auto& question = open.lesson.pages[open.page].question;
     const auto* until = question ? std::get_if<lessons::UntilQuestion>(&question->kind) : nullptr;
@@ -319,20 +331,17 @@ WEB_CALL(check) int webCheck(const char* text, int size) {
     if (!page().question || isSettled()) return refuse("nothing is asked");
     const Json json = parsed(text, size);
     Attempt attempt = web::attempt();
-    const auto verdict = attempt.check(givenIn(json), contextOf(*page().question));
+    const auto verdict = attempt.check(givenIn(json), contextOf(opened()));
     if (!verdict) return refuse(verdict.errors());
     opened().progress[opened().page] = attempt.progress();
-    static constexpr std::array<const char*, 4> kMarks{"right", "known", "not yet", "again"};
-    return give({{"mark", kMarks[std::size_t(verdict->mark)]},
-                 {"name", verdict->name},
-                 {"said", lessons::liveHtml(verdict->said)}});
+    return give(verdictJson(*verdict));
 }
 
 WEB_CALL(hint) int webHint() {
     if (!page().question || isSettled()) return refuse("nothing is asked");
     Attempt attempt = web::attempt();
     if (attempt.hintsSeen() == attempt.hintCount()) return refuse("no more hints");
-    const auto hint = attempt.nextHint(contextOf(*page().question));
+    const auto hint = attempt.nextHint(contextOf(opened()));
     if (!hint) return refuse(hint.errors());
     opened().progress[opened().page] = attempt.progress();
     return give(lessons::liveHtml(*hint));
@@ -362,8 +371,7 @@ WEB_CALL(remember) int webRemember(const char* name, int size, const char* text,
         const Attempt attempt(*page.question, open.progress[i]);
         if (attempt.isSettled()) points.push_back({i, attempt.points()});
         for (const lessons::Try& one : attempt.progress().tries)
-            if (const auto* known = lessons::findMisconception(one.mistake))
-                mistakes.push_back({known->name, pageName(open.lesson, i)});
+            if (!one.mistake.empty()) mistakes.push_back({lessons::mistakeName(one.mistake), pageName(open.lesson, i)});
     }
     return give({{"points", points}, {"mistakes", mistakes}});
 }

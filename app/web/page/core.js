@@ -27,7 +27,7 @@ class Core {
    */
   static progress(what, done, all) {}
   // Calls that change more than a setting, and what is wanted of a frame.
-  static changing = new Set(['file', 'open', 'lesson', 'page', 'check', 'hint', 'show', 'remember', 'step', 'compare']);
+  static changing = new Set(['file', 'open', 'lesson', 'page', 'check', 'hint', 'show', 'remember', 'step', 'compare', 'write_scene', 'write_results', 'write_judge']);
 
   /** @param {WebAssembly.Module} module @param {Record<string, any>} calls */
   constructor(module, calls) {

@@ -1,6 +1,6 @@
 // The lesson's text, and its question. The core judges.
 
-/** What was said about the last answer. @type {?{mark: string, name: string, said: string}} */
+/** What was said about the last answer. @type {any} */
 let verdict = null;
 
 function drawLesson() {
@@ -52,12 +52,13 @@ function drawQuestion() {
   const said = one('#said');
   said.replaceChildren();
   if (verdict) {
-    const [mark, word] = { right: ['●', verdict.given || 'Right'], known: ['△', verdict.name], 'not yet': ['△', 'Not yet'], again: ['○', 'Once more'] }[verdict.mark];
+    const [mark, word] = { right: ['●', verdict.given || 'Right'], known: ['△', verdict.name], 'not yet': ['△', 'Not yet'], again: ['○', 'Once more'], stopped: ['○', verdict.name] }[verdict.mark];
     said.append(element('p', { className: 'mark ' + verdict.mark.replace(' ', '-'), textContent: `${mark} ${word}` }));
     const words = element('div');
     fillHtml(words, verdict.said);
     dropBeginning(words, word);
     if (words.textContent.trim()) said.append(words);
+    if (verdict.more) said.append(verdict.more);
   }
   one('#hints').replaceChildren(...question.hints.map((hint, i) => {
     const box = element('div', { className: 'hint' }, element('b', { textContent: `Hint ${i + 1}` }), element('div'));
@@ -97,7 +98,7 @@ function drawAnswer(question) {
     form.known = key;
     form.replaceChildren(...answerFields(question));
   }
-  form.hidden = question.settled;
+  form.hidden = question.settled && question.kind !== 'write';
   if (question.kind === 'order') all('.ordered', form).forEach(row => {
     const words = one('.words', row), { text } = question.options[row.item];
     if (words.known !== text) words.known = text, fillHtml(words, text);
@@ -114,6 +115,7 @@ function drawAnswer(question) {
 function answerFields(question) {
   const check = element('button', { type: 'submit', className: 'primary', textContent: 'Check' });
   if (question.kind === 'order') return [orderList(question), check];
+  if (question.kind === 'write') return writeFields(question);
   if (question.options.length)
     return [...question.options.map((option, i) => {
       const type = question.kind === 'choice' ? 'radio' : 'checkbox';
@@ -252,7 +254,7 @@ function readAgain() {
 function startLesson() {
   one('#answer').addEventListener('submit', event => {
     event.preventDefault();
-    guarded(check);
+    guarded(page.question.kind === 'write' ? runLines : check);
   });
   const does = (id, work) => one(id).addEventListener('click', () => guarded(work));
   does('#hint', () => {
