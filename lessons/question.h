@@ -126,7 +126,8 @@ struct Question {
     Prose right, wrong;         // may be empty
     double points = 1;          // of a right first answer without a hint
     bool isPrediction = false;  // a wrong first answer costs nothing
-    std::variant<NumberQuestion, ChoiceQuestion, SeveralQuestion, ClickQuestion, UntilQuestion, OrderQuestion, WriteQuestion>
+    std::variant<NumberQuestion, ChoiceQuestion, SeveralQuestion, ClickQuestion, UntilQuestion, OrderQuestion,
+                 WriteQuestion>
         kind;
     pipeline::SourceLocation where;
 };

@@ -8,9 +8,9 @@
 namespace lessons {
 
 inline constexpr std::array<std::string_view, 25> kQuestionKeys{
-    "question", "prediction", "answer",  "tolerance", "hint",  "unit",  "near",   "choice", "several",
-    "click",    "until",      "free",    "order",     "ends",  "write", "start",  "trial",  "lines",
-    "differs",  "mistake",    "works",   "right",     "wrong", "points", "paper"};
+    "question", "prediction", "answer", "tolerance", "hint",  "unit",   "near",  "choice", "several",
+    "click",    "until",      "free",   "order",     "ends",  "write",  "start", "trial",  "lines",
+    "differs",  "mistake",    "works",  "right",     "wrong", "points", "paper"};
 
 // Whether the lines after an entry with this key carry it on.
 bool goesOn(std::string_view key);

@@ -46,16 +46,18 @@ TEST(WriteQuestions, AreReadWithTheirLinesAsTheyAreIndented) {
     const WriteQuestion& write = writeOf(page);
     EXPECT_EQ(kindName(*page.question), "write");
     EXPECT_EQ(write.start, "function CalcNormal(v0, v1, v2) {\n  const a = v1 - v0;\n}");
-    EXPECT_EQ(write.answer,
-              "function CalcNormal(v0, v1, v2) {\n  const a = v1 - v0;\n  if (true) {\n    return normalize(cross(a, v2 "
-              "- v0));\n  }\n}");
+    EXPECT_EQ(
+        write.answer,
+        "function CalcNormal(v0, v1, v2) {\n  const a = v1 - v0;\n  if (true) {\n    return normalize(cross(a, v2 "
+        "- v0));\n  }\n}");
     EXPECT_EQ(write.lines, 6U);  // four lines and two more
     ASSERT_EQ(write.trials.size(), 1U);
     EXPECT_EQ(write.trials[0].scene.objects[0].transform.rotation.z, 30);
 }
 
 TEST(WriteQuestions, SayWhatIsWrongWithThem) {
-    EXPECT_NE(errorsOf("question: Q\nwrite: CalcNormals\nanswer:\n  return 1;\n").find("CalcNormal"), std::string::npos);
+    EXPECT_NE(errorsOf("question: Q\nwrite: CalcNormals\nanswer:\n  return 1;\n").find("CalcNormal"),
+              std::string::npos);
     EXPECT_NE(errorsOf("question: Q\nwrite: lambert\n").find("no lines of \"answer\""), std::string::npos);
     EXPECT_NE(errorsOf("question: Q\nwrite: lambert\nanswer:\n  return 1;\nmistake no-maxx:\n  No.\n").find("no-max"),
               std::string::npos);
@@ -107,13 +109,14 @@ TEST(WriteQuestions, AreJudgedByTheirResults) {
 
 // Stands for lines: the answer gives the right results, any other text those of a formula.
 LinesRunner running(const WriteQuestion& write, pipeline::OwnFormula otherwise) {
-    return [&write, otherwise](const pipeline::OwnContract& contract, const std::string& text,
-                               const std::vector<pipeline::OwnElement>& calls) -> pipeline::Result<pipeline::OwnResults> {
-        pipeline::OwnResults results;
-        for (const pipeline::OwnElement& call : calls)
-            results.push_back(valueOf(contract, text == write.answer ? contract.right : otherwise, call.in));
-        return results;
-    };
+    return
+        [&write, otherwise](const pipeline::OwnContract& contract, const std::string& text,
+                            const std::vector<pipeline::OwnElement>& calls) -> pipeline::Result<pipeline::OwnResults> {
+            pipeline::OwnResults results;
+            for (const pipeline::OwnElement& call : calls)
+                results.push_back(valueOf(contract, text == write.answer ? contract.right : otherwise, call.in));
+            return results;
+        };
 }
 
 TEST(WriteQuestions, AreCheckedInTheirScenes) {
@@ -132,7 +135,8 @@ TEST(WriteQuestions, AreCheckedInTheirScenes) {
               std::string::npos);
     Question told = *page.question;
     told.hints[0].pieces[0] = "Close it: }, after return normalize(cross(a, v2 - v0));";
-    EXPECT_NE(found(told, write, write.contract.mistakes[0].formula).find("a hint has the last line"), std::string::npos);
+    EXPECT_NE(found(told, write, write.contract.mistakes[0].formula).find("a hint has the last line"),
+              std::string::npos);
     // Flat shading interpolates no normal.
     const Page never = writePage("question: Q\nwrite: normalAt\nanswer:\n  return N0;\n");
     EXPECT_NE(found(*never.question, writeOf(never), nullptr).find("normalAt is never called on this page"),
