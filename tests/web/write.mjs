@@ -21,7 +21,7 @@ const lessons = JSON.parse(execFileSync(program, ['lesson', 'list', '--json'], {
 const textOf = name => JSON.parse(execFileSync(program, ['lesson', 'show', name, '--json'], { encoding: 'utf8', maxBuffer: 1 << 26 }));
 const write = name => {
   const file = path.join(folder, name + '.html');
-  execFileSync(program, ['lesson', 'export', name, '--live', '-o', file], { stdio: ['ignore', 'ignore', 'inherit'] });
+  execFileSync(program, ['lesson', 'export', name, '--live', '-o', file], { stdio: 'ignore' });
   return file;
 };
 const kSaid = 'document.querySelector("#said").innerText';
