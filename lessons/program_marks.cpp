@@ -161,6 +161,7 @@ private:
         for (const Error& error : errors) {
             std::string words = (where.empty() ? "" : where + ": ") + format(error);
             if (!m_messages.empty() && !where.starts_with("hidden")) words += " It says: " + m_messages;
+            std::ranges::replace(words, '\n', ' ');
             m_out.marks.problems.push_back(pipeline::escaped(words));
         }
     }

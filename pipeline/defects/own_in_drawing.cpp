@@ -3,7 +3,9 @@
 #include <limits>
 
 #include "pipeline/core/numerics.h"
+#include "pipeline/defects/drawing_hooks.h"
 #include "pipeline/defects/own_hooks.h"
+#include "pipeline/stages/rasterize.h"
 #include "pipeline/stages/texel_test.h"
 #include "pipeline/stages/z_buffer.h"
 
@@ -98,6 +100,43 @@ void ownTest(const DepthCode& code, const RasterTriangle<Real>& triangle, const 
 }
 
 template <class Real>
+void spoilCoverage(const Planted& planted, const View& view, const RasterTriangle<Real>& triangle, Tile tile,
+                   const std::function<void(glm::ivec2 pixel, const std::array<std::int64_t, 3>& e)>& visit,
+                   bool& isDrawn) {
+    if (!planted.own || planted.own->function != OwnFunction::IsInside) return;
+    isDrawn = true;
+    constexpr double kEdge = 1e-3;  // share of the triangle's area: nearer to an edge rounding decides
+    const std::array<glm::i64vec2, 3>& c = triangle.snapped.corners;
+    const std::array<EdgeFunction, 3> edges{EdgeFunction(c[1], c[2]), EdgeFunction(c[2], c[0]),
+                                            EdgeFunction(c[0], c[1])};
+    const double least = kEdge * double(triangle.snapped.area2());
+    const Tile box = triangle.snapped.pixels();
+    const glm::ivec2 min = glm::max(tile.min, box.min), max = glm::min(tile.max, box.max);
+    for (int y = min.y; y < max.y; ++y)
+        for (int x = min.x; x < max.x; ++x) {
+            std::array<std::int64_t, 3> e;
+            bool isInside = true, isNear = false;
+            Real w = 0;
+            for (std::size_t i = 0; i < 3; ++i) {
+                e[i] = edges[i].atPixel({x, y});
+                isInside = isInside && edges[i].covers(e[i]);
+                isNear = isNear || std::abs(double(e[i])) < least;
+                w += Real(e[i]) * triangle.w[i];
+            }
+            if (!isNear) {
+                OwnCall call(*planted.own);
+                // Counter-clockwise as seen, as a front face runs.
+                for (const std::size_t i : {0, 2, 1}) call << glm::dvec2(c[i]) / double(kSubPixels);
+                call << glm::dvec2(x, y) + 0.5;
+                const std::size_t at = std::size_t(y) * std::size_t(view.size.x) + std::size_t(x);
+                if (const auto covered = call.result(OwnPlace::Pixel, at)) isInside = covered->at[0] != 0;
+            }
+            // Outside of the triangle its plane may be behind the eye.
+            if (isInside && (!view.perspective || w > 0)) visit({x, y}, e);
+        }
+}
+
+template <class Real>
 void spoilLightPlace(const ShadowSettings& settings, const View& face, Vec3<Real> position, Vec2<Real>& place,
                      Real& z) {
     const Own* const own = settings.planted.own;
@@ -117,10 +156,12 @@ void spoilShadowed(const ShadowSettings& settings, const ShadowTest<Real>& test,
     if (const auto factor = call.result()) found.shadowed = factor->at[0] < 0.5;
 }
 
-#define SHADESCOPE_INSTANTIATE(Real)                                                                         \
-    template void ownTest(const DepthCode&, const RasterTriangle<Real>&, const std::array<std::int64_t, 3>&, \
-                          ZBufferOutput<Real>&, std::size_t, Fragment<Real>&, double&, bool&);               \
-    template void spoilLightPlace(const ShadowSettings&, const View&, Vec3<Real>, Vec2<Real>&, Real&);       \
+#define SHADESCOPE_INSTANTIATE(Real)                                                                                \
+    template void ownTest(const DepthCode&, const RasterTriangle<Real>&, const std::array<std::int64_t, 3>&,        \
+                          ZBufferOutput<Real>&, std::size_t, Fragment<Real>&, double&, bool&);                      \
+    template void spoilCoverage(const Planted&, const View&, const RasterTriangle<Real>&, Tile,                     \
+                                const std::function<void(glm::ivec2, const std::array<std::int64_t, 3>&)>&, bool&); \
+    template void spoilLightPlace(const ShadowSettings&, const View&, Vec3<Real>, Vec2<Real>&, Real&);              \
     template void spoilShadowed(const ShadowSettings&, const ShadowTest<Real>&, TexelTest<Real>&);
 SHADESCOPE_FOR_EVERY_REAL(SHADESCOPE_INSTANTIATE)
 #undef SHADESCOPE_INSTANTIATE

@@ -36,7 +36,6 @@ public:
             case OwnFunction::SignedArea: return areas();
             case OwnFunction::ScaledNormal: return scaledNormals();
             case OwnFunction::NormalColor: return normalColors();
-            case OwnFunction::IsInside: return inside();
             case OwnFunction::Intensity: return intensities();
             case OwnFunction::IsPaintedFirst: return paintedFirst();
             default: return;
@@ -109,33 +108,6 @@ private:
             OwnCall call(m_own);
             call << normals[0].pixels[i];
             call.result(OwnPlace::Pixel, i);
-        }
-    }
-    void inside() const {
-        constexpr int kStep = 8;        // pixels
-        constexpr double kEdge = 1e-3;  // share of the triangle's area: rounding decides
-        for (std::size_t t = 0; t < m_topology.triangles.size(); ++t) {
-            const std::uint32_t polygon = m_topology.polygonOf(t);
-            if (!m_data.verdicts().empty() && !goesOn(m_data.verdicts()[polygon])) continue;
-            std::vector<std::uint32_t> v(std::begin(m_topology.triangles[t].vertices),
-                                         std::end(m_topology.triangles[t].vertices));
-            if (m_data.transform->mirrored[m_topology.objectOfPolygon(polygon)]) std::swap(v[1], v[2]);
-            if (!isInFront(v)) continue;
-            const std::array<glm::dvec2, 3> p{screen(v[0]), screen(v[1]), screen(v[2])};
-            const auto edge = [](glm::dvec2 a, glm::dvec2 b, glm::dvec2 q) {
-                return (b.x - a.x) * (q.y - a.y) - (b.y - a.y) * (q.x - a.x);
-            };
-            const double area = edge(p[0], p[1], p[2]);
-            for (int y = kStep; y < m_view.size.y; y += kStep)
-                for (int x = kStep; x < m_view.size.x; x += kStep) {
-                    const glm::dvec2 at = glm::dvec2(x, y) + 0.5;
-                    const double least = std::min({std::abs(edge(p[0], p[1], at)), std::abs(edge(p[1], p[2], at)),
-                                                   std::abs(edge(p[2], p[0], at))});
-                    if (!(area < 0) || least < kEdge * -area) continue;
-                    OwnCall call(m_own);
-                    call << p[0] << p[1] << p[2] << at;
-                    call.result(OwnPlace::Polygon, polygon);
-                }
         }
     }
     void intensities() const {

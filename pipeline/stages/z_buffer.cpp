@@ -2,6 +2,8 @@
 
 #include <limits>
 
+#include "pipeline/defects/drawing_hooks.h"
+
 namespace pipeline {
 
 template <class Real>
@@ -41,7 +43,7 @@ void zBuffer(const View& view, DepthFormat format, const TriangleBins<Real>& bin
     const bool linear = format == DepthFormat::Linear;
     for (const std::uint32_t i : order) {
         const RasterTriangle<Real>& triangle = bins.triangles[i];
-        forEachCovered(triangle.snapped, tile, [&](glm::ivec2 pixel, const std::array<std::int64_t, 3>& e) {
+        const auto draw = [&](glm::ivec2 pixel, const std::array<std::int64_t, 3>& e) {
             const std::size_t at = out.zView->offset(pixel - out.origin);
             Fragment<Real> fragment = interpolate(triangle, pixel, e, view.perspective);
             double depth = double(fragment.z);
@@ -60,7 +62,10 @@ void zBuffer(const View& view, DepthFormat format, const TriangleBins<Real>& bin
             if (!linear) out.depth.pixels[at] = depth;
             writeFragment(out, at, triangle.id, fragment);
             if (out.planted) spoilWritten(code, out, at);
-        });
+        };
+        bool isDrawn = false;
+        if (out.planted) spoilCoverage(out.planted, view, triangle, tile, draw, isDrawn);
+        if (!isDrawn) forEachCovered(triangle.snapped, tile, draw);
     }
 }
 

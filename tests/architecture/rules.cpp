@@ -68,6 +68,7 @@ struct Layer {
 constexpr std::array kLayers{
     Layer{"pipeline/defects/defect.h", 0},
     Layer{"pipeline/defects/hooks.h", 0},  // each stage has a line
+    Layer{"pipeline/defects/drawing_hooks.h", 0},
     Layer{"pipeline/defects/", 7},
     Layer{"pipeline/core/", 0},
     Layer{"pipeline/scene/", 1},

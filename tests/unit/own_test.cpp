@@ -132,6 +132,23 @@ TEST(OwnFunctions, AWrongOneChangesWhatFollows) {
     }
 }
 
+// With an edge left out a triangle covers more.
+TEST(OwnFunctions, WrongCoverageIsDrawn) {
+    const Scene scene = sceneOf("pyramid", "");
+    const OwnContract& contract = ownContract(OwnFunction::IsInside);
+    const OwnFrame right = callsIn(scene, contract.id);
+    const auto record = std::make_shared<OwnRecord>();
+    for (const OwnElement& one : right.unknown)
+        record->add(one, valueOf(contract, contract.mistakes[0].formula, one.in));
+    const OwnFrame wrong = ownFrame(scene, contract.id, record, {});
+    EXPECT_TRUE(wrong.unknown.empty());
+    const auto covered = [](const OwnFrame& of) {
+        const auto& id = dataOf<double>(*of.frame)->zBuffer->triangle->pixels;
+        return id.size() - std::size_t(std::ranges::count(id, kNoTriangle));
+    };
+    EXPECT_GT(covered(wrong), covered(right));
+}
+
 // Read from tests/unit/own_answers.txt, whose results no code of the program has made.
 struct Answers {
     const OwnContract* contract = nullptr;
