@@ -10,7 +10,7 @@ namespace {
 
 using app::ProgramLimits;
 using app::runProgram;
-const ProgramLimits kShort{std::chrono::milliseconds(300), 1000};
+const ProgramLimits kShort{std::chrono::milliseconds(300), 1000, {}};
 
 bool fails(const pipeline::Result<app::ProgramOutput>& run, const char* part) {
     return run && run->failure.find(part) != std::string::npos;
@@ -45,7 +45,7 @@ TEST(ForeignProgram, IsEndedWithTheChildrenThatItLeftBehind) {
 }
 
 TEST(ForeignProgram, IsEndedWhenItWritesWithoutEnd) {
-    const auto run = runProgram("yes", "", {std::chrono::seconds(20), 1000}, {});
+    const auto run = runProgram("yes", "", {std::chrono::seconds(20), 1000, {}}, {});
     EXPECT_TRUE(fails(run, "wrote more than"));
 }
 
