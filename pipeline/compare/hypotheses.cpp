@@ -24,6 +24,7 @@ constexpr double kPixelsOfTwo = 160 * 120;  // of the picture that they are rank
 constexpr std::size_t kFirsts = 3;          // errors that a second one is tried with
 constexpr double kPart = 0.05;              // of what is wrong: what one of these explains, at least
 constexpr double kTwoExplain = 0.97, kTwoLeaveOfDrawn = 0.03;
+constexpr double kRest = 0.01;     // of the pixels drawn: what one error leaves for a second one to explain, at least
 constexpr double kMatters = 0.25;  // of what each leaves alone: what both leave, at most
 
 Scene smaller(Scene scene, std::size_t factor) {
@@ -313,6 +314,13 @@ Suspects judgeInParts(Trial& trial, const std::vector<Finding>& findings, const 
     return {};
 }
 
+// Whether one error explains the files, and leaves a rest that a second one may explain.
+bool leavesRest(const Suspects& suspects) {
+    if (suspects.candidates.size() != 1) return false;
+    const Candidate& one = suspects.candidates[0];
+    return one.left > kRest * double(one.misfit.drawn);
+}
+
 }  // namespace
 
 Suspects findSuspects(const Scene& scene, std::vector<KnownError> errors, const Reference& reference,
@@ -327,7 +335,11 @@ Suspects findSuspects(const Scene& scene, std::vector<KnownError> errors, const 
     for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
     const auto isDecided = [](const Suspects& suspects) { return !suspects.candidates.empty() || suspects.stopped; };
     Suspects out = trial.judge(all, stop);
-    if (isDecided(out)) return out;
+    if (isDecided(out)) {
+        if (!leavesRest(out)) return out;
+        Suspects two = trial.judgeTwo(all, out.candidates, stop);
+        return isDecided(two) ? two : out;
+    }
     askTheShadow(trial, reference, conventions, findings, out);
     if (isDecided(out)) return out;
     Suspects inParts;

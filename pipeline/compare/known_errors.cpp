@@ -267,7 +267,7 @@ std::vector<KnownError> errorsOfReading(const Scene& scene) {
             for (Light& light : s.lights)
                 if (light.kind == LightKind::AtInfinity) light.kind = LightKind::Point;
         });
-    add("no-scale", "the scale of the objects is left out", transform, "p = R v + t", "p = R S v + t", [](Scene& s) {
+    add("unscaled", "the scale of the objects is left out", transform, "p = R v + t", "p = R S v + t", [](Scene& s) {
         for (Object& o : s.objects) o.transform.scale = Vec3d(1);
     });
     add("no-rotation", "the rotation of the objects is left out", transform, "p = S v + t", "p = R S v + t",

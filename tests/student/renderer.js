@@ -13,7 +13,7 @@ const ERRORS = {
   'phi-from-ground': ['elevation', 'transform', 'vertices.view'],
   'skip-rotate': ['no-rotation', 'transform', 'vertices.world'],
   'turn-back': ['rotation-sign', 'transform', 'vertices.world'],
-  'skip-scale': ['no-scale', 'transform', 'vertices.world'],
+  'skip-scale': ['unscaled', 'transform', 'vertices.world'],
   'forgot-divide': ['no-division', 'transform', 'vertices.screen'],  // x_s = d x_v / rho
   'one-to-the-right': ['column', 'transform', 'color'],
   'cull-positive': ['cull-sign', 'cull', 'polygons.visible'],

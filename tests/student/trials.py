@@ -38,7 +38,7 @@ LEVELS = {"picture": PICTURE, "normals": PICTURE + ("normal",), "all": (), "left
 TWELVE = 12
 # Two errors at once, each of which shows by itself, and their names in the program's table; the earlier stage first.
 TWO = [("js", "turn-back+half-lambert", "rotation-sign+half-lambert", "transform"),
-       ("js", "skip-scale+no-power", "no-scale+no-power", "transform"),
+       ("js", "skip-scale+no-power", "unscaled+no-power", "transform"),
        ("js", "cull-positive+light-vector-raw", "cull-sign+l-raw", "cull"),
        ("js", "farther-wins+view-axis", "z-flip+v-axis", "z-buffer"),
        ("js", "one-to-the-right+half-lambert", "column+half-lambert", "transform"),
