@@ -18,6 +18,33 @@ std::string pageText(const OwnContract& contract) {
     return fmt::format("lesson {}, page \"{}\"", contract.lesson, contract.heading);
 }
 
+// Which of several lights a call is of, as its arguments tell: by the light's position or intensity.
+std::optional<std::size_t> lightOf(const OwnReport& report, const OwnElement& element) {
+    const auto taken = report.contract().taken();
+    const auto arguments = OwnArguments::read(taken, element.in);
+    const std::vector<Light>& lights = report.right->scene().lights;
+    const bool isLit = std::ranges::find(taken, "L", &OwnParameter::name) != taken.end();
+    std::optional<std::size_t> found;
+    for (std::size_t i = 0; arguments && i < taken.size(); ++i) {
+        const bool isPlace = taken[i].name == "pL";
+        if (!isPlace && !(isLit && taken[i].name == "I")) continue;
+        for (std::size_t k = 0; k < lights.size() && lights.size() > 1; ++k) {
+            if (arguments->v(i) != (isPlace ? lights[k].position : lights[k].intensity * lights[k].color)) continue;
+            if (found) return {};
+            found = k;
+        }
+    }
+    return found;
+}
+
+// "pixel 12, 7, light 1"
+std::string placeIn(const OwnReport& report, std::size_t i) {
+    const OwnElement& element = report.elements[i];
+    const std::string place = placeText(element, i, report.right->scene().settings.width);
+    const auto light = lightOf(report, element);
+    return light ? fmt::format("{}, light {}", place, *light) : place;
+}
+
 std::string shownAs(const Buffer2D<Color8>& picture, std::string_view caption) {
     return fmt::format(
         "<figure><img src=\"{}\" alt=\"{}\" width=\"{}\" height=\"{}\" style=\"height:auto\">{}</figure>\n",
@@ -56,9 +83,9 @@ std::vector<std::string> ownText(const OwnReport& report) {
     if (report.verdict.first && report.hints >= 2) {
         const std::size_t first = *report.verdict.first;
         const OwnElement& element = report.elements[first];
-        lines.push_back(fmt::format("The first is {}: {} returns {}, expected {}.",
-                                    placeText(element, first, report.right->scene().settings.width), contract.name,
-                                    resultText(contract, report.mine[first]), resultText(contract, element.right)));
+        lines.push_back(fmt::format("The first is {}: {} returns {}, expected {}.", placeIn(report, first),
+                                    contract.name, resultText(contract, report.mine[first]),
+                                    resultText(contract, element.right)));
         for (const std::string& text : argumentTexts(contract, element)) lines.push_back("    " + text);
     }
     if (report.verdict.first && report.hints >= 3) {
@@ -109,8 +136,7 @@ std::string ownHtml(const OwnReport& report) {
         for (std::size_t i = *report.verdict.first; i < report.elements.size() && shown < kRows; ++i) {
             const OwnElement& one = report.elements[i];
             if (differenceOf(contract, report.mine[i], one.right) <= contract.tolerance) continue;
-            html += fmt::format("<tr>{}{}{}{}</tr>\n",
-                                element("td", placeText(one, i, report.right->scene().settings.width)),
+            html += fmt::format("<tr>{}{}{}{}</tr>\n", element("td", placeIn(report, i)),
                                 element("td", fmt::format("{}", fmt::join(argumentTexts(contract, one), "; "))),
                                 element("td class=differs", resultText(contract, report.mine[i])),
                                 element("td", resultText(contract, one.right)));
@@ -139,7 +165,7 @@ Json ownJson(const OwnReport& report, int status) {
              {"heading", contract.heading}};
     if (report.verdict.first) {
         const std::size_t first = *report.verdict.first;
-        out["first"] = Json{{"place", placeText(report.elements[first], first, report.right->scene().settings.width)},
+        out["first"] = Json{{"place", placeIn(report, first)},
                             {"arguments", report.elements[first].in},
                             {"expected", resultText(contract, report.elements[first].right)},
                             {"returned", resultText(contract, report.mine[first])}};
