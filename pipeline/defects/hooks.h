@@ -12,6 +12,7 @@
 // so that every layer of the pipeline may include this header.
 namespace pipeline {
 
+enum class Domain : std::uint8_t;
 struct Illumination;
 struct Light;
 struct Material;
@@ -106,6 +107,11 @@ template <class Real>
 void spoilLightPlace(const ShadowSettings& settings, const View& face, Vec3<Real> position, Vec2<Real>& place, Real& z);
 template <class Real>
 void spoilShadowed(const ShadowSettings& settings, const ShadowTest<Real>& test, TexelTest<Real>& found);
+
+// Shading takes one pixel, vertex or polygon after the other: where the calls of a student's function belong that this thread
+// makes from now on. index: of a pixel x + y · width.
+void setOwnPlace(Domain kind, std::size_t index);
+void forgetOwnPlace();
 
 template <class Real>
 void spoilSurface(const ShadingInputs& inputs, Surface<Real>& surface);

@@ -28,10 +28,6 @@ private:
     std::vector<double> m_in;
 };
 
-// Where the calls belong that this thread makes from now on without a place of their own: shading takes one pixel, vertex or
-// polygon after the other.
-void setOwnPlace(OwnPlace kind, std::size_t place);
-
 template <class Real>
 Vec3<Real> vectorOf(const OwnValue& value) {
     return {Real(value.at[0]), Real(value.at[1]), Real(value.at[2])};

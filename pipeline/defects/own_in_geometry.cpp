@@ -5,6 +5,7 @@
 #include <tuple>
 #include <utility>
 
+#include "pipeline/buffers/buffer_table.h"
 #include "pipeline/core/numerics.h"
 #include "pipeline/defects/own_hooks.h"
 #include "pipeline/stages/cull.h"
@@ -18,7 +19,13 @@ thread_local std::pair<OwnPlace, std::size_t> t_place{OwnPlace::Unknown, 0};
 
 }  // namespace
 
-void setOwnPlace(OwnPlace kind, std::size_t place) { t_place = {kind, place}; }
+void setOwnPlace(Domain kind, std::size_t index) {
+    t_place = {kind == Domain::Pixel     ? OwnPlace::Pixel
+               : kind == Domain::Polygon ? OwnPlace::Polygon
+                                         : OwnPlace::Vertex,
+               index};
+}
+void forgetOwnPlace() { t_place = {OwnPlace::Unknown, 0}; }
 
 std::optional<OwnValue> OwnCall::result(OwnPlace kind, std::size_t place) const {
     if (kind == OwnPlace::Unknown) std::tie(kind, place) = t_place;

@@ -211,7 +211,7 @@ OwnFrame ownFrame(const Scene& scene, OwnFunction function, std::shared_ptr<cons
     FrameRequest request{setOf({BufferId::Color, BufferId::Normal, BufferId::VerticesNormal}), StageId::Shading, 1,
                          stop};
     if (contract.picture) request.own = own;
-    setOwnPlace(OwnPlace::Unknown, 0);
+    forgetOwnPlace();
     out.frame = runFrame(planted, request, nullptr);
     if (out.frame && !contract.picture) CallsAlone(*own, *planted, *dataOf<double>(*out.frame)).make();
     // What is computed from the frame later asks the record alone.

@@ -5,7 +5,6 @@
 #include <limits>
 #include <utility>
 
-#include "pipeline/defects/own_hooks.h"
 #include "pipeline/stages/shading_terms.h"
 
 namespace pipeline {
@@ -38,7 +37,7 @@ Surface<Real> polygonSurface(const ShadingInputs& inputs, const ShadingSources<R
     const Vec3<Real> normal = flatNormal(inputs, in, polygon);
     Surface<Real> surface{at, showsBack(inputs, in, polygon) ? -normal : normal,
                           viewVector(inputs, in.transform.view, at), polygonColor(inputs, in, polygon)};
-    if (inputs.planted.own) setOwnPlace(OwnPlace::Polygon, polygon);
+    if (inputs.planted.own) setOwnPlace(Domain::Polygon, polygon);
     if (inputs.planted) spoilSurface(inputs, surface);
     return surface;
 }
@@ -49,7 +48,7 @@ Surface<Real> vertexSurface(const ShadingInputs& inputs, const ShadingSources<Re
     const Vec3<Real> position = in.transform.world[vertex], normal = in.normals.vertex[vertex];
     Surface<Real> surface{position, back ? -normal : normal, viewVector(inputs, in.transform.view, position),
                           Vec3<Real>(in.transform.topology->vertexColor(vertex))};
-    if (inputs.planted.own) setOwnPlace(OwnPlace::Vertex, vertex);
+    if (inputs.planted.own) setOwnPlace(Domain::Vertex, vertex);
     if (inputs.planted) spoilSurface(inputs, surface);
     return surface;
 }
@@ -74,8 +73,7 @@ Surface<Real> pixelSurface(const ShadingInputs& inputs, const ShadingSources<Rea
     Surface<Real> surface{position, showsBack(inputs, in, polygon) ? -normal : normal, V,
                           pixelColor(inputs, in, polygon, weights)};
     if (inputs.planted.own)
-        setOwnPlace(OwnPlace::Pixel,
-                    std::size_t(pixel.x) + std::size_t(pixel.y) * std::size_t(in.transform.view.size.x));
+        setOwnPlace(Domain::Pixel, std::size_t(pixel.x) + std::size_t(pixel.y) * std::size_t(in.transform.view.size.x));
     if (inputs.planted) spoilPixel(inputs, in, weights, surface);
     return surface;
 }

@@ -31,7 +31,7 @@ export const hostile = {
   'an index that is a list': { text: body('  const k = [kd];\n  return kd[k];'), said: /differ/ },
   'constructor taken apart': { text: body('  const { constructor } = lambert;\n  return constructor;'), said: /this field is not there/ },
   'a field of a prototype': { text: body('  return { __proto__: kd };'), said: /this field is not there/ },
-  'document': { text: body("  return document.body.innerHTML = 'x';"), said: /there is no document here/ },
+  'document': { text: body("  return document.body.innerHTML = 'x';"), said: /\.innerHTML is not there/ },
   'postMessage': { text: body('  for (;;) postMessage(1);'), said: /there is no postMessage here/ },
   'a name of the run': { text: body('  return $run(1);'), said: /there is no \$run here/ },
   'a name of the run, declared': { text: body('  const $turns = 1;\n  return kd;'), said: /\$turns cannot be a name/ },

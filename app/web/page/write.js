@@ -234,7 +234,7 @@ function buildTrace() {
   next.hidden = core.ask('write_next', found.number) === found.number || core.ask('write_next', found.number) < 0;
   next.addEventListener('click', () => guarded(() => { follow(core.ask('write_element', core.ask('write_next', found.number))); }));
   one('#trace').hidden = false;
-  one('#trace').replaceChildren(element('h3', { textContent: `Your lines at ${found.place}` }), element('p', { className: 'note number', textContent: withMinus(found.arguments.join('   ')) }), element('ol', { className: 'code' }),
+  one('#trace').replaceChildren(element('h3', { textContent: `Your lines at ${found.place}` }), element('p', { className: 'note number', hidden: /^\w+ = /.test(writing.trace.visits[0]?.words), textContent: withMinus(found.arguments.join('   ')) }), element('ol', { className: 'code' }),
     element('p', { className: 'row' }, go('firstline', ['|‹'], 'To the first line', () => 0), go('backline', ['Back ', element('kbd', { textContent: ',' })], '', () => writing.at - 1),
       go('forthline', ['Step ', element('kbd', { textContent: '.' })], '', () => writing.at + 1), go('lastline', ['›|'], 'To the end', () => writing.trace.visits.length), element('span', { className: 'note number', id: 'atline' }), element('span', { className: 'gap' }), next),
     element('p', { id: 'outcome' }));
