@@ -27,6 +27,9 @@ using pipeline::Result;
 
 constexpr std::string_view kStrict = "'use strict';\n";  // what a page's script begins with
 
+// The core with the judge of functions.
+constexpr auto kWritingCore = "shadescope_core_write.wasm.gz";
+
 // JSON for a data block: no "<" in it begins or ends an element or a comment.
 std::string blockText(const Json& json) {
     std::string text = json.dump(), out;
@@ -73,6 +76,17 @@ std::string coreElement(const LiveParts& parts) {
     return "<script type=\"application/octet-stream\" id=\"core\">" + pipeline::base64(parts.core) + "</script>";
 }
 
+// Of a lesson with questions of kind write: with its own core, unless pages share one.
+Result<LiveParts> writingParts(const LiveParts& parts) {
+    auto with = withWriter(parts);
+    if (!with || !parts.sharedCore.empty()) return with;
+    auto core = readPageFile(kWritingCore);
+    if (!core) return core.errors();
+    LiveParts own = std::move(with).value();
+    own.core = std::move(core).value();
+    return own;
+}
+
 // The page of a lesson's text.
 Result<LivePage> makePage(const LessonText& from, const std::string& folderName, const LiveParts& parts,
                           const pipeline::Stop& stop) {
@@ -84,14 +98,14 @@ Result<LivePage> makePage(const LessonText& from, const std::string& folderName,
     const bool writes = std::ranges::any_of(live.lesson.pages, [](const Page& page) {
         return page.question && std::holds_alternative<WriteQuestion>(page.question->kind);
     });
-    const auto whole = writes ? withWriter(parts) : Result<LiveParts>(LiveParts());
-    if (!whole) return whole.errors();
+    const auto own = writes ? writingParts(parts) : Result<LiveParts>(LiveParts());
+    if (!own) return own.errors();
     Errors leftOut;  // the handout has told of them
     const auto data = liveData(live, from, parts.index.empty() ? "" : livePageFile(live.lesson.next), leftOut);
     if (!data) return data.errors();
     return LivePage{
         filledPage(
-            writes ? *whole : parts, live.lesson.title, *data,
+            writes ? *own : parts, live.lesson.title, *data,
             {{"PAPER", paperOf(handout->pages)},
              {"NOSCRIPT", "Open it in a browser with scripts for the live lesson. Below is the lesson on paper."},
              {"PLACES", ""},
@@ -144,7 +158,7 @@ Result<LiveParts> liveParts(LiveKind kind) {
                                                                  {"stage.css", &parts.style}};
     parts.script = kStrict;
     for (const std::string_view name : kScripts) files.emplace_back(name, &parts.script);
-    if (kind == LiveKind::Lesson) {
+    if (kind != LiveKind::Whole) {
         files.emplace_back("start.js", &parts.script);
     } else {
         files.emplace_back("all.css", &parts.style);
@@ -156,7 +170,8 @@ Result<LiveParts> liveParts(LiveKind kind) {
         if (!read) return read.errors();
         *text += *read;
     }
-    auto core = readPageFile(kind == LiveKind::Lesson ? "shadescope_core.wasm.gz" : "shadescope_core_all.wasm.gz");
+    static constexpr std::array kCores{"shadescope_core.wasm.gz", kWritingCore, "shadescope_core_all.wasm.gz"};
+    auto core = readPageFile(kCores[std::size_t(kind)]);
     if (!core)
         return Error{
             {},

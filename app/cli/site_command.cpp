@@ -22,7 +22,7 @@ int exportSite(const std::string& folder, bool force, const CliHost& host) {
     constexpr const char* kIndex = "index.html";
     if (!mayWriteInto(folder, {kIndex}, kIndex, force)) return kCouldNotWrite;
     const Interrupt interrupt;
-    const auto parts = lessons::liveParts();
+    const auto parts = lessons::liveParts(lessons::LiveKind::Site);
     if (!parts) {
         printErrors(parts.errors());
         return kCouldNotWrite;

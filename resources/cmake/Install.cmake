@@ -12,7 +12,8 @@ install(DIRECTORY lessons/ DESTINATION ${CMAKE_INSTALL_DATADIR}/shadescope/lesso
 install(DIRECTORY app/web/page/ DESTINATION ${CMAKE_INSTALL_DATADIR}/shadescope/web
   FILES_MATCHING PATTERN "*.html" PATTERN "*.css" PATTERN "*.js" PATTERN "*.txt")
 set(core ${PROJECT_SOURCE_DIR}/build/web/shadescope_core.wasm.gz)
-install(FILES ${core} ${PROJECT_SOURCE_DIR}/build/web/shadescope_core_all.wasm.gz ${PROJECT_SOURCE_DIR}/build/web/acorn.js
+install(FILES ${core} ${PROJECT_SOURCE_DIR}/build/web/shadescope_core_write.wasm.gz
+  ${PROJECT_SOURCE_DIR}/build/web/shadescope_core_all.wasm.gz ${PROJECT_SOURCE_DIR}/build/web/acorn.js
   DESTINATION ${CMAKE_INSTALL_DATADIR}/shadescope/web OPTIONAL)
 install(CODE "if(NOT EXISTS ${core})
   message(WARNING \"Installed without live pages: the preset web has not built their core\")

@@ -113,8 +113,8 @@ try {
   await firefox.open(`${write('diffuse.html', 'lesson', 'export', 'diffuse', '--live')}?page=${page}`);
   expect('a page with an editor starts', await firefox.until(kReady) && await firefox.run('document.querySelector("#code") !== null'));
   const lines = async text => {
-    await firefox.run(`void (verdict = null, document.querySelector('#code').value = ${JSON.stringify(text)}, document.querySelector('#answer').requestSubmit())`);
-    return await firefox.until('!writing.busy && verdict !== null') ? firefox.run('document.querySelector("#said").innerText') : 'no verdict';
+    await firefox.run(`void (document.querySelector('#said').replaceChildren(), document.querySelector('#code').value = ${JSON.stringify(text)}, document.querySelector('#run').click())`);
+    return await firefox.until('document.querySelector("#said .mark") !== null && document.querySelector("#run").firstChild.nodeValue === "Run"') ? firefox.run('document.querySelector("#said").innerText') : 'no verdict';
   };
   for (const [name, { text, said }] of Object.entries(hostile)) {
     const found = await lines(text);

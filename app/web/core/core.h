@@ -76,8 +76,6 @@ LiveCore& core();
 const lessons::Question& questionOf(const OpenLesson& open);
 // What an answer is judged by: the page's own frame, or the reader's where the reader changes it.
 lessons::Context contextOf(OpenLesson& open);
-// What the page needs to run lines: the function, its contract in words, and the last text that was run.
-Json writeJson(const lessons::WriteQuestion& write, const lessons::Attempt& attempt);
 Json verdictJson(const lessons::Verdict& verdict);
 
 std::string_view textAt(const char* start, int size);

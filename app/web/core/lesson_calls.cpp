@@ -7,6 +7,7 @@
 #include "lessons/results.h"
 #include "lessons/state/view_tree.h"
 #include "pipeline/core/text.h"
+#include "pipeline/defects/own_words.h"
 #include "pipeline/export/html_text.h"
 
 // The lesson's pages and their questions, judged by the engine of the program.
@@ -50,6 +51,18 @@ std::vector<std::string> settingsInPlay() {
     return keys;
 }
 
+// What the page needs to run lines: the function, its contract in words, and the last text that was run.
+Json writeJson(const lessons::WriteQuestion& write, const lessons::Attempt& attempt) {
+    const pipeline::OwnContract& contract = write.contract;
+    Json json{{"function", contract.name}, {"shape", shapeText(contract)}, {"stage", int(contract.stage)},
+              {"result", contract.result}, {"picture", contract.picture},  {"trials", write.trials.size()},
+              {"start", write.start},      {"takes", Json::array()}};
+    for (const pipeline::OwnParameter& one : contract.taken())
+        json["takes"].push_back({one.name, one.meaning, isList(one.kind)});
+    if (!attempt.progress().tries.empty()) json["last"] = attempt.progress().tries.back().given;
+    return json;
+}
+
 Json questionJson(Errors& errors) {
     const lessons::Question& question = *page().question;
     const lessons::Context context = contextOf(opened());
@@ -76,8 +89,8 @@ Json questionJson(Errors& errors) {
         json["ends"] = {order->first, order->last};
     if (const auto* typed = std::get_if<lessons::NumberQuestion>(&question.kind)) json["unit"] = typed->unit;
     if (const auto* click = std::get_if<lessons::ClickQuestion>(&question.kind)) json["click"] = name(click->kind);
-    if (const auto* write = std::get_if<lessons::WriteQuestion>(&question.kind))
-        json["write"] = writeJson(*write, attempt);
+    const auto* write = std::get_if<lessons::WriteQuestion>(&question.kind);
+    if (write) json["write"] = writeJson(*write, attempt);
     if (const auto* until = std::get_if<lessons::UntilQuestion>(&question.kind)) {
         if (const auto gauge = gaugeOf(*until, context); gauge && *gauge) json["gauge"] = (*gauge)->said;
         // For Show me; a page tells no answer before.
@@ -96,7 +109,6 @@ Json questionJson(Errors& errors) {
         errors.insert(errors.end(), solution.errors().begin(), solution.errors().end());
         return json;
     }
-    const auto* write = std::get_if<lessons::WriteQuestion>(&question.kind);
     json["solution"] = {{"answer", write ? "<pre><code>" + pipeline::escapedHtml(write->answer) + "</code></pre>"
                                          : lessons::liveHtml(solution->answer)},
                         {"steps", Json::array()}};

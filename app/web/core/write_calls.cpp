@@ -52,18 +52,6 @@ bool isWrong(std::size_t i) {
 
 }  // namespace
 
-Json writeJson(const lessons::WriteQuestion& write, const lessons::Attempt& attempt) {
-    const pipeline::OwnContract& contract = write.contract;
-    Json json{{"function", contract.name}, {"shape", shapeText(contract)}, {"stage", int(contract.stage)},
-              {"result", contract.result}, {"picture", contract.picture},  {"trials", write.trials.size()},
-              {"start", write.start},      {"takes", Json::array()}};
-    for (const pipeline::OwnParameter& one : contract.taken())
-        json["takes"].push_back({one.name, one.meaning, isList(one.kind)});
-    const auto& tries = attempt.progress().tries;
-    json["last"] = tries.empty() ? std::string() : tries.back().given;
-    return json;
-}
-
 // Opens a scene, 0 the page's own, then the trials: every call of the function there. The first answer to it is
 // write_results of these calls.
 WEB_CALL(write_scene) int webWriteScene(int number) {
