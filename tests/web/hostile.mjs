@@ -9,7 +9,7 @@ export const hostile = {
   'endless loop': { text: body('  let i = 0;\n  while (true) {\n    i = i + 1;\n  }'), said: /Line 3 was still running/ },
   'endless for, empty': { text: body('  for (;;);'), said: /Line 2 was still running/ },
   'endless loop outside of the function': { text: 'for (;;);\n' + body(kRight), said: /Line 1 was still running/ },
-  'endless recursion': { text: body('  return lambert(kd, I, N, L);'), said: /differ/ },
+  'endless recursion': { text: body('  return lambert(kd, I, N, L);'), said: /calls itself without end/ },
   'recursion that branches': { text: body('  const f = n => (n < 2 ? n : f(n - 1) + f(n - 2));\n  return kd * f(60);'), said: /Line 2 was still running/ },
   'slow regular expression': { text: body("  return /^(a+)+$/.test('a'.repeat(60) + '!');"), said: /Not run/ },
   'endless sort': { text: body('  return [3, 1, 2].sort(() => { for (;;) {} });'), said: /Line 2 was still running/ },

@@ -55,9 +55,11 @@ const $compare = (line, a, sign, b) => {
   return value;
 };
 
+// Each browser has words of its own for it.
+const $isDeep = error => /stack size|recursion/i.test(error && error.message);
 /** Why lines have thrown. */
 function $wordsOf(error) {
-  if (error instanceof RangeError && /stack|recursion/i.test(error.message)) return 'a function calls itself without end';
+  if ($isDeep(error)) return 'a function calls itself without end';
   return String(error && error.message || error).slice(0, 200);
 }
 
@@ -79,7 +81,7 @@ function $run(lines, shape, calls, numbers, beat) {
       if (!Array.isArray(parts) || parts.length !== size) continue;
       for (let i = 0; i < size; ++i) if (typeof parts[i] === 'number') out[call * size + i] = parts[i];
     } catch (error) {
-      if (error && error.isEndless) throw error;
+      if ($isDeep(error) || (error && error.isEndless)) throw error;
     }
   }
   return out;
