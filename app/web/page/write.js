@@ -246,6 +246,7 @@ function goToVisit(at) {
   if (!writing.trace) return;
   writing.at = clamp(at, 0, writing.trace.visits.length);
   drawTrace();
+  one('#trace .now')?.scrollIntoView({ block: 'nearest' });
 }
 
 function drawTrace() {
@@ -256,7 +257,7 @@ function drawTrace() {
   one('#trace .code').replaceChildren(...one('#code').value.replace(/\s+$/, '').split('\n').map((text, i) => element('li', { className: i + 1 === now ? 'now' : seen.has(i + 1) ? '' : 'elsewhere' },
     element('span', { className: 'text', textContent: text || ' ' }), element('span', { className: 'values', textContent: (seen.get(i + 1) || []).join('  ') }))));
   const current = one('#trace .now');
-  if (current) current.setAttribute('aria-current', 'step'), current.scrollIntoView({ block: 'nearest' });
+  if (current) current.setAttribute('aria-current', 'step');
   one('#atline').textContent = `${Math.min(at + 1, visits.length)} of ${visits.length}`;
   one('#backline').disabled = one('#firstline').disabled = at === 0;
   one('#forthline').disabled = one('#lastline').disabled = at >= visits.length;
