@@ -13,7 +13,7 @@ pipeline::Result<Lesson> lessonWith(std::string_view question) {
                        "lesson.md",
                        [](std::string_view) -> pipeline::Result<pipeline::Scene> { return pyramidScene(); });
 }
-std::string errorsOf(std::string_view question) {
+std::string refusalOf(std::string_view question) {
     const auto lesson = lessonWith(question);
     return lesson ? "" : format(lesson.errors());
 }
@@ -56,14 +56,14 @@ TEST(WriteQuestions, AreReadWithTheirLinesAsTheyAreIndented) {
 }
 
 TEST(WriteQuestions, SayWhatIsWrongWithThem) {
-    EXPECT_NE(errorsOf("question: Q\nwrite: CalcNormals\nanswer:\n  return 1;\n").find("CalcNormal"),
+    EXPECT_NE(refusalOf("question: Q\nwrite: CalcNormals\nanswer:\n  return 1;\n").find("CalcNormal"),
               std::string::npos);
-    EXPECT_NE(errorsOf("question: Q\nwrite: lambert\n").find("no lines of \"answer\""), std::string::npos);
-    EXPECT_NE(errorsOf("question: Q\nwrite: lambert\nanswer:\n  return 1;\nmistake no-maxx:\n  No.\n").find("no-max"),
+    EXPECT_NE(refusalOf("question: Q\nwrite: lambert\n").find("no lines of \"answer\""), std::string::npos);
+    EXPECT_NE(refusalOf("question: Q\nwrite: lambert\nanswer:\n  return 1;\nmistake no-maxx:\n  No.\n").find("no-max"),
               std::string::npos);
-    EXPECT_NE(errorsOf("question: Q\nanswer: 1\nstart:\n  return 1;\n").find("kind number"), std::string::npos);
+    EXPECT_NE(refusalOf("question: Q\nanswer: 1\nstart:\n  return 1;\n").find("kind number"), std::string::npos);
     // Only lines of a function go on below their key.
-    EXPECT_NE(errorsOf("question: Q\nanswer: 1\n  + 1\n").find("lesson.md:11:3"), std::string::npos);
+    EXPECT_NE(refusalOf("question: Q\nanswer: 1\n  + 1\n").find("lesson.md:11:3"), std::string::npos);
 }
 
 pipeline::OwnVerdict verdictOf(std::size_t wrong, std::vector<const pipeline::OwnMistake*> names) {
