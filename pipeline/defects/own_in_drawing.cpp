@@ -126,7 +126,7 @@ void spoilCoverage(const Planted& planted, const View& view, const RasterTriangl
             if (!isNear) {
                 OwnCall call(*planted.own);
                 // Counter-clockwise as seen, as a front face runs.
-                for (const std::size_t i : {0, 2, 1}) call << glm::dvec2(c[i]) / double(kSubPixels);
+                for (const std::size_t i : {0u, 2u, 1u}) call << glm::dvec2(c[i]) / double(kSubPixels);
                 call << glm::dvec2(x, y) + 0.5;
                 const std::size_t at = std::size_t(y) * std::size_t(view.size.x) + std::size_t(x);
                 if (const auto covered = call.result(OwnPlace::Pixel, at)) isInside = covered->at[0] != 0;
