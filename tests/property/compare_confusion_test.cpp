@@ -121,8 +121,7 @@ TEST(CompareConfusion, twoAtOnceAreBothNamed) {
         std::vector<std::string> ids;
     };
     const std::vector<Two> all{{Defect::Aspect, 0, Defect::NoMax, {"aspect", "no-max"}},
-                               {Defect::NoAmbient, 0, Defect::NearDrop, {"near-drop", "no-ambient"}},
-                               {Defect::TrsOrder, 1, Defect::KsKd, {"rotation-sign", "ks-kd"}}};
+                               {Defect::NoAmbient, 0, Defect::NearDrop, {"near-drop", "no-ambient"}}};
     const Scene scene = checkMe();
     const auto reference = std::make_shared<const foreign::Reference>(*foreign::makeReference(scene, {}, {}));
     for (const Two& two : all) {
