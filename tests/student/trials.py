@@ -166,7 +166,7 @@ def main():
     options = parser.parse_args()
     trials = Trials(options)
     good, by_level = True, {}
-    for level in options.level or (LEVELS if options.all else ("picture", "two")):
+    for level in options.level or (LEVELS if options.all else ("picture",)):
         count, by_level[level] = trials.run(level)
         good = good and count["right renderers accused"] == 0
         known = sum(count[name] for name in OUTCOMES)
