@@ -5,21 +5,12 @@
 #include <string_view>
 #include <vector>
 
+#include "app/headless/exit_status.h"
 #include "lessons/talk_page.h"
 #include "pipeline/core/result.h"
 #include "pipeline/run/frame.h"
 
 namespace app {
-
-// What every command answers with.
-enum ExitStatus {
-    kDone = 0,
-    kAnswerIsNo = 1,
-    kWrongUsage = 2,
-    kBadInput = 3,
-    kCouldNotWrite = 4,  // or there was not enough memory
-    kInterrupted = 130,  // Ctrl+C, as shells have it; the others that ask to stop too
-};
 
 // What only a build with a window can do.
 struct CliHost {

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "app/headless/command_host.h"
+#include "app/headless/pixel_text.h"
 #include "lessons/state/window_state.h"
 #include "pipeline/core/result.h"
 #include "pipeline/core/stop.h"
@@ -43,11 +45,8 @@ std::shared_ptr<const pipeline::Scene> loadScene(const SceneArgument& argument, 
 bool fits(const pipeline::Scene& scene, const pipeline::FrameRequest& request, const SceneArgument& argument,
           int& status);
 
-// "640x480" and "12,40": two whole numbers around a separator, nothing else.
-std::optional<glm::ivec2> parsePair(std::string_view text, char separator);
-
-// --pixel's X,Y, or nothing after the reason went to standard error.
-std::optional<glm::ivec2> pixelIn(const pipeline::Scene& scene, const std::string& text);
+// The terminal, for a command on the scene of `argument`, which outlives the host.
+CommandHost commandHost(const SceneArgument& argument, pipeline::Stop stop);
 
 // Prints one line an error. Throws std::bad_alloc where memory was missing and nothing is wrong with a file.
 void printErrors(const pipeline::Errors& errors);
