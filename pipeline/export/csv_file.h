@@ -8,4 +8,7 @@ namespace pipeline {
 std::uint64_t csvEstimate(const AnyBuffer& buffer);
 Result<std::uint64_t> writeCsv(const ExportItem& item, const std::filesystem::path& file);
 
+inline constexpr Exporter kCsvExporter{
+    "csv", "A table: one line a pixel, vertex or polygon.", false, holdsAll, csvEstimate, false, writeCsv};
+
 }  // namespace pipeline

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "pipeline/core/result.h"
+#include "pipeline/export/json_value.h"
 #include "pipeline/run/frame.h"
 
 namespace pipeline {
@@ -57,6 +58,21 @@ struct ExportSummary {
 
 // Called before each file with the share that is done, 0 to 1; false cancels.
 using ExportProgress = std::function<bool(double share, std::string_view file)>;
+
+// Writes more files, counts their bytes and gives their names; may be empty.
+using WriteViews = std::function<Result<std::vector<std::string>>(std::uint64_t& bytes)>;
+
+// The files of an export but for its manifest, written into a folder that is there; and the manifest, which lacks
+// "contents" still.
+struct ExportFiles {
+    bool cancelled = false;
+    std::vector<std::string> names;
+    std::uint64_t bytes = 0;
+    Json manifest;
+};
+Result<ExportFiles> writeExportFiles(const Frame& frame, const ExportRequest& request,
+                                     const std::filesystem::path& folder, const ExportProgress& progress = {},
+                                     const WriteViews& writeViews = {});
 
 // Writes the buffers of a frame and manifest.json: all of them, or nothing. To an export of the same frame that is in the
 // folder already they are added; one of another frame, or whose files are not as its manifest has them, is

@@ -36,8 +36,10 @@ struct Exporter {
     Result<std::uint64_t> (*write)(const ExportItem& item, const std::filesystem::path& file);
 };
 
+// Those that the program has; the core of the page has fewer.
 std::span<const Exporter> exporterTable();
 const Exporter* findExporter(std::string_view name);  // null where there is none
+std::string_view holdsAll(const BufferInfo& info);    // refuses nothing
 
 // A format whose one file holds a whole frame, not one buffer.
 struct FrameExporter {
@@ -49,6 +51,11 @@ struct FrameExporter {
     // As Exporter::write.
     Result<std::uint64_t> (*write)(const Frame& frame, const std::filesystem::path& file);
 };
+
+std::string anyScene(const Scene& scene);  // refuses nothing
+Result<std::uint64_t> writeSceneFile(const Frame& frame, const std::filesystem::path& file);
+inline constexpr FrameExporter kSceneExporter{"scene", "The scene and its settings as TOML, which opens again.",
+                                              ".toml", anyScene, writeSceneFile};
 
 std::span<const FrameExporter> frameExporterTable();
 const FrameExporter* findFrameExporter(std::string_view name);  // null where there is none

@@ -8,4 +8,8 @@ namespace pipeline {
 std::uint64_t npySize(const AnyBuffer& buffer);
 Result<std::uint64_t> writeNpy(const ExportItem& item, const std::filesystem::path& file);
 
+inline constexpr Exporter kNpyExporter{
+    "npy",   "The numbers as they are, for NumPy: version 1.0, little-endian, C order.", false, holdsAll, npySize, true,
+    writeNpy};
+
 }  // namespace pipeline

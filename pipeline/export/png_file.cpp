@@ -100,20 +100,6 @@ bool writePicture(Picture8 picture, Texts* texts) {
 
 }  // namespace
 
-std::string_view paletteName(Palette palette) {
-    switch (palette) {
-        case Palette::Sequential: return "ember";
-        case Palette::Diverging: return "slope";
-        case Palette::Categorical: return "eight";
-        case Palette::Verdict: return "verdict";
-        case Palette::ShadowVerdict: return "shadow verdict";
-        case Palette::Truth: return "truth";
-        case Palette::Direction: return "direction";
-        case Palette::Color: return "color";
-    }
-    return {};
-}
-
 // Flat areas pack well; this is what smooth ones come to.
 std::uint64_t pngEstimate(const AnyBuffer& buffer) { return 1000 + buffer.rows() * buffer.columns() * 3 / 2; }
 
