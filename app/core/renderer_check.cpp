@@ -162,7 +162,7 @@ void RendererCheck::ask(bool names) {
                 kept->reference = std::make_shared<const foreign::Reference>(std::move(*reference));
             }
             foreign::HandedIn in = foreign::readHandedIn(paths, *kept->reference->frame, control.stop);
-            if (!byHand.empty()) in.conventions = withStated(in.conventions, byHand);
+            if (!byHand.empty()) in.conventions = foreign::withStated(in.conventions, byHand);
             if (in.conventionsName.empty()) in.conventionsName = "mine.toml";
             return give(compareRenderer(*kept->scene, kept->reference, std::move(in), name, options));
         },

@@ -10,7 +10,7 @@
 #include "app/core/renderer_files.h"
 #include "app/core/renderer_watch.h"
 #include "app/core/scene_step.h"
-#include "pipeline/compare/verdict.h"
+#include "pipeline/compare/convention_choices.h"
 
 namespace app {
 
@@ -57,7 +57,7 @@ public:
 
     // How the files are read, by the keys of mine.toml; compared again at once. An empty value: as it is found.
     void state(const std::string& key, const std::string& value);
-    const StatedByHand& byHand() const { return m_byHand; }
+    const pipeline::foreign::StatedByHand& byHand() const { return m_byHand; }
 
     // A buffer that was handed in, in the type of `like`; the same for one report. Nothing where it was not handed in.
     std::optional<pipeline::AnyBuffer> buffer(const pipeline::AnyBuffer& like) const;
@@ -80,7 +80,7 @@ private:
     QStringList m_paths;
     int m_given = 3;
     bool m_followed = false, m_missed = false, m_cancelled = false;
-    StatedByHand m_byHand;
+    pipeline::foreign::StatedByHand m_byHand;
     std::shared_ptr<Kept> m_kept;  // of the scene; of the job's thread alone
     std::shared_ptr<Progress> m_progress;
     RendererWatch m_watch;

@@ -24,13 +24,13 @@ RendererConventions::RendererConventions(RendererCheck& renderer, QWidget* paren
     });
 }
 
-void RendererConventions::addRow(const ConventionChoice& choice, int row) {
+void RendererConventions::addRow(const pipeline::foreign::ConventionChoice& choice, int row) {
     const bool byHand = m_renderer.byHand().contains(choice.key);
     auto* key = new QLabel(toQString(choice.key), this);
     auto* list = new QComboBox(this);
     list->setObjectName("convention:" + toQString(choice.key));
     nameChoice(*list, toQString(choice.key));
-    list->setToolTip(choice.buffers);
+    list->setToolTip(toQString(choice.buffers));
     list->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     list->setMinimumContentsLength(8);
     for (const std::string& value : choice.values) list->addItem(toQString(value));
@@ -48,7 +48,7 @@ void RendererConventions::addRow(const ConventionChoice& choice, int row) {
             Qt::QueuedConnection);
         beside = back;
     } else {
-        auto* certainty = styled(new QLabel(choice.certainty, this), {.tone = 2, .wraps = true});
+        auto* certainty = styled(new QLabel(toQString(choice.certainty), this), {.tone = 2, .wraps = true});
         beside = certainty;
     }
     m_grid->addWidget(key, row, 0);
@@ -75,8 +75,8 @@ void RendererConventions::show(const pipeline::foreign::Report& report) {
     }
     const auto choices = conventionChoices(report);
     int row = 0;
-    for (const ConventionChoice& choice : choices) addRow(choice, row++);
-    const auto found = std::ranges::count_if(choices, [](const auto& choice) { return !choice.certainty.isEmpty(); });
+    for (const pipeline::foreign::ConventionChoice& choice : choices) addRow(choice, row++);
+    const auto found = std::ranges::count_if(choices, [](const auto& choice) { return !choice.certainty.empty(); });
     const auto byHand = m_renderer.byHand().size();
     m_sentence = byHand > 0   ? tr("%1 by hand").arg(byHand)
                  : found == 0 ? tr("as this program's")

@@ -2,6 +2,7 @@
 #include <QWidget>
 
 #include "app/core/renderer_check.h"
+#include "pipeline/compare/convention_choices.h"
 
 class QGridLayout;
 
@@ -17,7 +18,7 @@ public:
     QString sentence() const { return m_sentence; }  // "4 found, read as such"
 
 private:
-    void addRow(const ConventionChoice& choice, int row);
+    void addRow(const pipeline::foreign::ConventionChoice& choice, int row);
 
     RendererCheck& m_renderer;
     QGridLayout* m_grid;

@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "pipeline/compare/compare_text.h"
+#include "pipeline/compare/convention_choices.h"
 #include "pipeline/core/version.h"
 
 namespace pipeline::foreign {
@@ -105,6 +106,13 @@ Json reportJson(const Report& report, int exitStatus) {
                                       {"own", one.own},
                                       {"certainty", certaintyText(one)},
                                       {"margin", std::isfinite(one.margin) ? Json(one.margin) : Json()}});
+    out["choices"] = Json::array();
+    for (const ConventionChoice& choice : conventionChoices(report))
+        out["choices"].push_back({{"key", choice.key},
+                                  {"value", choice.value},
+                                  {"values", choice.values},
+                                  {"certainty", choice.certainty},
+                                  {"buffers", choice.buffers}});
     out["contracts"] = Json::array();
     for (const BrokenContract& one : report.broken)
         if (report.options.hints >= 2)

@@ -164,6 +164,7 @@ void nameFirstWrong(Report& report) {
         report.possiblyWrong = std::move(stages), report.isCertain = isCertain;
         if (report.possiblyWrong.size() == 1) report.firstWrong = report.possiblyWrong[0];
     };
+    report.firstWrong.reset(), report.possiblyWrong.clear(), report.isCertain = false;
     if (report.agrees()) return;
     for (const StageId stage : kStages)
         if (report.stages[index(stage)].standing == Standing::WrongHere) return only({stage}, true);
@@ -241,26 +242,32 @@ Result<Report> compareRenderer(const Scene& scene, std::shared_ptr<const Referen
     if (!readFiles(out, *stated) || !settleSamples(out, *stated)) return Error{{}, "cancelled", {}};
     settleFlags(out);
     judgeAll(out);
-    if (options.known && !out.agrees() && !out.evidence.isEmpty) {
-        const HypothesisProgress progress = [&](std::size_t done, std::size_t all) {
-            if (options.progress) options.progress("known errors", done, all);
-        };
-        std::vector<KnownError> errors = knownErrors(scene);
-        std::erase_if(errors, [&](const KnownError& error) {
-            return std::ranges::find(options.without, error.id) != options.without.end();
-        });
-        out.suspects = findSuspects(scene, std::move(errors), *out.reference, out.conventions, *stated, out.findings,
-                                    firstWrongOf(out), options.stop, progress);
-        if (out.suspects->stopped) return Error{{}, "cancelled", {}};
-        // The files as they are read if that is the error, for all that follows.
-        if (!out.suspects->candidates.empty()) {
-            if (!readAs(out, *stated, out.suspects->candidates[0].misfit)) return Error{{}, "cancelled", {}};
-            settleFlags(out);
-            judgeAll(out);
-        }
-    }
     nameFirstWrong(out);
+    if (options.known && !nameKnownErrors(out)) return Error{{}, "cancelled", {}};
     return out;
+}
+
+bool nameKnownErrors(Report& report) {
+    if (report.agrees() || report.evidence.isEmpty) return true;
+    const auto stated = readStated(report.in->conventions, report.in->conventionsName);
+    const HypothesisProgress progress = [&](std::size_t done, std::size_t all) {
+        if (report.options.progress) report.options.progress("known errors", done, all);
+    };
+    std::vector<KnownError> errors = knownErrors(*report.scene);
+    const auto& without = report.options.without;
+    std::erase_if(errors,
+                  [&](const KnownError& error) { return std::ranges::find(without, error.id) != without.end(); });
+    report.suspects = findSuspects(*report.scene, std::move(errors), *report.reference, report.conventions, *stated,
+                                   report.findings, firstWrongOf(report), report.options.stop, progress);
+    if (report.suspects->stopped) return false;
+    // The files as they are read if that is the error, for all that follows.
+    if (!report.suspects->candidates.empty()) {
+        if (!readAs(report, *stated, report.suspects->candidates[0].misfit)) return false;
+        settleFlags(report);
+        judgeAll(report);
+    }
+    nameFirstWrong(report);
+    return true;
 }
 
 }  // namespace pipeline::foreign

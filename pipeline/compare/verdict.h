@@ -62,6 +62,9 @@ Result<Report> compareRenderer(const Scene& scene, const std::vector<std::string
 // The same of files that are in memory. given: what they are called in titles.
 Result<Report> compareRenderer(const Scene& scene, std::shared_ptr<const Reference> reference, HandedIn in,
                                const std::string& given, const CompareOptions& options);
+// Tries the known errors, which a report lacks that was made with options.known false: the report is then the one that it
+// would have been with it, without comparing again. False: stopped, and the report is of no use.
+bool nameKnownErrors(Report& report);
 
 // "Normals is the first wrong stage."
 std::string headline(const Report& report);
