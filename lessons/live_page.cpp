@@ -151,7 +151,8 @@ Result<LiveParts> liveParts(LiveKind kind) {
     static constexpr std::array<std::string_view, 12> kScripts{"core.js",  "view.js",     "pictures.js", "stages.js",
                                                                "pixel.js", "settings.js", "worker.js",   "lesson.js",
                                                                "space.js", "stage.js",    "end.js",      "page.js"};
-    static constexpr std::array<std::string_view, 5> kOfWhole{"files.js", "link.js", "side.js", "mine.js", "all.js"};
+    static constexpr std::array<std::string_view, 6> kOfWhole{"files.js", "link.js", "side.js",
+                                                              "mine.js",  "game.js", "all.js"};
     std::vector<std::pair<std::string_view, std::string*>> files{{"page.html", &parts.page},
                                                                  {"tokens.css", &parts.style},
                                                                  {"page.css", &parts.style},
@@ -162,7 +163,7 @@ Result<LiveParts> liveParts(LiveKind kind) {
         files.emplace_back("start.js", &parts.script);
     } else {
         files.emplace_back("all.css", &parts.style);
-        for (const char* name : {"start.html", "mine.html"}) files.emplace_back(name, &parts.places);
+        for (const char* name : {"start.html", "mine.html", "game.html"}) files.emplace_back(name, &parts.places);
         for (const std::string_view name : kOfWhole) files.emplace_back(name, &parts.script);
     }
     for (const auto& [name, text] : files) {

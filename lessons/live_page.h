@@ -54,10 +54,16 @@ pipeline::Result<LivePage> makeLivePage(const pipeline::Scene& scene, std::strin
 // The page with its holes filled, but for those of its kind, which `values` has.
 std::string filledPage(const LiveParts& parts, std::string_view title, const pipeline::Json& data, PageValues values);
 
-// The program in one page: every scene and lesson, scenes and models of the reader's own, and the check of a renderer.
+// What a site has beside the page that is its index.
+struct PageSurroundings {
+    pipeline::Json lists = pipeline::Json::array();  // [{"heading", "entries": [{"file", "title", "note"}]}]
+    std::string paper{};                             // the same and all else as HTML, for a browser without scripts
+};
+// The program in one page: every scene and lesson, scenes and models of the reader's own, the check of a renderer, the wrong
+// picture and the cases.
 // Errors: a file of the program that cannot be read; "stopped".
 using PageProgress = std::function<void(std::size_t done, std::size_t all, const std::string& what)>;
 pipeline::Result<std::string> makeWholePage(const LiveParts& parts, const pipeline::Stop& stop = {},
-                                            const PageProgress& progress = {});
+                                            const PageProgress& progress = {}, const PageSurroundings& beside = {});
 
 }  // namespace lessons

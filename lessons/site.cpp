@@ -1,7 +1,6 @@
 #include "lessons/site.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -70,26 +69,35 @@ public:
         const std::vector<fs::path> talks = filesOf(".cues"), manual = filesOf(".md");
         m_all = library.lessons.size() + scenes.size() + talks.size() + manual.size();
 
+        auto ofWhole = liveParts(LiveKind::Whole);
+        if (!ofWhole) return ofWhole.errors();
+        LiveParts whole = std::move(ofWhole).value();
+        m_parts.core = whole.core;  // one for all pages: it has the calls of a lesson's too
         add(kCoreFile, "globalThis.sharedCore = '" + pipeline::base64(m_parts.core) + "';\n");
-        m_parts.sharedCore = kCoreFile, m_parts.index = kIndexFile;
+        m_parts.sharedCore = whole.sharedCore = kCoreFile, m_parts.index = kIndexFile;
         std::set<std::string> pages;
         for (const fs::path& file : manual) pages.insert(file.stem().string());
-        std::vector<std::string> noEntries;
-        takeTurns(talks, m_talks, [&](const fs::path& file, std::string& entry) { addTalk(file, entry); });
-        takeTurns(library.lessons, m_lessons,
-                  [&](const Lesson& lesson, std::string& entry) { addLesson(lesson, entry); });
-        takeTurns(scenes, m_scenes,
-                  [&](const pipeline::BuiltInScene& scene, std::string& entry) { addScene(scene, entry); });
-        takeTurns(manual, noEntries, [&](const fs::path& file, std::string&) { addManual(file, pages); });
+        std::vector<Entry> noEntries;
+        takeTurns(talks, m_talks, [&](const fs::path& file, Entry& entry) { addTalk(file, entry); });
+        takeTurns(library.lessons, m_lessons, [&](const Lesson& lesson, Entry& entry) { addLesson(lesson, entry); });
+        takeTurns(scenes, m_scenes, [&](const pipeline::BuiltInScene& scene, Entry& entry) { addScene(scene, entry); });
+        takeTurns(manual, noEntries, [&](const fs::path& file, Entry&) { addManual(file, pages); });
         std::ranges::stable_sort(m_turns, {}, &Turn::place);
         for (const Turn& turn : m_turns) turn.make();
         if (m_stop.stop_requested()) return Error{{}, "stopped", {}};
         if (!m_errors.empty()) return m_errors;
-        add(kIndexFile, paperPage(m_style, "Shadescope", index()));
+        std::erase_if(m_talks, [](const Entry& talk) { return talk.file.empty(); });
+        auto index = makeWholePage(whole, m_stop, {}, {lists(), paperIndex()});
+        if (!index) return index.errors();
+        add(kIndexFile, std::move(index).value());
         return std::move(m_site);
     }
 
 private:
+    // A page as the index has it. An empty file: it was left out.
+    struct Entry {
+        std::string file, title, says, facts{}, paper{};
+    };
     // Each kind of page is spread evenly over the time, and so are the first and the last pages of a kind: a talk takes
     // much longer than a page of the manual, the last lesson thirty times as long as the first. Only a mixture tells from
     // the time so far how much is left.
@@ -105,7 +113,7 @@ private:
     }
     // entries: of the index, in the order of the things.
     template <class Things, class Make>
-    void takeTurns(const Things& things, std::vector<std::string>& entries, Make make) {
+    void takeTurns(const Things& things, std::vector<Entry>& entries, Make make) {
         entries.resize(things.size());
         std::vector<std::size_t> order(things.size());
         std::iota(order.begin(), order.end(), 0);
@@ -136,7 +144,7 @@ private:
     }
     void leaveOut(const std::string& name, const std::string& why) { m_site.leftOut.push_back(name + ": " + why); }
 
-    void addTalk(const fs::path& file, std::string& entry) {
+    void addTalk(const fs::path& file, Entry& entry) {
         if (!begin("talk " + file.stem().string())) return;
         if (!m_draw) return leaveOut(file.filename().string(), "this build draws no views");
         const auto parts = talkParts();
@@ -146,34 +154,32 @@ private:
         if (!isMade(page)) return;
         for (const std::string& line : page->leftOut) leaveOut(file.filename().string(), line);
         const std::string name = "talk-" + file.stem().string() + ".html";
-        entry = fmt::format("<li>{}<p>{} cues, {} minutes.</p></li>\n",
-                            link(name, list->title.empty() ? file.stem().string() : list->title), list->cues.size(),
-                            list->minutes);
+        entry = {name, list->title.empty() ? file.stem().string() : list->title,
+                 fmt::format("{} cues, {} minutes.", list->cues.size(), list->minutes)};
         add(name, std::move(page->html));
     }
 
-    void addLesson(const Lesson& lesson, std::string& entry) {
+    void addLesson(const Lesson& lesson, Entry& entry) {
         if (!begin("lesson " + lesson.name)) return;
         auto page = makeLivePage(lesson, m_parts, m_stop);
         auto handout = makeHandout(lesson, m_stop);
         if (!isMade(page) || !isMade(handout)) return;
         for (const Error& error : page->leftOut) leaveOut(lesson.name, format(error));
         const std::string live = livePageFile(lesson.name), paper = "lesson-" + lesson.name + "-paper.html";
-        entry = fmt::format("<li>{} <span class=\"note\">{}, {} pages, {}</span><p>{}</p></li>\n",
-                            link(live, lesson.title), escapedHtml(lesson.lecture), lesson.pages.size(),
-                            link(paper, "on paper"), escapedHtml(lesson.summary));
+        entry = {live, lesson.title, lesson.summary, fmt::format("{}, {} pages", lesson.lecture, lesson.pages.size()),
+                 paper};
         add(live, std::move(page->html));
         add(paper, std::move(handout->pages));
     }
 
-    void addScene(const pipeline::BuiltInScene& scene, std::string& entry) {
+    void addScene(const pipeline::BuiltInScene& scene, Entry& entry) {
         if (!begin("scene " + scene.name)) return;
         const auto read = pipeline::readScene(scene.file);
         if (!isMade(read)) return;
         auto page = makeLivePage(*read, scene.title, scene.look, {}, m_parts, m_stop);
         if (!isMade(page)) return;
         const std::string name = "scene-" + scene.name + ".html";
-        entry = fmt::format("<li>{}<p>{}</p></li>\n", link(name, scene.title), escapedHtml(scene.look));
+        entry = {name, scene.title, scene.look};
         add(name, std::move(page->html));
     }
 
@@ -208,24 +214,37 @@ private:
         return name;
     }
 
-    std::string index() const {
-        const auto part = [](std::string_view heading, std::string_view says, const std::vector<std::string>& entries) {
-            const std::string list = fmt::format("{}", fmt::join(entries, ""));
-            return list.empty()
-                       ? std::string()
-                       : fmt::format("<section><h2>{}</h2><p>{}</p><ul>\n{}</ul></section>\n", heading, says, list);
+    // What the page that is the index does not show itself.
+    pipeline::Json lists() const {
+        using pipeline::Json;
+        Json lectures = Json::array(), paper = Json::array();
+        for (const Entry& talk : m_talks)
+            lectures.push_back({{"file", talk.file}, {"title", talk.title}, {"note", talk.says}});
+        for (const Entry& lesson : m_lessons)
+            paper.push_back({{"file", lesson.paper}, {"title", lesson.title}, {"note", lesson.facts}});
+        const Json manual{{"file", "manual.html"}, {"title", "The manual of the program"}, {"note", ""}};
+        Json all = Json::array();
+        if (!m_talks.empty()) all.push_back({{"heading", "Lectures"}, {"entries", lectures}});
+        all.push_back({{"heading", "Lessons on paper"}, {"entries", paper}});
+        all.push_back({{"heading", "Manual"}, {"entries", Json::array({manual})}});
+        return all;
+    }
+    // All pages, for a browser without scripts.
+    std::string paperIndex() const {
+        const auto part = [](std::string_view heading, const std::vector<Entry>& entries) {
+            std::string list;
+            for (const Entry& entry : entries) {
+                list += "<li>" + link(entry.file, entry.title);
+                if (!entry.paper.empty())
+                    list += fmt::format(" <span class=\"note\">{}, {}</span>", escapedHtml(entry.facts),
+                                        link(entry.paper, "on paper"));
+                list += "<p>" + escapedHtml(entry.says) + "</p></li>\n";
+            }
+            return list.empty() ? list : fmt::format("<section><h2>{}</h2><ul>\n{}</ul></section>\n", heading, list);
         };
-        return "<main><h1>Shadescope</h1>\n<p>See how polygons become a picture, one step at a time. Every page here "
-               "works in a browser "
-               "of today, with the network off.</p>\n" +
-               part("Lectures", "Pictures, captions, notes and the keys of clickers.", m_talks) +
-               part("Lessons", "Each with the pipeline inside, and questions that are checked on the spot.",
-                    m_lessons) +
-               part("Scenes", "Each with the pipeline inside: click a pixel, move a setting, step through the stages.",
-                    m_scenes) +
-               "<section><h2>Manual</h2><p>" + link("manual.html", "The manual of the program") +
-               "</p></section></main>\n<footer class=\"note\">Made by Shadescope " +
-               escapedHtml(pipeline::programVersion()) + ".</footer>\n";
+        return part("Lectures", m_talks) + part("Lessons", m_lessons) + part("Scenes", m_scenes) +
+               part("Manual", {{"manual.html", "The manual of the program", ""}}) +
+               "<footer class=\"note\">Made by Shadescope " + escapedHtml(pipeline::programVersion()) + ".</footer>\n";
     }
 
     LiveParts m_parts;
@@ -236,7 +255,7 @@ private:
     std::size_t m_done = 0, m_all = 0;
     fs::path m_manual;
     std::string m_style;
-    std::vector<std::string> m_talks, m_lessons, m_scenes;
+    std::vector<Entry> m_talks, m_lessons, m_scenes;
     std::set<std::string> m_pictures;
     pipeline::Errors m_errors;
     Site m_site;

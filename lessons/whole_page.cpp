@@ -48,13 +48,17 @@ std::string thumbnailOf(const pipeline::Scene& scene, const pipeline::Stop& stop
 // What the header of the whole program's page begins with.
 constexpr std::string_view kPlaces =
     "<a class=\"home always\" href=\"#start\">Shadescope</a><nav id=\"places\" class=\"always\" aria-label=\"Places\">"
-    "<a href=\"#start\">Scenes and lessons</a><a href=\"#mine\">My renderer</a></nav>"
+    "<a href=\"#start\">Scenes and lessons</a><a href=\"#mine\">My renderer</a><a href=\"#bug\">Wrong "
+    "picture</a><a href=\"#check\">Stiff cases</a></nav>"
+    "<button type=\"button\" class=\"instrument\" id=\"contractskey\">Contracts <kbd>K</kbd></button>"
+    "<button type=\"button\" class=\"instrument\" id=\"savekey\">Save…</button>"
     "<button type=\"button\" class=\"always\" id=\"copylink\">Copy link</button>"
     "<span class=\"note always\" id=\"copied\" role=\"status\"></span>";
 
 }  // namespace
 
-Result<std::string> makeWholePage(const LiveParts& parts, const pipeline::Stop& stop, const PageProgress& progress) {
+Result<std::string> makeWholePage(const LiveParts& parts, const pipeline::Stop& stop, const PageProgress& progress,
+                                  const PageSurroundings& beside) {
     const fs::path folder = pipeline::resourceFolder();
     Errors errors, leftOut;
     const auto take = [&](const auto& result) {
@@ -112,11 +116,12 @@ Result<std::string> makeWholePage(const LiveParts& parts, const pipeline::Stop& 
                    {"scenes", scenes},
                    {"known", ofScenes},
                    {"lessons", ofLessons},
-                   {"starter", starter}};
+                   {"starter", starter},
+                   {"beside", beside.lists}};
     const std::string packed = pipeline::base64(pipeline::gzipped(all.dump()));
     return filledPage(
         parts, "Shadescope", Json::object(),
-        {{"PAPER", ""},
+        {{"PAPER", beside.paper},
          {"NOSCRIPT", "Open it in a browser with scripts."},
          {"PLACES", parts.places + "<script type=\"application/octet-stream\" id=\"packed\">" + packed + "</script>\n"},
          {"INDEX", std::string(kPlaces)}});

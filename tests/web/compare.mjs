@@ -3,38 +3,15 @@
 // SHADESCOPE_LONG=1.
 import { execFileSync, spawnSync } from 'node:child_process';
 import fs from 'node:fs';
-import os from 'node:os';
 import path from 'node:path';
+import { unpack } from './both.mjs';
+import { expect, folder as work } from './claims.mjs';
 import { fileURLToPath } from 'node:url';
 
 const [program, tarball, cpp, c] = process.argv.slice(2);
-const students = fileURLToPath(new URL('../student/', import.meta.url)), work = fs.mkdtempSync(path.join(os.tmpdir(), 'shadescope-compare-'));
-execFileSync('tar', ['xzf', tarball, '-C', work]);
-const command = path.join(work, 'package', 'shadescope.mjs');
+const students = fileURLToPath(new URL('../student/', import.meta.url));
+const { command, bothSay: say } = unpack(program, tarball), bothSay = (claim, args, cwd) => say(claim, ['compare', ...args], cwd);
 const size = '64x48', isLong = process.env.SHADESCOPE_LONG === '1';
-let held = 0, failed = 0;
-/** @param {string} claim @param {any} true_ @param {string} [found] */
-function expect(claim, true_, found = '') {
-  if (true_) return void ++held;
-  ++failed;
-  console.log(`FAILED: ${claim}\n${found}`);
-}
-/** The first line in which two texts differ. @param {string} a @param {string} b */
-function difference(a, b) {
-  const [left, right] = [a.split('\n'), b.split('\n')], i = left.findIndex((line, at) => line !== right[at]);
-  return `  program: ${left[i]}\n  Node:    ${right[i]}`;
-}
-/** Runs both in the same folder. @param {string} claim @param {string[]} args @param {string} cwd */
-function bothSay(claim, args, cwd) {
-  const [native, node] = [[program, 'compare', ...args], ['node', command, 'compare', ...args]].map(([first, ...rest]) =>
-    spawnSync(first, rest, { cwd, encoding: 'utf8', maxBuffer: 1 << 26 }));
-  expect(`${claim}: the same on standard output`, native.stdout === node.stdout, difference(native.stdout, node.stdout));
-  native.stderr = native.stderr.replace(/^compare: .* known errors.*\n/gm, '');  // how far it is
-  expect(`${claim}: the same errors`, native.stderr === node.stderr, difference(native.stderr, node.stderr));
-  expect(`${claim}: the same status`, native.status === node.status, `  ${native.status} ${node.status}`);
-  return native;
-}
-
 // Renderers that share no code with the program, each in conventions of its own.
 const dark = ['--set', 'light.0.shadow=off', '--set', 'light.1.shadow=off'], near = ['--set', 'camera.near=4'];
 const ways = [
@@ -105,6 +82,3 @@ expect('an OpenEXR file is named with its cure', exr.status === 3 && exr.stderr.
 const none = spawnSync('node', [command, 'compare', `scene/${scene}`], { cwd: work, encoding: 'utf8' });
 expect('a missing folder is wrong usage', none.status === 2 && none.stderr.includes('FOLDER is missing'), none.stderr);
 
-fs.rmSync(work, { recursive: true, force: true });
-console.log(`${held} claims hold, ${failed} do not`);
-process.exitCode = failed === 0 ? 0 : 1;

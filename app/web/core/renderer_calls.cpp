@@ -2,6 +2,7 @@
 #include "pipeline/compare/compare_html.h"
 #include "pipeline/compare/compare_options.h"
 #include "pipeline/compare/compare_text.h"
+#include "pipeline/compare/convention_choices.h"
 #include "pipeline/compare/worst_pixels.h"
 #include "pipeline/core/printable.h"
 
@@ -43,6 +44,7 @@ struct Renderer {
     std::shared_ptr<const pipeline::Scene> referenceOf;
     std::map<std::string, double> tolerances;  // of the reference
     foreign::CompareOptions options;
+    foreign::StatedByHand stated;  // beside mine.toml, and before it
     std::optional<foreign::Report> report;
 };
 Renderer s_renderer;
@@ -53,6 +55,10 @@ const foreign::Finding* findingNamed(std::string_view name) {
         for (const foreign::Finding& finding : s_renderer.report->findings)
             if (finding.name.text() == name) return &finding;
     return nullptr;
+}
+
+int giveReport() {
+    return giveText(pipeline::escapedLines(reportJson(*s_renderer.report, exitStatus(*s_renderer.report)).dump(2)));
 }
 
 // What is wrong with the options, or empty.
@@ -88,12 +94,15 @@ WEB_CALL(take_back) int webTakeBack() {
     return give(true);
 }
 
-// How verdict() compares: {"known", "hints", "strict", "tolerance": ["color=2"], "stage"}, as the command takes them.
+// How verdict() compares: {"known", "hints", "strict", "tolerance": ["color=2"], "stage"}, as the command takes them, and
+// "stated": {"rows": "bottom-up"}, conventions that count before those of mine.toml.
 WEB_CALL(verdict_options) int webVerdictOptions(const char* text, int size) {
     foreign::CompareOptions options;
-    const std::string wrong = readOptions(Json::read(textAt(text, size)).value_or(Json()), options);
+    const Json json = Json::read(textAt(text, size)).value_or(Json());
+    const std::string wrong = readOptions(json, options);
     if (!wrong.empty()) return refuse(wrong);
-    s_renderer.options = std::move(options);
+    s_renderer.options = std::move(options), s_renderer.stated.clear();
+    for (const Json::Item& one : json["stated"].items()) s_renderer.stated[one.key] = one.value.text();
     return give(true);
 }
 
@@ -116,13 +125,22 @@ WEB_CALL(verdict) int webVerdict(const char* given, int givenSize) {
                                return file.bytes;
                            }});
     foreign::HandedIn in = takeHandedIn(offered, *s_renderer.reference->frame, {});
+    if (!s_renderer.stated.empty()) in.conventions = foreign::withStated(in.conventions, s_renderer.stated);
     in.errors.insert(in.errors.begin(), s_renderer.errors.begin(), s_renderer.errors.end());
     auto report =
         compareRenderer(*scene, s_renderer.reference, std::move(in), std::string(textAt(given, givenSize)), asked);
     s_renderer.report.reset();
     if (!report) return refuse(report.errors());
     s_renderer.report = std::move(report).value();
-    return giveText(pipeline::escapedLines(reportJson(*s_renderer.report, exitStatus(*s_renderer.report)).dump(2)));
+    return giveReport();
+}
+
+// Tries the known errors, which verdict() was told to leave, and gives the same anew.
+WEB_CALL(verdict_names) int webVerdictNames() {
+    if (!s_renderer.report) return refuse("nothing was compared");
+    s_renderer.report->options.known = true;
+    nameKnownErrors(*s_renderer.report);
+    return giveReport();
 }
 
 // The same for people, as the terminal shows it: [{"text", "bold"}].
@@ -132,6 +150,12 @@ WEB_CALL(verdict_text) int webVerdictText(int columns) {
     for (const foreign::TextLine& line : reportText(*s_renderer.report, false, std::size_t(columns)))
         lines.push_back({{"text", line.text}, {"bold", line.bold}});
     return give(lines);
+}
+
+// The page that `-o report.html` writes. command: what is named in it.
+WEB_CALL(verdict_html) int webVerdictHtml(const char* command, int size) {
+    if (!s_renderer.report) return refuse("nothing was compared");
+    return giveText(reportHtml(*s_renderer.report, std::string(textAt(command, size))));
 }
 
 // The buffer in which the error shows first, and its pixels to look at.

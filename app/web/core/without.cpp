@@ -3,7 +3,6 @@
 #include "lessons/library.h"
 #include "pipeline/formats/png_scene.h"
 #include "pipeline/formats/scene_folder.h"
-#include "pipeline/formats/scene_reader.h"
 #include "pipeline/study/shadow_verdict.h"
 
 namespace pipeline {
@@ -21,10 +20,6 @@ Result<std::string> readFile(const std::filesystem::path& file, std::size_t limi
 }
 Result<std::string> wholeText(const SourceText& source) { return std::string(source.text); }
 bool FileTail::read(std::string&, std::size_t) { return false; }
-std::vector<BuiltInScene> builtInScenes() { return {}; }
-Result<Scene> readScene(const std::filesystem::path& file, const ReadProgress&) {
-    return Error{{file.string(), 0, 0}, "not in this page", {}};
-}
 // A lesson may show them; the buffer itself says what is missing, in buffer_calls.cpp.
 std::string whyNoShadowVerdicts(const Scene&, std::size_t) { return {}; }
 bool haveSameRays(const Scene&, const Scene&) { return false; }

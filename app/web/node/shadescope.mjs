@@ -1,7 +1,7 @@
 #!/usr/bin/env node
 // The command without a window, on any system that has Node: the core of the page, with files by name and bytes. As a module
-// for autograders: start(), openScene(), handIn(), compare().
-import { existsSync, readFileSync, readdirSync, realpathSync, statSync, watch } from 'node:fs';
+// for autograders: start(), openScene(), handIn(), compare(), run().
+import { existsSync, mkdirSync, readFileSync, readdirSync, realpathSync, renameSync, statSync, watch, writeFileSync } from 'node:fs';
 import { basename, dirname, join, relative, resolve, isAbsolute } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { gunzipSync } from 'node:zlib';
@@ -10,7 +10,7 @@ const here = dirname(fileURLToPath(import.meta.url));
 const beside = name => readFileSync(join(here, name));
 /** The page's own loader. */
 export const Core = new Function(beside('core.js').toString() + '\nreturn Core;')();
-const statuses = { done: 0, answerIsNo: 1, wrongUsage: 2, badInput: 3 };
+const statuses = { done: 0, answerIsNo: 1, wrongUsage: 2, badInput: 3, couldNotWrite: 4 };
 const mostBytes = 256 << 20;
 
 /** A core of its own. @param {(what: string, done: number, all: number) => void} progress told of long work, of all cores */
@@ -40,7 +40,8 @@ export function openScene(core, scene, settings = []) {
       }
     }
   }
-  for (const setting of settings) core.ask('set', setting);
+  for (const setting of settings)
+    try { core.ask('set', setting); } catch (error) { throw Object.assign(error, { isOfUsage: true }); }
   return opened;
 }
 function isInside(folder, name) {
@@ -69,32 +70,58 @@ export function compare(core, paths, options = {}) {
   return core.text();
 }
 
+/** What a command of the program prints of the open scene: inspect, plan, export and check, by the program's own functions.
+ * Options by their names on the command line: { pixel: '10,20', json: true }; buffers, format of export, case and group are lists.
+ * @returns {{out: string, messages: string, status: number, files: string[]}} */
+export const run = (core, command, options = {}) => core.ask('run_command', command, JSON.stringify(options));
+
+/** The bytes of a file that run(core, 'export', …) has named. @param {string} name @returns {Uint8Array} */
+export const written = (core, name) => core.numbers(core.ask('written', name)).slice();
+
 // --- The command line
 
 const usage = `shadescope compare SCENE FOLDER|FILE... [--json] [--hints 0..3] [--stage STAGE] [--tolerance BUFFER=NUMBER]
-                   [--strict] [--no-known] [--set KEY=VALUE] [--size WxH] [--watch]
-Finds the first wrong stage of another renderer by its files. SCENE is a file, or the name of a scene that comes with it.
+                   [--strict] [--no-known] [--watch]
+    finds the first wrong stage of another renderer by its files
+shadescope export SCENE -o DIR [--format npy,csv,scene] [--buffers all|NAME,...] [--until STAGE] [--at PLACE]
+                   [--where CONDITION] [--mix TERM=GAIN,...] [--force]
+    writes buffers and manifest.json; adds to a folder, and removes nothing from it
+shadescope inspect SCENE --pixel X,Y|--table TABLE|--where CONDITION|--row Y|--step PLACE|--contracts [--format FORMAT] [--json]
+    prints a pixel with its equation, a table, a row, a step's algorithm, or what must hold
+shadescope plan SCENE [--buffers all|NAME,...] [--until STAGE] [--counts] [--json]
+    prints what runs, what is left out, and why
+shadescope check [--case ID] [--group GROUP] [--list] [--json]
+    runs the stiff and extreme cases
+SCENE is a file, or the name of a scene that comes with this package. Each takes --set KEY=VALUE and --size WxH for it.
+Exit status: 0 done, 1 the answer is no, 2 wrong usage, 3 bad input, 4 could not write.
 `;
-const flags = new Set(['json', 'strict', 'no-known', 'watch', 'help', 'version']);
-const valued = new Set(['hints', 'stage', 'tolerance', 'set', 'size']);
+const ofScene = ['set', 'size'];
+/** Options without and with a value. @type {Record<string, {flags: string[], valued: string[], work: (found: any) => Promise<number>}>} */
+const commands = {
+  compare: { flags: ['json', 'strict', 'no-known', 'watch'], valued: ['hints', 'stage', 'tolerance', ...ofScene], work: runCompare },
+  export: { flags: ['force'], valued: ['output', 'format', 'buffers', 'until', 'at', 'where', 'mix', ...ofScene], work: runExport },
+  inspect: { flags: ['contracts', 'json'], valued: ['pixel', 'table', 'where', 'row', 'step', 'format', ...ofScene], work: runInspect },
+  plan: { flags: ['counts', 'json'], valued: ['buffers', 'until', ...ofScene], work: runPlan },
+  check: { flags: ['list', 'json'], valued: ['case', 'group'], work: runCheck },
+};
+const listed = new Set(['tolerance', 'buffers']);  // with commas between
 
 class WrongUsage extends Error {}
 
 /** {"words": […], "json": true, "set": ["a=b"]} */
-function parse(args) {
+function parse(args, { flags, valued }) {
   const found = { words: [] };
   for (let i = 0; i < args.length; ++i) {
-    const [, name, value] = /^--([a-z-]+)(?:=(.*))?$/s.exec(args[i]) || [];
+    const [, name, value] = /^--([a-z-]+)(?:=(.*))?$/s.exec(args[i] === '-o' ? '--output' : args[i]) || [];
     if (!name) { found.words.push(args[i]); continue; }
-    if (flags.has(name) && value === undefined) { found[name] = true; continue; }
-    if (!valued.has(name)) throw new WrongUsage(`there is no option ${args[i].split('=')[0]}`);
+    if ((flags.includes(name) || name === 'help') && value === undefined) { found[name] = true; continue; }
+    if (!valued.includes(name)) throw new WrongUsage(`there is no option ${args[i].split('=')[0]}`);
     const given = value ?? args[++i];
     if (given === undefined) throw new WrongUsage(`--${name} needs a value`);
-    (found[name] ??= []).push(...(name === 'tolerance' ? given.split(',') : [given]));
+    (found[name] ??= []).push(...(listed.has(name) ? given.split(',') : [given]));
   }
   return found;
 }
-
 function settingsOf(found) {
   const size = found.size ? /^(\d+)x(\d+)$/.exec(found.size.at(-1)) : null;
   if (found.size && !size) throw new WrongUsage(`--size is "${found.size.at(-1)}", expected WxH, as in 640x480`);
@@ -127,17 +154,79 @@ async function runCompare(found) {
   return new Promise(() => {});
 }
 
+/** The scene that the words name, alone, in a core of its own. */
+async function coreOf(found) {
+  const [scene, ...more] = found.words;
+  if (!scene) throw new WrongUsage('SCENE is missing');
+  if (more.length) throw new WrongUsage(`${more[0]} is one word too many`);
+  const settings = settingsOf(found), core = await start();
+  openScene(core, scene, settings);
+  return core;
+}
+function last(list) { return list?.at(-1); }
+
+/** Prints what the command says. */
+function answer({ out, messages, status }) {
+  process.stdout.write(out), process.stderr.write(messages);
+  return status;
+}
+
+async function runInspect(found) {
+  const kinds = ['pixel', 'table', 'where', 'row', 'step', 'contracts'].filter(kind => found[kind] !== undefined);
+  if (kinds.length !== 1) throw new WrongUsage('one of --pixel, --table, --where, --row, --step and --contracts is needed');
+  if (found.json && found.format) throw new WrongUsage('--json and --format exclude each other');
+  if (found.format && ['where', 'contracts'].includes(kinds[0])) throw new WrongUsage(`--format and --${kinds[0]} exclude each other`);
+  if (found.row && !/^-?\d+$/.test(last(found.row))) throw new WrongUsage(`--row is "${last(found.row)}", expected a row's number`);
+  const options = { json: found.json, contracts: found.contracts, format: last(found.format), pixel: last(found.pixel), table: last(found.table), where: last(found.where), step: last(found.step), row: found.row && Number(last(found.row)) };
+  return answer(run(await coreOf(found), 'inspect', options));
+}
+
+async function runPlan(found) {
+  return answer(run(await coreOf(found), 'plan', { json: found.json, counts: found.counts, buffers: found.buffers, until: last(found.until) }));
+}
+async function runCheck(found) {
+  if (found.words.length) throw new WrongUsage(`${found.words[0]} is one word too many`);
+  return answer(run(await start(), 'check', { case: found.case, group: found.group, list: found.list, json: found.json }));
+}
+
+async function runExport(found) {
+  const folder = last(found.output);
+  if (!folder) throw new WrongUsage('-o needs the name of a folder');
+  if (found.at && found.until) throw new WrongUsage('--at names the stage; --until cannot go with it');
+  const core = await coreOf(found), options = { folder, format: found.format && last(found.format).split(','), buffers: found.buffers, until: last(found.until), at: last(found.at), where: last(found.where), mix: last(found.mix) };
+  const said = run(core, 'export', options);
+  if (said.status !== statuses.done) return answer(said);
+  let ours = [];
+  try { ours = JSON.parse(readFileSync(join(folder, 'manifest.json'), 'utf8')).contents.map(entry => entry.file).concat('manifest.json'); } catch { /* no export is there */ }
+  const foreign = said.files.filter(name => !found.force && !ours.includes(name) && existsSync(join(folder, name)));
+  if (foreign.length) {
+    process.stderr.write(foreign.map(name => `${join(folder, name)}: is there, and Shadescope did not write it; expected another folder, or --force\n`).join(''));
+    return statuses.couldNotWrite;
+  }
+  try {
+    mkdirSync(folder, { recursive: true });
+    // Whole files, and the one that names the others last.
+    for (const name of [...said.files.filter(name => name !== 'manifest.json'), 'manifest.json']) {
+      writeFileSync(join(folder, name + '.part'), written(core, name));
+      renameSync(join(folder, name + '.part'), join(folder, name));
+    }
+  } catch (error) {
+    process.stderr.write(error.message + '\n');
+    return statuses.couldNotWrite;
+  }
+  return answer(said);
+}
+
 async function main(args) {
   const [command, ...rest] = args;
   try {
-    const found = parse(rest);
-    if (!command || command === '--help' || found.help) return void process.stdout.write(usage) || (command ? statuses.done : statuses.wrongUsage);
+    if (!command || command === '--help' || rest.includes('--help')) return void process.stdout.write(usage) || (command ? statuses.done : statuses.wrongUsage);
     if (command === '--version') return void process.stdout.write(JSON.parse(beside('package.json').toString()).version + '\n') || statuses.done;
-    if (command !== 'compare') throw new WrongUsage(`no command is called ${command}`);
-    return await runCompare(found);
+    if (!Object.hasOwn(commands, command)) throw new WrongUsage('there is no such command here');
+    return await commands[command].work(parse(rest, commands[command]));
   } catch (error) {
     process.stderr.write(error instanceof WrongUsage ? `shadescope ${command}: ${error.message}\n` : error.message + '\n');
-    return error instanceof WrongUsage ? statuses.wrongUsage : statuses.badInput;
+    return error instanceof WrongUsage || error.isOfUsage ? statuses.wrongUsage : statuses.badInput;
   }
 }
 if (process.argv[1] && realpathSync(process.argv[1]) === fileURLToPath(import.meta.url)) process.exitCode = await main(process.argv.slice(2));

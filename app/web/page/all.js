@@ -7,10 +7,11 @@ let whole;
 function go(place) {
   const root = document.documentElement;
   root.dataset.place = place;
+  for (const part of all('.place')) part.hidden = part.dataset.in !== place;
   if (place !== 'scene') root.classList.add('inside'), view.inside = false;
   one('#copied').textContent = '';
   for (const link of all('#places a')) {
-    if (link.hash.slice(1) === (place === 'scene' ? 'start' : place)) link.setAttribute('aria-current', 'page');
+    if (link.hash.slice(1) === (place === 'scene' ? 'start' : place)) link.setAttribute('aria-current', 'page'), link.scrollIntoView({ block: 'nearest', inline: 'center' });
     else link.removeAttribute('aria-current');
   }
 }
@@ -27,8 +28,8 @@ function openLesson(lesson, link, of) {
   return ['set', 'at', 'step', 'show', 'with'].some(key => of[key]) ? restore(of) : [];
 }
 
-/** A scene or model that the reader has brought. @param {Brought} file @param {Brought[]} list what it may name */
-function openOwn(file, list) {
+/** A scene or model that the reader has brought. @param {Brought} file @param {Brought[]} list what it may name @param {Record<string, string[]>} [of] the rest of a link */
+function openOwn(file, list, of = {}) {
   const name = lastName(file.path);
   for (const each of list) core.ask('file', lastName(each.path), each.bytes);
   core.ask('open', name, file.bytes);
@@ -37,6 +38,8 @@ function openOwn(file, list) {
   openLesson({ title: name, name: '', can: [], next: null, texts: ['<p>Click a pixel to see why it has its colour.</p>'], files: { 'scene.toml': scene },
     lesson: 'title: Your scene\nlecture: Scene\nsummary: Your scene\nscene: scene\n\n# Your scene\nbuffers: color\n\nClick a pixel to see why it has its colour\\.\n' }, '', {});
   one('#title').textContent = name;
+  const refused = of.toml ? restore(of) : [];
+  if (refused.length) sayWrong(`Some of the link does not fit: ${refused.join('; ')}`);
 }
 
 /** Where the address leads. */
@@ -45,6 +48,9 @@ function route() {
   const { place, name, of, refused } = readLink(location.hash);
   const lesson = place === 'scene' ? whole.known.find(scene => scene.name === name)?.page : place === 'lesson' && Object.hasOwn(whole.lessons, name) ? whole.lessons[name] : null;
   if (place === 'mine') refused.push(...openMine(of));
+  else if (place === 'bug') refused.push(...openBug(of.seed?.[0]));
+  else if (place === 'check') refused.push(...openCases(of.case?.[0]));
+  else if (place === 'scene' && !name && of.toml) return void guardedWait(() => openFromLink(of));
   else if (lesson) refused.push(...openLesson(lesson, name, of));
   else {
     go('start');
@@ -63,6 +69,11 @@ function openMine(of) {
   if (wanted && !Object.hasOwn(whole.scenes, wanted)) refused.push(`scene=${wanted}: not in this page`);
   else if (wanted && mine.scene?.name !== wanted) Object.assign(mine, { scene: sceneOfPage(wanted), isChosen: true, report: null });
   if (of.set) mine.settings = of.set;
+  for (const text of of.convention || []) {
+    const [, key, value] = /^([a-z-]+)=([\w.-]+)$/.exec(text) || [];
+    if (key) mine.stated[key] = value;
+    else refused.push(`convention=${text}: no convention`);
+  }
   if (of.hints) mine.most = mine.hints = Math.max(0, Math.min(3, parseInt(of.hints[0], 10) || 0));
   if (of.show) mine.shown = of.show[0];
   const at = (of.at?.[0] || '').split(',').map(Number);
@@ -118,15 +129,26 @@ function fillStart() {
     element('img', { alt: '', width: 160, height: 120, loading: 'lazy', src: picture }), element('b', { textContent: title }), element('span', { className: 'note', textContent: look })))));
   one('#lessons').replaceChildren(...Object.entries(whole.lessons).map(([name, { title, summary }]) => element('li', {},
     element('a', { href: `#lesson=${name}`, textContent: title }), element('span', { className: 'note', textContent: summary }))));
+  // Of a site: what is beside this page.
+  for (const { heading, entries } of whole.beside)
+    one('#beside').append(element('h2', { textContent: heading }), element('ul', { className: 'listed' }, ...entries.map(({ file, title, note }) => element('li', {}, element('a', { href: file, textContent: title }), element('span', { className: 'note', textContent: note })))));
 }
 
-function copyLink() {
-  const { hash, leftOut } = linkNow();
+/** The link, whose scene of the reader's own is packed first, as far as it is short. */
+async function copyLink() {
+  const own = data && data.link === '' && document.documentElement.dataset.place === 'scene', toml = own ? await packedText(data.files['scene.toml']) : '';
+  const { hash, leftOut } = linkNow(toml);
   history.replaceState(null, '', hash);
-  const said = leftOut ? `The link is copied, without ${leftOut} of its values: it would be too long.` : data && data.link === '' && document.documentElement.dataset.place === 'scene' ? 'The link has no scene of your own: save the scene and send it along.' : 'The link is copied.';
+  const said = leftOut ? `The link is copied, without ${leftOut} of its values: it would be too long.` : own && !toml ? 'The link has no scene of your own, which is too long: save the scene and send it along.' : 'The link is copied.';
   const tell = () => { one('#copied').textContent = said, say(said); };
   if (navigator.clipboard) navigator.clipboard.writeText(location.href).then(tell, () => { one('#copied').textContent = 'The link is in the address.'; });
   else one('#copied').textContent = 'The link is in the address.';
+}
+
+/** A scene whose text stands in the link. @param {Record<string, string[]>} of */
+async function openFromLink(of) {
+  const text = await unpackedText(of.toml[0]);
+  openOwn({ path: 'scene.toml', bytes: encoder.encode(text), stamp: '' }, [], of);
 }
 
 async function start() {
@@ -141,8 +163,8 @@ async function start() {
   fillStart();
   if (/^#?(start)?$/.test(location.hash)) go('start');
   core = await Core.start(await unpackedCore());
-  startParts(), startMine(), startDrops();
-  one('#copylink').addEventListener('click', () => guarded(copyLink));
+  startParts(), startMine(), startDrops(), startGame();
+  one('#copylink').addEventListener('click', () => guardedWait(copyLink));
   addEventListener('hashchange', () => guarded(route));
   route();
   root.dataset.ready = '1';

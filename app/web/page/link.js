@@ -2,13 +2,16 @@
 // link writes and sends nothing, and runs the core alone.
 
 const kMostLink = 2000, kMostValues = 40;
-/** The keys of each place; of a lesson a page, of My renderer the scene. @type {Record<string, string[]>} */
+/** The keys of each place; of a lesson a page, of My renderer the scene, of a scene without a name its text. @type {Record<string, string[]>} */
 const kPlaces = {
   start: [],
-  scene: ['set', 'at', 'step', 'show', 'with'],
+  scene: ['toml', 'set', 'at', 'step', 'show', 'with'],
   lesson: ['page', 'then', 'inside', 'set', 'at', 'step', 'show', 'with'],
-  mine: ['scene', 'hints', 'set', 'show', 'at'],
+  mine: ['scene', 'hints', 'convention', 'set', 'show', 'at'],
+  bug: ['seed'],
+  check: ['case'],
 };
+const kMostPacked = 1200;  // of a scene's text
 
 /** @typedef {{place: string, name: string, of: Record<string, string[]>, refused: string[]}} Link */
 
@@ -26,7 +29,7 @@ function readLink(hash) {
     if (i === 0) {
       if (!Object.hasOwn(kPlaces, key) || !/^[\w.-]{0,60}$/.test(value)) return void link.refused.push(part);
       link.place = key, link.name = value;
-    } else if (!kPlaces[link.place].includes(key) || !/^[\w.,:=+\- /#]{0,120}$/.test(value) || (link.of[key] ??= []).length >= kMostValues) link.refused.push(part);
+    } else if (!kPlaces[link.place].includes(key) || !(key === 'toml' ? /^[\w-]{1,1200}$/ : /^[\w.,:=+\- /#]{0,120}$/).test(value) || (link.of[key] ??= []).length >= kMostValues) link.refused.push(part);
     else link.of[key].push(value);
   });
   return link;
@@ -46,18 +49,43 @@ function writeLink(place, name, of) {
   return { hash, leftOut };
 }
 
-/** What is shown now. */
-function linkNow() {
+/** @param {Uint8Array} bytes @param {'CompressionStream'|'DecompressionStream'} way @param {number} [most] bytes @returns {Promise<Uint8Array>} */
+async function throughStream(bytes, way, most = Infinity) {
+  const reader = new Blob([bytes]).stream().pipeThrough(new (/** @type {any} */ (globalThis)[way])('deflate-raw')).getReader(), parts = [];
+  let size = 0;
+  for (let part = await reader.read(); !part.done; part = await reader.read()) {
+    parts.push(part.value), size += part.value.length;
+    if (size > most) throw new Error('The scene in the link is too long.');
+  }
+  return new Uint8Array(await new Blob(parts).arrayBuffer());
+}
+/** A text for a link (RFC 1951, then base64url); empty where it would be too long. @param {string} text */
+async function packedText(text) {
+  const packed = await throughStream(encoder.encode(text), 'CompressionStream');
+  const letters = btoa(String.fromCharCode(...packed.subarray(0, kMostPacked))).replace(/\+/g, '-').replace(/\//g, '_').replace(/=+$/, '');
+  return packed.length <= kMostPacked && letters.length <= kMostPacked ? letters : '';
+}
+/** @param {string} letters @returns {Promise<string>} */
+async function unpackedText(letters) {
+  let bytes;
+  try { bytes = Uint8Array.from(atob(letters.replace(/-/g, '+').replace(/_/g, '/')), letter => letter.charCodeAt(0)); } catch { throw new Error('The scene in the link is damaged.'); }
+  return decoder.decode(await throughStream(bytes, 'DecompressionStream', 100000).catch(error => { throw /too long/.test(error.message) ? error : new Error('The scene in the link is damaged.'); }));
+}
+
+/** What is shown now. @param {string} [toml] the packed text of a scene that is the reader's own */
+function linkNow(toml = '') {
   const { place } = document.documentElement.dataset;
   const at = pixel => (pixel ? [pixel.join(',')] : []);
   if (place === 'mine') {
     const own = mine.scene && Object.hasOwn(whole.scenes, mine.scene.name);
-    return writeLink('mine', '', { scene: own ? [mine.scene.name] : [], hints: mine.most < 3 ? [String(mine.most)] : [], set: mine.settings, show: mine.shown ? [mine.shown] : [], at: at(mine.pixel) });
+    return writeLink('mine', '', { scene: own ? [mine.scene.name] : [], hints: mine.most < 3 ? [String(mine.most)] : [], convention: Object.entries(mine.stated).map(([key, value]) => `${key}=${value}`), set: mine.settings, show: mine.shown ? [mine.shown] : [], at: at(mine.pixel) });
   }
+  if (place === 'bug') return writeLink('bug', '', { seed: [`${game.seed}.${game.number}`] });
+  if (place === 'check') return writeLink('check', '', { case: cases.shown ? [cases.shown] : [] });
   if (place !== 'scene') return { hash: '#start', leftOut: 0 };
   const kind = data.isScene ? 'scene' : 'lesson';
   return writeLink(kind, data.link, {
-    page: [String(view.page + 1)], then: view.then ? ['1'] : [], inside: view.inside ? ['1'] : [],
+    toml: toml ? [toml] : [], page: [String(view.page + 1)], then: view.then ? ['1'] : [], inside: view.inside ? ['1'] : [],
     set: Object.keys(view.own).map(key => `${key}=${settingOf(key).text}`), at: at(view.pixel), step: view.step ? [view.step.place] : [],
     show: view.inside ? [view.pictures.map(shown => shown.buffer).join(',')] : [], with: view.compare ? [view.compare] : [],
   });

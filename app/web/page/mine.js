@@ -7,6 +7,8 @@ const mine = {
   isChosen: false,                   // by the reader, so that a folder's own does not take its place
   /** @type {string[]} */
   settings: [],                      // of the scene, KEY=VALUE
+  /** Conventions by hand, before those of mine.toml. @type {Record<string, string>} */
+  stated: Object.create(null),
   /** @type {Brought[]} */
   files: [],
   name: '',                          // of the folder
@@ -55,7 +57,7 @@ const callsOfScene = ({ name, list }) => [...list.map(file => ['file', file.name
 /** @param {Drop} drop */
 function takeMine({ name, folder, list }) {
   mine.watching();
-  Object.assign(mine, { files: list, name, folder, report: null, pixel: null, shown: '' });
+  Object.assign(mine, { files: list, name, folder, report: null, pixel: null, shown: '', stated: mine.files.length ? Object.create(null) : mine.stated });
   const found = sceneAmong(list);
   if (found && !mine.isChosen) mine.scene = found;
   mine.watching = folder ? watchFolder(folder, list, now => { mine.files = now, compareMine(); }) : () => {};
@@ -75,11 +77,11 @@ async function compareMine(names = true) {
   drawMine();
   if (!mine.isBusy) return;
   const isNumbers = file => kNumbers.test(file.path) || kOfScene.test(file.path);
-  const options = known => JSON.stringify({ known, hints: mine.hints });
+  const begin = () => [...callsOfScene(mine.scene), ['take_back'], ...mine.files.map(file => ['hand', file.path, isNumbers(file) ? file.bytes : '', mine.name ? 0 : 1]),
+    ['verdict_options', JSON.stringify({ known: false, hints: mine.hints, stated: mine.stated })], ['verdict', mine.name || 'files']];
   try {
     for (const known of names ? [false, true] : [false]) {
-      const before = known ? [] : [...callsOfScene(mine.scene), ['take_back'], ...mine.files.map(file => ['hand', file.path, isNumbers(file) ? file.bytes : '', mine.name ? 0 : 1])];
-      const answers = await mine.side.ask(...before, ['verdict_options', options(known)], ['verdict', mine.name || 'files'], ['verdict_text', 100], ['verdict_worst']);
+      const answers = await mine.side.ask(...(known ? [['verdict_names']] : begin()), ['verdict_text', 100], ['verdict_worst']);
       if (run !== mine.run) return;
       takeReport(answers.at(-3), JSON.parse(answers.at(-2)), JSON.parse(answers.at(-1)), !known);
       mine.isBusy = names && !known && mine.hints >= 3 && mine.report.exit === 1;
@@ -195,6 +197,22 @@ function drawMineLikely() {
   box.replaceChildren(...parts);
 }
 
+/** How the files are read, by a key of mine.toml. @param {any} row of the JSON's choices */
+function choiceRow(row) {
+  const id = 'convention-' + row.key, list = element('select', { id, title: row.buffers }, ...row.values.map(value => element('option', { value, textContent: value })));
+  list.value = row.value;
+  list.addEventListener('change', () => stateConvention(row.key, list.value));
+  const back = element('button', { type: 'button', className: 'link', textContent: 'by hand: put back', title: 'Read the files as they were found to be written' });
+  back.addEventListener('click', () => stateConvention(row.key, ''));
+  return element('div', { className: 'row' }, element('label', { htmlFor: id, textContent: row.key }), list, row.key in mine.stated ? back : element('span', { className: 'note', textContent: row.certainty }));
+}
+/** @param {string} key @param {string} value empty: as it is found */
+function stateConvention(key, value) {
+  if (value) mine.stated[key] = value;
+  else delete mine.stated[key];
+  compareMine();
+}
+
 function drawMineLists() {
   const { report } = mine;
   /** @param {string} id @param {string} sentence @param {string[]} texts */
@@ -204,8 +222,10 @@ function drawMineLists() {
     one(id).hidden = texts.length === 0;
   };
   list('#minecontracts', `${report.contracts.length} do not hold`, report.contracts.map(row => `${row.claim} ${row.formula}: broken in ${row.broken} of ${row.checked} (${row.buffer})`));
-  const found = report.conventions.filter(row => !row.own).length;
-  list('#mineconventions', found ? `${found} found, read as such` : 'as this program’s', report.conventions.map(row => `${row.buffer}: ${row.key ? `${row.key} = ${row.value}` : row.value} (${row.certainty})`));
+  const found = report.choices.filter(row => row.certainty).length, byHand = Object.keys(mine.stated).length;
+  list('#mineconventions', byHand ? `${byHand} by hand` : found ? `${found} found, read as such` : 'as this program’s', report.conventions.filter(row => !row.key).map(row => `${row.buffer}: ${row.value} (${row.certainty})`));
+  one('#mineconventions').hidden = report.choices.length + report.conventions.length === 0;
+  fillKept(one('#minechoices'), report.choices.map(row => [JSON.stringify(row) + mine.stated[row.key], () => choiceRow(row)]));
   const rows = buffersOf(report), missing = report.not_handed_in;
   list('#minefiles', `${rows.length} read`, [...report.problems, ...(missing.length ? [`Not handed in: ${missing.join(', ')}`] : []), ...rows.map(row => `${row.file}: ${row.text}` + (row.tolerance_text ? ` (${row.tolerance_text})` : ''))]);
   list('#minehints', `${report.hints.length} of 3 given`, report.hints);
@@ -306,6 +326,10 @@ function startMine() {
     compareMine();
   }));
   one('#minejson').addEventListener('click', () => saveFile(mine.json + '\n', 'application/json', 'compare.json'));
+  one('#minereport').addEventListener('click', () => guardedWait(async () => {
+    const [page] = await mine.side.ask(['verdict_html', `shadescope compare ${mine.scene?.name} ${mine.name || 'files'}`]);
+    saveFile(page, 'text/html', 'compare.html');
+  }));
   one('#minecopy').addEventListener('click', () => navigator.clipboard?.writeText(one('#minetext').textContent + '\n').then(() => sayMine('Copied the finding as text.')));
   one('#starter').addEventListener('click', () => {
     const names = ['check_me.toml', one('#language').value], link = element('a', { download: 'mine.zip' });
