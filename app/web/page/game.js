@@ -165,12 +165,13 @@ function drawCase() {
 // --- The open scene: what must hold, and downloads
 
 function showContracts() {
+  const short = value => (typeof value === 'number' ? shortNumber(value) : value);
   const rows = JSON.parse(commandOf(core, 'inspect', { contracts: true, json: true }).out), checked = rows.filter(row => row.checked > 0), broken = checked.filter(row => row.hold + (row.undecided || 0) < row.checked);
   one('#holdsum').textContent = `${rows.length} contracts of the stages, ${checked.length} checked here, ${checked.length - broken.length} hold.`;
   one('#holdbox tbody').replaceChildren(...[...broken, ...rows.filter(row => !broken.includes(row))].map(row => element('tr', { className: broken.includes(row) ? 'bad' : '' },
     element('th', { scope: 'row', textContent: row.stage + (row.light === undefined ? '' : `, light ${row.light}`) }), element('td', { textContent: row.formula }),
     element('td', { className: 'number', textContent: row.why ? '–' : `${row.hold} of ${row.checked}` }),
-    element('td', { textContent: row.why || `${row.worst.place}: ${withMinus(row.worst.value)}${row.worst.unit ? ' ' + row.worst.unit : ''}, off by ${row.worst.error}` }))));
+    element('td', { textContent: row.why || `${row.worst.place}: ${short(row.worst.value)}${row.worst.unit ? ' ' + row.worst.unit : ''}, off by ${short(row.worst.error)}` }))));
   one('#holdbox').showModal();
 }
 
