@@ -338,6 +338,7 @@ std::string filesText(const Held& held, const pipeline::Scene& scene) {
 pipeline::BufferSet buffersOf(const Held& held) {
     pipeline::BufferSet buffers = buffersOf(held.shows);
     if (held.play) buffers |= held.play->until.buffers;
+    if (held.figure == Figure::Row) buffers.set(index(pipeline::BufferId::PolygonId));
     return buffers;
 }
 

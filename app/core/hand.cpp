@@ -18,11 +18,9 @@ Hand::Hand(Document& document) : m_document(document) {
     connect(&document.frames(), &FrameFeed::frameReady, this, &Hand::follow);
 }
 
-void Hand::take(lessons::Held held, pipeline::Scene own, std::vector<std::string> free) {
+void Hand::take(const Page& page) {
     m_start.reset();
-    m_held = std::move(held);
-    m_own = std::move(own);
-    m_free = std::move(free);
+    m_page = page;
     m_played = m_hasFrame = false;
     m_shown.clear();
     emit taken();
@@ -30,8 +28,8 @@ void Hand::take(lessons::Held held, pipeline::Scene own, std::vector<std::string
 }
 
 void Hand::letGo() {
-    if (holds().empty() && !m_held.play) return;
-    take({}, {}, {});
+    static const Page kNothing;
+    if (!isEmpty()) take(kNothing);
 }
 
 std::optional<pipeline::HoldPlace> Hand::placeOf(std::size_t hold) const {
@@ -40,20 +38,24 @@ std::optional<pipeline::HoldPlace> Hand::placeOf(std::size_t hold) const {
 }
 
 std::optional<pipeline::HoldPlace> Hand::ownPlaceOf(std::size_t hold) const {
-    if (valuesOf(m_own, holds()[hold]) == valuesOf(m_document.scene(), holds()[hold])) return {};
-    return pipeline::placeOf(m_own, holds()[hold]);
+    const pipeline::Scene& own = m_page.half.state.scene;
+    if (valuesOf(own, holds()[hold]) == valuesOf(m_document.scene(), holds()[hold])) return {};
+    return pipeline::placeOf(own, holds()[hold]);
 }
 
-QString Hand::words(std::size_t hold) const {
-    return hold == 0 && !m_shown.isEmpty() ? m_shown : toQString(wordsOf(m_document.scene(), holds()[hold]));
-}
+QString Hand::words(std::size_t hold) const { return toQString(wordsOf(m_document.scene(), holds()[hold])); }
 
 double Hand::value(std::size_t hold) const { return valuesOf(m_document.scene(), holds()[hold]).front().second; }
 
 bool Hand::allows(std::string_view beginning) const {
     const auto begins = [&](const std::string& key) { return key.starts_with(beginning); };
-    return holds().empty() || std::ranges::any_of(m_free, begins) ||
+    return holds().empty() || std::ranges::any_of(m_page.free, begins) ||
            std::ranges::any_of(holds(), [&](const Hold& hold) { return std::ranges::any_of(hold.keys, begins); });
+}
+
+bool Hand::isHeld(std::string_view key) const {
+    return std::ranges::any_of(holds(),
+                               [&](const Hold& hold) { return std::ranges::find(hold.keys, key) != hold.keys.end(); });
 }
 
 std::optional<std::size_t> Hand::holdOfObject(std::size_t object) const {
@@ -99,7 +101,7 @@ void Hand::nudge(std::size_t hold, glm::ivec2 by, bool coarse) {
 
 void Hand::restore(std::size_t hold) {
     m_dragged = hold;
-    set(valuesOf(m_own, holds()[hold]), Moves::Done);
+    set(valuesOf(m_page.half.state.scene, holds()[hold]), Moves::Done);
 }
 
 void Hand::set(const pipeline::Assignments& assignments, Moves moves) {
@@ -111,16 +113,16 @@ void Hand::set(const pipeline::Assignments& assignments, Moves moves) {
 
 void Hand::follow() {
     const pipeline::FramePtr& frame = m_document.frames().whole();
-    if (!frame || (holds().empty() && !m_held.play)) return;
+    if (!frame || isEmpty()) return;
     m_hasFrame = m_hasFrame || frame->sharedScene() == m_document.sharedScene();  // not of the page before
     if (!m_hasFrame) return;
     const lessons::Context context{.frame = *frame};
-    if (!m_held.shows.empty()) {
-        const auto text = filled(m_held.shows, context);
+    if (!held().shows.empty()) {
+        const auto text = filled(held().shows, context);
         m_shown = text ? toQString(*text).simplified() : QString();  // a value that is not finite has no words
     }
-    if (m_held.play && !m_played) {
-        const auto ended = evaluate(m_held.play->until, context);
+    if (held().play && !m_played) {
+        const auto ended = evaluate(held().play->until, context);
         m_played = ended && ended->numbers[0] == 1;
     }
     emit changed();

@@ -108,7 +108,8 @@ void LessonRun::setWindow() {
     if (current().then && isSettled()) wanted |= requestForThen(current()).wanted;
     m_document.frames().want(this, wanted | buffersOf(half().held));
     const auto* until = m_attempt ? std::get_if<lessons::UntilQuestion>(&current().question->kind) : nullptr;
-    m_document.hand().take(half().held, state.scene, until ? until->free : std::vector<std::string>());
+    const bool keepsFigure = current().first.held.figure || (current().then && current().then->held.figure);
+    m_document.hand().take({half(), until ? until->free : std::vector<std::string>(), keepsFigure, isSettled()});
     emit showViews(window);
 }
 

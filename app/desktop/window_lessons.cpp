@@ -34,6 +34,13 @@ bool has(const std::vector<lessons::Part>& parts, std::optional<lessons::Part> p
     return part && std::ranges::find(parts, *part) != parts.end();
 }
 
+// The heading by which a dock is moved.
+void showHeading(PanelDock& dock, bool shown) {
+    QWidget* bar = dock.titleBarWidget();
+    bar->setFixedHeight(shown ? Theme::current().px(32) : 0);
+    for (QWidget* part : bar->findChildren<QWidget*>(Qt::FindDirectChildrenOnly)) part->setVisible(shown);
+}
+
 }  // namespace
 
 WindowLessons::WindowLessons(QMainWindow& window, Actions& actions, Document& document, SceneOpener& opener,
@@ -60,6 +67,7 @@ WindowLessons::WindowLessons(QMainWindow& window, Actions& actions, Document& do
     connect(&m_lessons, &LessonPanel::pageChanged, this, &WindowLessons::remember);
     connect(&document, &Document::hiddenChanged, this, &WindowLessons::showParts);
     connect(&document.hand(), &Hand::taken, this, &WindowLessons::showParts);
+    connect(&document.hand(), &Hand::insideAsked, this, [this] { m_lessons.setOnlyThis(!m_lessons.isOnlyThis()); });
     connect(&layout, &WindowLayout::fitted, this, &WindowLessons::showParts);
     connect(&layout, &WindowLayout::startShows, this, &WindowLessons::listOnStartPage);
     makeBanner();
@@ -80,8 +88,9 @@ void WindowLessons::makeBanner() {
         banner.setText(m_lessons.banner());
         banner.setVisible(!banner.text().isEmpty());
     });
-    followTheme(&banner, [&banner] {
+    followTheme(&banner, [this, &banner] {
         const Theme& theme = Theme::current();
+        showParts();  // the docks have made their headings anew
         banner.setFont(theme.text(13, 600));
         banner.setMargin(theme.px(6));
         banner.setStyleSheet(QStringLiteral("background: %1; border-bottom: 2px solid %2;")
@@ -192,6 +201,7 @@ void WindowLessons::end() {
     m_edge->hide();
     m_centre.views().setThumbnails(before.thumbnails);
     m_centre.views().setHeld(false);
+    showHeading(m_docks[PanelId::Lesson], true);
     if (!before.scene) m_layout.showStart();  // which does not keep the lesson's panels
     m_layout.setKept(true);
     if (!before.scene) return m_shown.showPlace(before.looks);
@@ -223,8 +233,7 @@ void WindowLessons::showParts() {
     const auto& needed = m_lessons.run().isAtEnd() ? std::vector<Part>() : m_lessons.run().current().panels;
     for (PanelDock* dock : m_docks.all()) {
         const PanelId id = dock->row().id;
-        const bool hasFigure = id == PanelId::Inspector && m_document.hand().held().figure == lessons::Figure::Equation;
-        const bool wanted = has(needed, dock->row().part) || hasFigure || (!only && m_aside->panels.contains(id));
+        const bool wanted = has(needed, dock->row().part) || (!only && m_aside->panels.contains(id));
         dock->setVisible(id == PanelId::Lesson || (wanted && m_docks.whyHidden(id).isEmpty()));
     }
     m_docks[PanelId::Lesson].raise();
@@ -233,7 +242,8 @@ void WindowLessons::showParts() {
     m_docks.rail().setVisible(!only && !m_layout.isWide());
     if (only) m_around.strip.setCompact(true);
     // A held picture fills the window, but for the lesson.
-    const bool isHeld = only && !m_document.hand().held().holds.empty();
+    const bool isHeld = only && !m_document.hand().isEmpty();
+    showHeading(m_docks[PanelId::Lesson], !isHeld);
     m_centre.views().setHeld(isHeld);
     m_centre.views().setThumbnails(!isHeld && m_aside->thumbnails);
     m_around.strip.setVisible(!isHeld);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/core/hand.h"
 #include "app/core/text.h"
 #include "app/panels/answer_body.h"
 #include "app/panels/follow_theme.h"
@@ -45,7 +46,7 @@ private:
     std::optional<lessons::Gauge> m_gauge;
 };
 
-// The settings that may be turned, and how far the condition is.
+// The settings that may be turned, but for those that the hand holds in the picture, and how far the condition is.
 class UntilBody : public AnswerBody {
 public:
     UntilBody(const lessons::UntilQuestion& question, LessonRun& run, Document& document, QWidget* parent)
@@ -58,7 +59,7 @@ public:
         int row = 0;
         for (const std::string& key : question.free) {
             const auto setting = pipeline::findSetting(document.scene(), key);
-            if (!setting) continue;
+            if (!setting || document.hand().isHeld(key)) continue;
             auto* one = new SettingRow(document, *setting, *form, row, this);
             one->setStacked(true);
             if (!m_first) m_first = findChild<QWidget*>(toQString(key));
@@ -72,8 +73,12 @@ public:
         follow();
     }
     std::optional<lessons::Given> given() const override { return lessons::Reached{}; }
-    void takeFocus() override { m_first ? m_first->setFocus() : setFocus(); }
-    QString advice() const override { return tr("Turn the setting, then Enter checks."); }
+    void takeFocus() override {
+        if (m_first) m_first->setFocus();
+    }
+    QString advice() const override {
+        return m_first ? tr("Turn the setting, then Enter checks.") : tr("Move it in the picture, then Enter checks.");
+    }
 
 private:
     void follow() {

@@ -33,7 +33,10 @@ BufferCompare::BufferCompare(Document& document, BufferCanvas* canvas, QWidget* 
     connect(m_bar, &CompareBar::modeChosen, this, [this](CompareMode mode) {
         if (mode != this->mode()) setMode(mode);
     });
-    connect(m_bar, &CompareBar::metricChosen, this, &BufferCompare::setMetric);
+    connect(m_bar, &CompareBar::metricChosen, this, [this](pipeline::DifferenceMetric metric) {
+        m_difference.setMetric(metric);
+        emit changed();
+    });
     connect(m_bar, &CompareBar::worstChosen, this, &BufferCompare::goToWorst);
     connect(m_bar, &CompareBar::stagesChosen, this, &BufferCompare::stagesChosen);
     connect(m_bar, &CompareBar::closed, this, [this] { compareWith(std::nullopt); });
@@ -73,11 +76,6 @@ void BufferCompare::compareWith(std::optional<OtherSource> source) {
 void BufferCompare::setMode(CompareMode mode) {
     m_sides.setMode(mode);
     m_bar->setMode(this->mode());
-    emit changed();
-}
-
-void BufferCompare::setMetric(pipeline::DifferenceMetric metric) {
-    m_difference.setMetric(metric);
     emit changed();
 }
 

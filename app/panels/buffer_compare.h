@@ -26,7 +26,6 @@ public:
     bool isMine() const { return m_source && m_source->kind == OtherSource::Kind::Mine; }
     CompareMode mode() const { return m_sides.mode(); }
     void setMode(CompareMode mode);  // the same again: back to A
-    void setMetric(pipeline::DifferenceMetric metric);
     // Saves B and the mode; restores them. Nothing: no B. "Before the last change" is saved as the changed setting,
     // because a later change would be another one. Returns an error if there is no such B.
     std::optional<lessons::BufferShown::Compared> state() const;

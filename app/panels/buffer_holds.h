@@ -2,18 +2,19 @@
 #include <vector>
 
 #include "app/panels/buffer_feature.h"
-#include "pipeline/inspect/picture_vectors.h"
+#include "app/panels/hold_places.h"
 
-class QPainter;
+class QPushButton;
 
 namespace app {
 
 class Hand;
+class HeldBand;
 class HeldFiles;
-class HoldGrip;
 
-// What a page of a lesson lets the user hold, over the picture: grips, the play, and what leads to a lamp or shows where a
-// vertex was. An object is also moved by its surface, the eye by the rest of the picture.
+// What a page of a lesson lets the user hold, over the picture: grips of its holds and of a spot on a row, and what
+// stands beside them. An object is also moved by its surface, the eye by the rest of the
+// picture, a spot by all of it.
 class BufferHolds : public BufferFeature {
     Q_OBJECT
 public:
@@ -25,6 +26,7 @@ public:
     void setHeld(bool held);
     bool isHeld() const { return m_isHeld; }
     HeldFiles& files() const { return *m_files; }  // to stand beside the canvas
+    HeldBand& band() const { return *m_band; }     // to stand below it
 
     pipeline::BufferSet want() override;
     void show() override;
@@ -34,33 +36,39 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    class Layer;
+    // Pixels of the grip's room: where it began, where the pointer is, and where what it holds is; Shift moves by a tenth.
+    struct Drag {
+        std::size_t grip;  // its place in m_grips
+        QPointF pressed, last, at;
+        std::optional<glm::ivec2> pixelBefore;
+    };
 
     bool areShown() const;
-    QLineF trackOf(std::size_t hold) const;  // of a number, from low to high; on the canvas
-    QPointF onCanvas(glm::dvec2 picture) const;
-    glm::dvec2 forHand(std::size_t hold, QPointF canvas) const;
-    std::optional<std::size_t> holdAt(QPointF canvas) const;  // by the surface of its object, or as the eye
-    bool showsVectors() const;
+    std::optional<std::size_t> gripAt(QPointF canvas) const;  // by the surface of its object, or as the eye
     void make();
+    void add(HeldGrip::What what, std::size_t hold, const QString& name, HoldGrip::Look look);
     void fit();
     void placeGrips();
-    void begin(std::size_t hold, QPointF at);
+    void placeInside();
+    void begin(std::size_t grip, QPointF at);
     void moveTo(QPointF at, Qt::KeyboardModifiers modifiers);
     void end();
+    void cancel();
+    void nudge(const HeldGrip& grip, QPoint by, bool isCoarse);
+    void restore(const HeldGrip& grip);
     void click(QPointF at);
-    void paint(QPainter& painter) const;
-    void paintPlay(QPainter& painter) const;
+    void pickOnRow(int column);
 
     Hand& m_hand;
-    Layer* m_layer;
+    HoldMarks* m_layer;
     HeldFiles* m_files;
-    std::vector<HoldGrip*> m_grips;
+    HeldBand* m_band;
+    HoldPlaces m_places;
+    QPushButton* m_inside;
+    std::vector<HeldGrip> m_grips;
+    int m_tracks = 0;
     bool m_isOn = false, m_isHeld = false, m_fits = false;
-    std::optional<std::size_t> m_dragged;
-    // Of a drag, on the canvas: where it began, where the pointer is, and where what it holds is; Shift moves by a tenth.
-    QPointF m_pressed, m_last, m_at;
-    std::optional<pipeline::PictureVectors> m_vectors;
+    std::optional<Drag> m_drag;
 };
 
 }  // namespace app

@@ -29,6 +29,7 @@
 #include "app/panels/compare_bar.h"
 #include "app/panels/condition_bar.h"
 #include "app/panels/follow_theme.h"
+#include "app/panels/held_band.h"
 #include "app/panels/held_files.h"
 #include "app/panels/range_foot.h"
 #include "app/panels/shadow_overlay.h"
@@ -60,6 +61,7 @@ void BufferView::build() {
     row->addWidget(middle, 1);
     row->addWidget(&m_features.holds->files());
     all->addLayout(row, 1);
+    all->addWidget(&m_features.holds->band());
     all->addWidget(&condition());
     all->addWidget(compare().bar());
     all->addWidget(&m_features.range->foot());

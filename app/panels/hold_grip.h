@@ -1,5 +1,7 @@
 #pragma once
+#include <QPointF>
 #include <QWidget>
+#include <optional>
 
 #include "app/core/spoken.h"
 
@@ -7,28 +9,41 @@ class QLabel;
 
 namespace app {
 
-class Hand;
-
-// A button over a picture that moves one thing which a page of a lesson lets the user hold, by mouse and by keys: arrows,
-// Shift for large steps, Home for the page's own value. Its words stand beside it. For a screen reader it is a slider.
+// A button over a picture, or on the figure below it, that moves one thing which a page of a lesson lets the user hold, by
+// mouse and by keys: arrows, Shift for large steps, Home for the page's own value, Esc to let a drag be. Its words stand
+// beside it. For a screen reader it is a slider. It moves nothing itself: it says what was done to it.
 class HoldGrip : public QWidget, public SpokenSlider {
     Q_OBJECT
 public:
-    // On a canvas. `hold`: its number in the hand.
-    HoldGrip(Hand& hand, std::size_t hold, QWidget* canvas);
+    // A white disc with a sign, or a square one; a sun, or its hollow foot.
+    struct Look {
+        enum class Shape { Disc, Square, Sun, Foot };
+        Shape shape = Shape::Disc;
+        QString sign{};
+    };
+    HoldGrip(const QString& name, Look look, QWidget* room);
 
-    std::size_t hold() const { return m_hold; }
     static int side();  // pixels, at least 44
-    // Puts its middle there, or hides it. The words stay below `top`; all in pixels of the canvas.
-    void place(std::optional<QPointF> middle, bool isBehind, int top);
+    struct Place {
+        std::optional<QPointF> middle;  // in the room; nothing: it is hidden
+        bool isBehind = false;          // a lamp behind what it goes around: a ring
+        bool isBeside = false;          // the words are at its side, not above
+        int top = 0;                    // above which no words may be
+        QString words;
+        Scale scale{};
+    };
+    void place(const Place& place);
     void setDragged(bool dragged);
-    Scale spoken() const override;
+    Scale spoken() const override { return m_scale; }
     void slideTo(double value) override;
 
 signals:
-    void grabbed(QPointF at);  // on the canvas, as the two below
+    void grabbed(QPointF at);  // in the room, as the two below
     void dragged(QPointF at, Qt::KeyboardModifiers modifiers);
     void dropped();
+    void cancelled();                       // the drag
+    void nudged(QPoint by, bool isCoarse);  // to the right, downwards
+    void restored();
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -39,10 +54,10 @@ protected:
     void hideEvent(QHideEvent* event) override;
 
 private:
-    Hand& m_hand;
-    std::size_t m_hold;
+    Look m_look;
     QLabel* m_words;
-    bool m_isBehind = false;
+    Scale m_scale{};
+    bool m_isBehind = false, m_isDragged = false;
 };
 
 }  // namespace app

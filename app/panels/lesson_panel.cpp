@@ -30,6 +30,7 @@
 namespace app {
 
 static constexpr const char* kOnlyThis = "lesson/onlyThis";
+static constexpr double kScaleOfFoot = 1.3;  // of the text: from here on Check stays in sight while the page scrolls
 
 LessonPanel::LessonPanel(Document& document, QWidget* parent)
     : QWidget(parent),
@@ -122,6 +123,7 @@ QWidget* LessonPanel::makeLesson() {
     connect(m_end, &LessonEnd::forgetAsked, this, &LessonPanel::askToForget);
     connect(m_end, &LessonEnd::resultsAsked, this,
             [this] { LessonResultsDialog::showResults(*m_shelf, m_run.results(), this); });
+    followTheme(handout, [rows, &card] { card.standIn(Theme::current().scale() > kScaleOfFoot ? rows : nullptr); });
     return all;
 }
 
@@ -187,6 +189,8 @@ bool LessonPanel::isOnlyThis() const { return QSettings().value(kOnlyThis, true)
 
 void LessonPanel::setOnlyThis(bool only) {
     QSettings().setValue(kOnlyThis, only);
+    const QSignalBlocker quiet(m_head->onlyThis());
+    m_head->onlyThis().setChecked(only);
     emit onlyThisChanged();
 }
 

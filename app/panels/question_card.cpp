@@ -9,6 +9,7 @@
 #include "app/core/numbers.h"
 #include "app/core/text.h"
 #include "app/panels/answer_body.h"
+#include "app/panels/fitting_stack.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/note_box.h"
 #include "app/panels/prose_view.h"
@@ -36,8 +37,7 @@ QuestionCard::QuestionCard(LessonRun& run, Document& document, QWidget* parent)
       m_note(new NoteBox(this)),
       m_hints(new QWidget(this)),
       m_elsewhere(new QWidget(this)),
-      m_buttons(new QWidget(this)),
-      m_sure(new QWidget(this)),
+      m_acts(new FittingStack(this)),
       m_solution(new ProseView(this)) {
     setObjectName("question");
     auto* title = spaced(new QHBoxLayout, {12, 7, 12, 7});
@@ -53,8 +53,7 @@ QuestionCard::QuestionCard(LessonRun& run, Document& document, QWidget* parent)
     all->addLayout(m_column);
     makeButtons();
     spaced(new QVBoxLayout(m_hints), {});
-    for (QWidget* part :
-         std::initializer_list<QWidget*>{m_question, m_note, m_hints, m_solution, m_elsewhere, m_buttons, m_sure})
+    for (QWidget* part : std::initializer_list<QWidget*>{m_question, m_note, m_hints, m_solution, m_elsewhere, m_acts})
         m_column->addWidget(part);
     followTheme(this, [this, all] {
         const Theme& theme = Theme::current();
@@ -75,10 +74,13 @@ void QuestionCard::makeButtons() {
         made->setObjectName(name);
         return made;
     };
-    auto* buttons = row(m_buttons);
-    m_check = button(tr("Check"), "check", m_buttons);
-    m_hint = button(tr("Hint"), "hint", m_buttons);
-    m_show = button(tr("Show me"), "showMe", m_buttons);
+    auto *asks = new QWidget(m_acts), *isSure = new QWidget(m_acts);
+    m_acts->addWidget(asks);
+    m_acts->addWidget(isSure);
+    auto* buttons = row(asks);
+    m_check = button(tr("Check"), "check", asks);
+    m_hint = button(tr("Hint"), "hint", asks);
+    m_show = button(tr("Show me"), "showMe", asks);
     m_check->setToolTip(tr("Enter"));
     m_hint->setToolTip(tr("Alt+H, a quarter of the points"));
     m_show->setToolTip(tr("Alt+S, no points"));
@@ -91,22 +93,22 @@ void QuestionCard::makeButtons() {
     connect(m_hint, &QPushButton::clicked, this, &QuestionCard::giveHint);
     connect(m_show, &QPushButton::clicked, this, &QuestionCard::askToShow);
 
-    auto* sure = row(m_sure);
-    auto* words = new QLabel(tr("Show the answer for 0 points?"), m_sure);
+    auto* sure = row(isSure);
+    auto* words = new QLabel(tr("Show the answer for 0 points?"), isSure);
     words->setWordWrap(true);
-    auto* yes = button(tr("Show"), "showSure", m_sure);
-    auto* no = button(tr("Go on trying"), "showNot", m_sure);
+    auto* yes = button(tr("Show"), "showSure", isSure);
+    auto* no = button(tr("Go on trying"), "showNot", isSure);
     sure->addWidget(words, 1);
     sure->addWidget(yes);
     sure->addWidget(no);
     connect(yes, &QPushButton::clicked, this, [this] {
-        askWhetherSure(false);
+        m_acts->setCurrentIndex(0);
         m_run.showMe();
         showSettled();
         emit said(tr("Shown. The page gives no points."));
         emit settled();
     });
-    connect(no, &QPushButton::clicked, this, [this] { askWhetherSure(false), takeFocus(); });
+    connect(no, &QPushButton::clicked, this, [this] { m_acts->setCurrentIndex(0), takeFocus(); });
 
     auto* elsewhere = row(m_elsewhere);
     auto* differs = new QLabel(tr("Your view is not the page's."), m_elsewhere);
@@ -116,14 +118,18 @@ void QuestionCard::makeButtons() {
     elsewhere->addWidget(differs, 1);
     elsewhere->addWidget(back);
     connect(back, &QPushButton::clicked, this, [this] { m_run.setWindow(), takeFocus(); });
-    followTheme(m_buttons, [words, differs] {
+    followTheme(m_acts, [words, differs] {
         for (QLabel* label : {words, differs}) label->setFont(Theme::current().text(12));
     });
 }
 
-void QuestionCard::askWhetherSure(bool asks) {
-    m_sure->setVisible(asks);
-    m_buttons->setVisible(!asks && isOpen());
+void QuestionCard::standIn(QVBoxLayout* column) {
+    const int side = column ? Theme::current().px(14) : 0;
+    m_acts->setContentsMargins(side, 0, side, 0);
+    if (column)
+        column->insertWidget(column->count() - 1, m_acts);
+    else
+        m_column->addWidget(m_acts);
 }
 
 bool QuestionCard::isOpen() const { return m_body && !m_run.isSettled(); }
@@ -151,9 +157,9 @@ void QuestionCard::ask() {
     setVisible(m_run.attempt() != nullptr);
     if (!m_run.attempt()) return;
     m_question->setProse(toQString(withGaps(m_run.current().question->text)), ProseView::Tone::Question);
-    for (QWidget* part : std::initializer_list<QWidget*>{m_note, m_hints, m_solution, m_sure, m_elsewhere})
-        part->hide();
-    m_buttons->setVisible(!m_run.isSettled());
+    for (QWidget* part : std::initializer_list<QWidget*>{m_note, m_hints, m_solution, m_elsewhere}) part->hide();
+    m_acts->setCurrentIndex(0);
+    m_acts->setVisible(!m_run.isSettled());
     for (QPushButton* one : {m_check, m_hint, m_show}) one->setEnabled(false);
     arrange();
 }
@@ -292,8 +298,8 @@ void QuestionCard::showHints() {
 
 void QuestionCard::askToShow() {
     if (!isOpen()) return;
-    askWhetherSure(true);
-    m_sure->findChild<QPushButton*>("showSure")->setFocus();
+    m_acts->setCurrentIndex(1);
+    m_acts->findChild<QPushButton*>("showSure")->setFocus();
 }
 
 void QuestionCard::choose(int key) {
@@ -308,7 +314,7 @@ void QuestionCard::takeFocus() {
 void QuestionCard::showSettled() {
     const lessons::Attempt& attempt = *m_run.attempt();
     dropBody();
-    for (QWidget* part : {m_hints, m_buttons, m_sure, m_elsewhere}) part->hide();
+    for (QWidget* part : std::initializer_list<QWidget*>{m_hints, m_acts, m_elsewhere}) part->hide();
     const auto solution = attempt.solution(m_run.context());
     if (!solution) return emit failed(tr("This answer cannot be filled in."), solution.errors());
     const QString answer = toQString(solution->answer);  // a block of code stands by itself

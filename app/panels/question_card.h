@@ -6,6 +6,7 @@
 class QHBoxLayout;
 class QLabel;
 class QPushButton;
+class QStackedWidget;
 class QVBoxLayout;
 
 namespace app {
@@ -33,6 +34,8 @@ public:
     QString advice() const;  // what one can do now
     QString banner() const;
     QWidget& note() const;  // what was said to the last answer
+    // Puts Check, Hint and Show me before the last row of a column that does not scroll; null: back into the card.
+    void standIn(QVBoxLayout* column);
 
 signals:
     void settled();
@@ -48,7 +51,6 @@ private:
     void arrange();
     void showHints();
     void showSettled();
-    void askWhetherSure(bool asks);
     void dropBody();
 
     LessonRun& m_run;
@@ -59,7 +61,8 @@ private:
     AnswerBody* m_body = nullptr;
     NoteBox* m_note;
     QWidget* m_hints;
-    QWidget *m_elsewhere, *m_buttons, *m_sure;
+    QWidget* m_elsewhere;
+    QStackedWidget* m_acts;  // its buttons, or whether one is sure
     QPushButton *m_check, *m_hint, *m_show;
     ProseView* m_solution;
 };

@@ -1,13 +1,18 @@
 // A page of a lesson in the window whose picture is held: by the mouse on it, by keys, by a screen reader.
 #include <QAccessible>
+#include <QLineEdit>
+#include <QPushButton>
 #include <QTest>
+#include <QToolButton>
 
 #include "app/core/hand.h"
 #include "app/desktop/panel_dock.h"
 #include "app/desktop/view_area.h"
 #include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_header.h"
+#include "app/panels/buffer_holds.h"
 #include "app/panels/buffer_view.h"
+#include "app/panels/held_band.h"
 #include "app/panels/held_files.h"
 #include "app/panels/hold_grip.h"
 #include "app/panels/lesson_panel.h"
@@ -33,6 +38,7 @@ protected:
             if (grip->isVisible()) return *grip;
         throw std::runtime_error("nothing is held");
     }
+    HeldBand& band() { return window.views().first().features().holds->band(); }
     QPoint middle() { return grip().rect().center(); }
     QPoint placeOfGrip() { return grip().geometry().center(); }
     void dragTo(QPoint onCanvas) {
@@ -154,6 +160,71 @@ TEST_F(HeldLesson, AClickOnAHeldPicturePicksAndMovesNothing) {
     EXPECT_EQ(document().pointing().pixel(), glm::ivec2(320, 200));
     EXPECT_TRUE(document().scene() == before);
     EXPECT_FALSE(document().history().stack()->canUndo());
+}
+
+// One doubling of n for each doubling of z on the figure's axis: from 0.05 to 15 in log(300) parts of the track.
+TEST_F(HeldLesson, TheNearPlaneIsMovedOnTheAxisOfTheCodes) {
+    open("depth-precision");
+    auto& band = this->band();
+    ASSERT_EQ(grip().parentWidget(), &band);
+    EXPECT_TRUE(band.accessibleDescription().contains("the objects")) << "their codes are what is asked";
+    const auto near = [&] { return findSetting(document().scene(), "camera.near")->get(document().scene()); };
+    EXPECT_EQ(near(), 0.05);
+    const QLineF track = band.track().value();
+    dragTo(placeOfGrip() + QPoint(int(track.dx() / 2), 0));
+    EXPECT_NEAR(near(), std::sqrt(0.05 * 15), 0.03) << "half of the way is the geometric mean";
+}
+
+// "How much red light leaves the ringed point in the dark?" 0.8 · 60 = 48, whatever the lamp does.
+TEST_F(HeldLesson, NothingMovesAtTheAnswerAndTheEquationFollows) {
+    open("diffuse");
+    const QRect before = canvas()->geometry();
+    const QPoint ring = onCanvas({211, 268});
+    ASSERT_TRUE(band().isVisible()) << "its place is kept from the beginning";
+    EXPECT_EQ(band().accessibleDescription(), "");
+    EXPECT_FALSE(find<QPushButton>("lookInside")->isVisible());
+    find<QLineEdit>("answer")->setText("48");
+    find<QPushButton>("check")->click();
+    ASSERT_TRUE(waitForFrame());
+    EXPECT_EQ(canvas()->geometry(), before);
+    EXPECT_EQ(onCanvas({211, 268}), ring);
+    const QString first = band().accessibleDescription();
+    EXPECT_TRUE(first.startsWith("k_r I_a 48.0 + k_r I_0 max(0, N·L) ")) << first.toStdString();
+    dragTo(QPoint(canvas()->width() - 30, placeOfGrip().y()));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return band().accessibleDescription().endsWith("0.0 = 48.0"); }, 5000))
+        << band().accessibleDescription().toStdString();
+}
+
+TEST_F(HeldLesson, ASpotStaysInItsRowByMouseAndKeys) {
+    open("z-buffer");
+    run().goTo(7);  // "Where two planes cross", row 240
+    ASSERT_TRUE(QTest::qWaitFor([&] { return run().texts().has_value(); }, 10000));
+    ASSERT_TRUE(waitForFrame());
+    const auto spot = [&] { return document().pointing().pixel().value_or(glm::ivec2(-1)); };
+    dragTo(placeOfGrip() + QPoint(120, 70));
+    const glm::ivec2 dragged = spot();
+    EXPECT_EQ(dragged.y, 240);
+    EXPECT_GT(dragged.x, 100);
+    QTest::keyClick(&grip(), Qt::Key_Right, Qt::ShiftModifier);
+    EXPECT_EQ(spot(), dragged + glm::ivec2(10, 0));
+    QTest::mouseClick(canvas(), Qt::LeftButton, {}, onCanvas({300, 100}));
+    EXPECT_EQ(spot(), glm::ivec2(300, 240)) << "a click elsewhere moves it along its row";
+}
+
+TEST_F(HeldLesson, LookInsideShowsTheInstrumentsAndThePictureAgain) {
+    open("diffuse");
+    find<QLineEdit>("answer")->setText("48");
+    find<QPushButton>("check")->click();
+    ASSERT_TRUE(waitForFrame());
+    auto* inside = find<QPushButton>("lookInside");
+    for (auto* other : window.findChildren<QPushButton*>("lookInside"))
+        if (other->isVisible()) inside = other;
+    ASSERT_TRUE(inside->isVisible());
+    inside->click();
+    EXPECT_TRUE(window.views().first().header().isVisible());
+    EXPECT_TRUE(find<QWidget>("stageStrip")->isVisible());
+    inside->click();
+    EXPECT_FALSE(window.views().first().header().isVisible());
 }
 
 // Without the lesson nothing can be held any more.

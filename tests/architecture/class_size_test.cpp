@@ -33,7 +33,6 @@ const std::map<std::string, ClassSize>& largerThanMost() {
         {"app/panels/buffer_view.h BufferView", {33, 15}},
         {"app/panels/check_panel.h CheckPanel", {22, 19}},
         {"app/panels/inspector_panel.h InspectorPanel", {11, 20}},
-        {"app/panels/question_card.h QuestionCard", {24, 16}},
         {"lessons/expression/parser.h Parser", {48, 11}},
         {"pipeline/formats/line_scanner.h LineScanner", {14, 16}},
         {"pipeline/simd/surfaces.h Surfaces", {12, 20}},

@@ -1,6 +1,8 @@
 // The keys that let a hand move something: how they are read, what a page may not do with them.
 #include "lessons/check.h"
+#include "lessons/held_figure.h"
 #include "lessons/lesson.h"
+#include "lessons/library.h"
 #include "tests/lessons/pyramid_scene.h"
 
 namespace lessons {
@@ -119,6 +121,39 @@ TEST(Held, AHandDoesNotLeadToTheSecondHalf) {
     const auto long_ = read(hold, words + kQuestion);
     ASSERT_TRUE(long_) << format(long_.errors());
     EXPECT_NE(format(checkLesson(*long_)).find("words before the question, expected at most 60"), std::string::npos);
+}
+
+// The figure of the first half of the page with this heading, in a lesson of the program.
+HeldFigure figureOn(const char* lesson, std::string_view heading, const char* settings, bool tells) {
+    const auto read = readLesson(lessonFolder() / lesson);
+    EXPECT_TRUE(read) << format(read.errors());
+    const auto page = std::ranges::find(read->pages, heading, &Page::heading);
+    const auto scene = std::make_shared<const pipeline::Scene>(withSettings(page->first.state.scene, settings).value());
+    const pipeline::FramePtr frame = runFrame(scene, requestFor(*page), nullptr);
+    const auto bufferOf = [&](const pipeline::BufferName& name) { return frame->buffer(name); };
+    return figureOf({page->first, *scene, *frame, pickedPixel(page->first.state), 0, tells, bufferOf}, {800, 0, 1});
+}
+
+TEST(HeldFigure, TheCodesOfTheObjectsAreToldAfterTheAnswer) {
+    constexpr const char* kPage = "Two squares, close together";
+    EXPECT_EQ(figureOn("depth-precision", kPage, "camera.near=0.05", false).spoken.find("codes for"),
+              std::string::npos);
+    const HeldFigure told = figureOn("depth-precision", kPage, "camera.near=0.05", true);
+    EXPECT_NE(told.spoken.find("codes for the objects"), std::string::npos) << told.spoken;
+    EXPECT_TRUE(told.track) << "the near plane is on its axis";
+}
+
+// 0.8 · 60 and what the lamp gives; at the ringed point of "Light from everywhere" the two are its intensity.
+TEST(HeldFigure, TheTermsOfTheEquationAreThePixelsIntensity) {
+    const auto lesson = readLesson(lessonFolder() / "diffuse");
+    ASSERT_TRUE(lesson);
+    const Page& page = *std::ranges::find(lesson->pages, "Light from everywhere", &Page::heading);
+    const auto scene = std::make_shared<const pipeline::Scene>(page.then->state.scene);
+    const pipeline::FramePtr frame = frameOf(*scene, pipeline::setOf({pipeline::BufferId::Intensity}));
+    const HeldFigure figure = figureOf({*page.then, *scene, *frame, glm::ivec2(211, 268), 0, true, {}}, {800, 0, 1});
+    ASSERT_EQ(figure.terms.size(), 2u);
+    EXPECT_EQ(termText(figure.terms[0].value, figure.most), "48.0");
+    EXPECT_NEAR(figure.sum, frame->buffer({pipeline::BufferId::Intensity})->value(211, 268, 0), 1e-9);
 }
 
 }  // namespace
