@@ -2,7 +2,9 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <utility>
 
 #include "pipeline/export/exporter.h"
 
@@ -13,11 +15,16 @@ ByteFile::ByteFile(const std::filesystem::path& path) : m_path(path), m_file(std
 }
 
 void ByteFile::write(std::span<const std::byte> bytes) {
-    if (m_error != 0 || bytes.empty()) return;
-    if (std::fwrite(bytes.data(), 1, bytes.size(), m_file.get()) == bytes.size())
-        m_size += bytes.size();
-    else
-        m_error = errno;
+    while (m_error == 0 && !bytes.empty()) {
+        const auto part = bytes.first(std::min(bytes.size(), WriterWatch::kItems));
+        if (WriterWatch::stopped(part.size()))
+            m_error = ECANCELED;
+        else if (std::fwrite(part.data(), 1, part.size(), m_file.get()) != part.size())
+            m_error = errno;
+        else
+            m_size += part.size();
+        bytes = bytes.subspan(part.size());
+    }
 }
 
 Result<std::uint64_t> ByteFile::close() {

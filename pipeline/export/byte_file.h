@@ -2,16 +2,49 @@
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string_view>
+#include <utility>
 
 #include "pipeline/core/result.h"
 
 namespace pipeline {
 
+// While one lives, writers of files in this thread ask it whether to go on: exporters are rows of a table and get a buffer
+// alone. Who has said no is not asked again.
+class WriterWatch {
+public:
+    explicit WriterWatch(std::function<bool()> goesOn) : m_outer(s_innermost), m_goesOn(std::move(goesOn)) {
+        s_innermost = this;
+    }
+    ~WriterWatch() { s_innermost = m_outer; }
+    WriterWatch(const WriterWatch&) = delete;
+    WriterWatch& operator=(const WriterWatch&) = delete;
+
+    // Whether the innermost one asks to give up; asked after every kItems items: bytes or pixels.
+    static bool stopped(std::size_t items) {
+        WriterWatch* const watch = s_innermost;
+        if (!watch || watch->m_stopped) return watch != nullptr;
+        watch->m_items += items;
+        if (watch->m_items < kItems) return false;
+        watch->m_items = 0;
+        return watch->m_stopped = !watch->m_goesOn();
+    }
+    static constexpr std::size_t kItems = std::size_t{1} << 18;
+
+private:
+    static inline thread_local WriterWatch* s_innermost = nullptr;
+
+    WriterWatch* m_outer;
+    std::function<bool()> m_goesOn;
+    std::size_t m_items = 0;
+    bool m_stopped = false;
+};
+
 // A new file that bytes are appended to. The first failure is kept; close() tells it, so that a
-// writer can go on without looking.
+// writer can go on without looking. ECANCELED where a WriterWatch asks to give up.
 class ByteFile {
 public:
     explicit ByteFile(const std::filesystem::path& path);

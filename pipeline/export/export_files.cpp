@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "pipeline/export/byte_file.h"
 #include "pipeline/export/contracts_json.h"
 #include "pipeline/export/exporter.h"
 #include "pipeline/export/manifest.h"
@@ -116,13 +117,18 @@ Result<ExportFiles> writeExportFiles(const Frame& frame, const ExportRequest& re
                                      const ExportProgress& progress, const WriteViews& writeViews) {
     const std::vector<PlannedFile> files = plannedFiles(frame, request);
     const auto total = static_cast<double>(bytesOf(files) + 1);
-    const auto goOn = [&](double share, std::string_view file) { return !progress || progress(share, file); };
+    bool goesOn = true;  // who has said no is not asked again
+    const auto goOn = [&](double share, std::string_view file) {
+        return goesOn = goesOn && (!progress || progress(share, file));
+    };
     ExportFiles made, cancelled;
     cancelled.cancelled = true;
     std::vector<WrittenBuffer> written;
     const std::shared_ptr<const std::string> scene = sceneToCarry(frame);
     const auto state = request.state.empty() ? nullptr : std::make_shared<const std::string>(request.state);
     double done = 0;
+    std::string_view now = kManifest;  // the file that is being written
+    const WriterWatch watch([&] { return goOn(done / total, now); });
     for (const PlannedFile& file : files) {
         const auto buffer = bufferOf(frame, request, file.buffer);
         if (!buffer) continue;
@@ -133,14 +139,18 @@ Result<ExportFiles> writeExportFiles(const Frame& frame, const ExportRequest& re
         if (file.file.empty()) continue;
         if (!goOn(done / total, file.file)) return cancelled;
         const Exporter* exporter = findExporter(file.format);
+        now = file.file;
         const auto bytes = exporter->write(written.back().item, within(folder, file.file));
+        if (!goesOn) return cancelled;
         if (!bytes) return bytes.errors();
         written.back().files.push_back({file.file, exporter, *bytes});
         made.names.push_back(file.file);
         made.bytes += *bytes;
         done += static_cast<double>(file.bytes);
     }
+    now = kManifest;
     const auto whole = writeScene(frame, request, folder);
+    if (!goesOn) return cancelled;
     if (!whole) return whole.errors();
     for (const WrittenScene& file : *whole) {
         made.names.push_back(file.file);
@@ -159,8 +169,7 @@ Result<ExportFiles> writeExportFiles(const Frame& frame, const ExportRequest& re
     std::vector<BufferName> names;
     for (const WrittenBuffer& buffer : written) names.push_back(buffer.item.buffer.name);
     const ContractInput input = contractInput(frame, names);
-    bool goesOn = true;  // who has said no is not asked again
-    const auto contracts = checkContracts(input, [&] { return goesOn = goesOn && goOn(done / total, kManifest); });
+    const auto contracts = checkContracts(input, [&] { return goOn(done / total, kManifest); });
     if (!goesOn) return cancelled;
     made.manifest["contracts"] = toJson(contracts, input, false);
     return made;

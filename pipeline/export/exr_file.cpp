@@ -51,7 +51,8 @@ std::uint64_t exrEstimate(const AnyBuffer& buffer) { return 500 + buffer.count()
 Result<std::uint64_t> writeExr(const ExportItem& item, const std::filesystem::path& file) {
     const AnyBuffer& buffer = item.buffer;
     std::vector<float> numbers(buffer.count());
-    for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = static_cast<float>(buffer.flat(i));
+    for (std::size_t i = 0; i < numbers.size() && !WriterWatch::stopped(1); ++i)
+        numbers[i] = static_cast<float>(buffer.flat(i));
 
     MemoryStream stream;
     try {
@@ -70,7 +71,10 @@ Result<std::uint64_t> writeExr(const ExportItem& item, const std::filesystem::pa
         }
         Imf::OutputFile out(stream, header);
         out.setFrameBuffer(pixels);
-        out.writePixels(static_cast<int>(buffer.rows()));
+        constexpr int kRows = 16;  // which ZIP packs together
+        const int rows = static_cast<int>(buffer.rows());
+        for (int row = 0; row < rows && !WriterWatch::stopped(kRows * buffer.columns()); row += kRows)
+            out.writePixels(std::min(kRows, rows - row));
     } catch (const std::exception& problem) {  // OpenEXR reports no other way
         return Error{{file.string()}, std::string("could not write: ") + problem.what(), {}};
     }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cerrno>
 #include <csetjmp>
 #include <functional>
 #include <new>
@@ -82,6 +83,7 @@ bool encode(png_structp png, png_infop info, Picture8& picture, std::vector<png_
     if (texts) png_set_text(png, info, texts->chunks.data(), int(texts->chunks.size()));
     png_write_info(png, info);
     for (std::size_t y = 0; y < picture.rows; ++y) {
+        if (WriterWatch::stopped(picture.columns)) return false;  // of an even picture hardly a byte comes out
         picture.fill(y, row);
         png_write_row(png, row.data());
     }
@@ -118,6 +120,7 @@ Result<std::uint64_t> writePng(const ExportItem& item, const std::filesystem::pa
         return out.good();
     };
     const bool encoded = out.good() && writePicture({item.buffer.columns(), item.buffer.rows(), 3, fill, put}, &texts);
+    if (WriterWatch::stopped(0)) return writeError(file, ECANCELED);
     if (!encoded && out.good())
         return Error{{file.string()},
                      "could not write: the picture is too large for PNG, or there is not enough memory"};

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <thread>
 
+#include "pipeline/export/byte_file.h"
 #include "pipeline/export/json.h"
 #include "pipeline/formats/scene_reader.h"
 #include "pipeline/plan/needs.h"
@@ -343,6 +344,36 @@ TEST(ExportFrame, CancellingAtAnyFileLeavesNothing) {
         ASSERT_TRUE(summary);
         EXPECT_TRUE(summary->cancelled);
         EXPECT_EQ(calls, last + 1);
+        EXPECT_EQ(folder.names(), std::vector<std::string>{});
+    }
+}
+
+// Of a large buffer a file takes a second and more. Of an even picture hardly a byte of PNG comes out: pixels count, too.
+TEST(ExportFrame, CancellingWithinAFileLeavesNothing) {
+    Scene scene;
+    scene.settings.width = 1024, scene.settings.height = 768;
+    const FramePtr frame = test::frameOf(scene, setOf({BufferId::Depth}));
+    // Bytes of npy; pixels of PNG; numbers and pixels of EXR; at least "0,0,1\n" a line of CSV.
+    constexpr std::size_t kPixels = 1024 * 768;
+    for (const auto& [format, items] :
+         {std::pair("npy", 4 * kPixels), {"png", kPixels}, {"exr", 2 * kPixels}, {"csv", 6 * kPixels}}) {
+        const test::TemporaryFolder folder;
+        const ExportRequest request{folder / "out", {{BufferId::Depth}}, {format}, {}};
+        std::size_t calls = 0;
+        const std::string file = std::string("depth.") + format;
+        const auto whole = exportFrame(*frame, request, [&](double, std::string_view of) {
+            calls += of == file;
+            return true;
+        });
+        ASSERT_TRUE(whole);
+        EXPECT_GE(calls, items / WriterWatch::kItems) << format;
+        fs::remove_all(folder / "out");
+        const std::size_t last = calls / 2;
+        calls = 0;
+        const auto stopped = exportFrame(*frame, request, [&](double, std::string_view) { return ++calls < last; });
+        ASSERT_TRUE(stopped);
+        EXPECT_TRUE(stopped->cancelled) << format;
+        EXPECT_EQ(calls, last) << format;
         EXPECT_EQ(folder.names(), std::vector<std::string>{});
     }
 }
