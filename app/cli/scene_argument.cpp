@@ -18,6 +18,7 @@
 #include "pipeline/plan/memory_limit.h"
 #include "pipeline/scene/key_places.h"
 #include "pipeline/scene/settings_table.h"
+#include "pipeline/scene/shape_stop.h"
 
 namespace app {
 
@@ -100,15 +101,16 @@ std::shared_ptr<const Scene> loadScene(const SceneArgument& argument, const pipe
         status = why;
         return nullptr;
     };
+    const auto cancelled = [&] {
+        tell("Cancelled.\n");
+        status = kInterrupted;
+        return nullptr;
+    };
     const pipeline::ReadProgress progress{{}, stop};
     auto read = argument.state          ? sceneOf(*argument.state, argument.folder, progress)
                 : argument.scene == "-" ? readStandardInput(progress)
                                         : lessons::readNamedScene(argument.scene, {}, progress);
-    if (stop.stop_requested()) {
-        tell("Cancelled.\n");
-        status = kInterrupted;
-        return nullptr;
-    }
+    if (stop.stop_requested()) return cancelled();
     if (!read) return refuse(read.errors(), kBadInput);
     if (argument.state)
         if (const Errors errors = checkCue(*argument.state, *read, argument.folder); !errors.empty())
@@ -117,7 +119,9 @@ std::shared_ptr<const Scene> loadScene(const SceneArgument& argument, const pipe
         read = withGltfViews(std::move(read).value(), argument.scene, argument.views, progress);
         if (!read) return refuse(read.errors(), kWrongUsage);
     }
+    const pipeline::ShapeStop shapes(stop);
     auto changed = applySettings(std::move(read).value(), argument);
+    if (stop.stop_requested()) return cancelled();
     if (!changed) return refuse(changed.errors(), kWrongUsage);
     if (const Errors errors = checkScene(*changed); !errors.empty())
         return refuse(optionsOf(argument).placed(errors), kWrongUsage);

@@ -17,6 +17,7 @@
 #include "pipeline/export/study_files.h"
 #include "pipeline/export/study_pictures.h"
 #include "pipeline/formats/text_scanner.h"
+#include "pipeline/scene/shape_stop.h"
 
 namespace app {
 
@@ -123,7 +124,12 @@ int runStudyCommand(const StudyOptions& options) {
     StudyOrder job;
     job.request.scene = loadScene(options.scene, interrupt.token(), status);
     if (!job.request.scene) return status;
+    const pipeline::ShapeStop shapes(interrupt.token());  // of points, whose settings make theirs
     auto sweep = parseSweeps(*job.request.scene, options.sweeps);
+    if (interrupt.asked()) {
+        tell("Cancelled.\n");
+        return kInterrupted;
+    }
     if (!sweep) {
         printErrors(sweep.errors());
         return kWrongUsage;

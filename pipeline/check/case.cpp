@@ -24,6 +24,24 @@ std::vector<Case> allCases() {
     return all;
 }
 
+// Thrown out of a case that is asked to stop, so that no case has to hand it on.
+#ifdef __cpp_lib_jthread
+struct Stopped {};
+void giveUp() { throw Stopped{}; }
+template <class Run>
+void untilStopped(Run run) try {
+    run();
+} catch (const Stopped&) {
+}
+#else  // nobody asks, and nothing catches
+void giveUp() {}
+template <class Run>
+void untilStopped(Run run) {
+    run();
+}
+#endif
+thread_local Stop currentStop;  // of the case that this thread runs; a trial knows of none
+
 char upper(char c) { return c >= 'a' && c <= 'z' ? char(c - 'a' + 'A') : c; }
 bool sameId(std::string_view a, std::string_view b) {
     return std::ranges::equal(a, b, [](char x, char y) { return upper(x) == upper(y); });
@@ -62,7 +80,9 @@ FramePtr Trial::frame(const Scene& scene, BufferSet wanted, StageId until) {
     demand(errors.empty(), fmt::format("the scene is refused: {}", errors.empty() ? "" : format(errors[0])));
     FrameRequest request;
     request.wanted = wanted, request.until = until, request.threads = m_threads;
+    request.stop = currentStop;
     FramePtr frame = runFrame(std::make_shared<const Scene>(scene), request, nullptr);
+    if (!frame) giveUp();
     for (const AnyBuffer& buffer : frame->buffers()) {
         const BufferStatistics s = statistics(buffer);
         demand(s.nan == 0, fmt::format("{} holds {} NaN", buffer.name.text(), s.nan));
@@ -141,16 +161,20 @@ std::vector<CaseResult> runChecks(const Filter& filter, int threads, Stop stop,
     std::vector<CaseResult> results;
     for (const Case& which : caseTable())
         if (filter.admits(which)) results.push_back({&which, {}, false, {}, 0});
-    Threads pool(threads, std::move(stop));
+    Threads pool(threads, stop);
     // A lone case gets the threads for its frames.
     const int threadsEach = results.size() == 1 ? threads : 1;
     std::vector<std::uint8_t> done(results.size(), 0);
     pool.forRange(results.size(), 1, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            results[i] = runCase(*results[i].what, threadsEach);
-            done[i] = 1;
-            if (each) each(results[i]);
-        }
+        currentStop = stop;
+        untilStopped([&] {
+            for (std::size_t i = begin; i < end; ++i) {
+                results[i] = runCase(*results[i].what, threadsEach);
+                done[i] = 1;
+                if (each) each(results[i]);
+            }
+        });
+        currentStop = Stop();
     });
     std::size_t kept = 0;
     for (std::size_t i = 0; i < results.size(); ++i)

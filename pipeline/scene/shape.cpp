@@ -2,11 +2,13 @@
 
 #include <array>
 #include <map>
+#include <utility>
 
 #include "pipeline/core/angles.h"
 #include "pipeline/core/numerics.h"
 #include "pipeline/scene/make_mesh.h"
 #include "pipeline/scene/same_shapes.h"
+#include "pipeline/scene/shape_stop.h"
 #include "pipeline/scene/teapot.h"
 
 namespace pipeline {
@@ -217,9 +219,15 @@ void addTeapot(Builder& builder, int n) {
 
 constexpr std::size_t kTeapotPatches = 32;  // mirrored ones counted
 
+thread_local ShapeStop* innermostStop = nullptr;
+
 constexpr std::array<std::string_view, kShapeCount> kNames{"plane", "box", "sphere", "cylinder", "torus", "teapot"};
 
 }  // namespace
+
+ShapeStop::ShapeStop(Stop stop) : m_outer(innermostStop), m_stop(std::move(stop)) { innermostStop = this; }
+ShapeStop::~ShapeStop() { innermostStop = m_outer; }
+Stop ShapeStop::innermost() { return innermostStop ? innermostStop->m_stop : Stop(); }
 
 std::string_view name(ShapeKind kind) { return kNames[static_cast<std::size_t>(kind)]; }
 
@@ -249,7 +257,7 @@ std::size_t mostTrianglesOf(const Shape& shape) {
     return 0;
 }
 
-std::shared_ptr<const Mesh> makeShape(const Shape& shape) { return makeShape(shape, {}); }
+std::shared_ptr<const Mesh> makeShape(const Shape& shape) { return makeShape(shape, ShapeStop::innermost()); }
 
 std::shared_ptr<const Mesh> makeShape(const Shape& shape, const Stop& stop) {
     if (auto known = SameShapes::find(shape)) return known;

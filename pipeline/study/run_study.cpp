@@ -176,6 +176,7 @@ constexpr const char* kNotMeasurable =
 
 bool ErrorFinder::find(StudyPoint& point, StudyReport& report, Stop stop) {
     const auto scene = sceneAt(*m_request.scene, report.axes, point.values);
+    if (stop.stop_requested()) return false;
     if (!scene) point.failure = format(scene.errors().front());
     if (!point.failure.empty()) return true;
     // Counted is the frame whose time is taken: nobody asks it for buffers.

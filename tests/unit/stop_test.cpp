@@ -13,6 +13,8 @@
 #include "pipeline/formats/model_reader.h"
 #include "pipeline/formats/png_scene.h"
 #include "pipeline/run/stage_parts.h"
+#include "pipeline/scene/settings_table.h"
+#include "pipeline/scene/shape_stop.h"
 #include "tests/support/gltf_files.h"
 #include "tests/support/looks.h"
 #include "tests/support/studies.h"
@@ -118,6 +120,30 @@ TEST_P(StopInAText, IsSeenAtTheNextLook) {
 
 INSTANTIATE_TEST_SUITE_P(Of, StopInAText, testing::ValuesIn(kTexts),
                          [](const auto& one) { return std::string(one.param.name); });
+
+// A setting that remakes a shape knows of no stop; the command line has one.
+TEST(StopInAShape, IsSeenWhereASettingRemakesIt) {
+    Scene scene;
+    scene.objects.emplace_back().shape = Shape{ShapeKind::Teapot, 1};
+    scene.objects[0].mesh = makeShape(*scene.objects[0].shape);
+    const auto remake = [&] {
+        const ShapeStop stop(Looks::stop());
+        return withSetting(scene, "object.0.tessellation=64");
+    };
+    const Looks whole;
+    const auto remade = remake();
+    ASSERT_TRUE(remade) << format(remade.errors());
+    EXPECT_GT(remade->objects[0].mesh->polygonCount(), 100'000u);
+    const std::size_t looks = Looks::count();
+    EXPECT_GT(looks, 20u);
+    EXPECT_LE(Looks::most(), 2 * StopCheck::kItemsPerLook);
+    for (std::size_t part = 0; part <= 4; ++part) {
+        const std::size_t at = 1 + part * (looks - 1) / 4;
+        const Looks stopping(at);
+        [[maybe_unused]] const auto none = remake();
+        EXPECT_LE(Looks::count(), at + 10);
+    }
+}
 
 // An area light may have thousands of faces: room for one is made when it is drawn.
 TEST(StopInShadowBuffers, LeavesNoRoomForFacesThatAreNotDrawn) {
