@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -9,8 +10,8 @@
 #include "pipeline/formats/model_formats.h"
 #include "pipeline/formats/tally.h"
 
-// OFF as text (Geomview manual, "OFF Files"): vertices and polygons. What follows the coordinates of a vertex or the indices
-// of a polygon on its line, colours and normals for the most part, is left out with a remark.
+// OFF as text (Geomview manual, "OFF Files"): vertices, of COFF with their colours, and polygons. What else follows the
+// coordinates of a vertex or the indices of a polygon on its line is left out with a remark.
 namespace pipeline {
 namespace {
 
@@ -28,6 +29,7 @@ public:
         LoadedModel model;
         m_colours.say("vertex line", "with more than three numbers, as a colour or a normal,", "read without them",
                       model.remarks);
+        m_badColors.say("vertex line", "without a colour of three numbers from 0", "read as 1 1 1", model.remarks);
         m_painted.say("polygon", "with a colour", "shown with the default material", model.remarks);
         remarkOnLeftOut(m_fewCorners.count(), m_fewCorners.about(), model.remarks);
         addObject(std::move(m_mesh), m_source, stemOf(m_source.name), model);
@@ -57,6 +59,8 @@ private:
         else if (sameLetters(m_scanner.peek(), "BINARY"))
             m_scanner.fail("found a binary OFF file", "one of text: save it as OFF in ASCII, or as PLY");
         if (!m_errors.empty()) return {};
+        // "STCNOFF": each letter adds numbers to a vertex line, the normal's before the colour's.
+        m_hasNormals = keyword.find('N') < keyword.rfind("OFF"), m_hasColors = keyword.find('C') < keyword.rfind("OFF");
         word.remove_prefix(keyword.size());
         const auto vertices = count(word, "the number of vertices");
         const int line = m_scanner.line();
@@ -105,12 +109,32 @@ private:
                 if (value && !isCoordinate(*value)) m_scanner.refuse(expected());
                 p[axis] = value.value_or(0);
             }
-            if (m_errors.empty() && !m_scanner.next().empty()) {
+            m_mesh.positions.push_back(p);
+            if (!m_errors.empty()) return;
+            if (m_hasColors) {
+                readColor();
+            } else if (!m_scanner.next().empty()) {
                 m_colours.add(m_source.name, m_scanner.line());
                 m_scanner.rest();
             }
-            m_mesh.positions.push_back(p);
         }
+    }
+
+    // Of the vertex line that is being read. Its opacity is left out.
+    void readColor() {
+        for (int i = 0; m_hasNormals && i < 3; ++i) m_scanner.next();
+        Vec3d color(0.0);
+        bool isOne = true, isThere = false;
+        for (int c = 0; c < 3; ++c) {
+            const std::string_view word = m_scanner.next();
+            isThere = isThere || !word.empty();
+            const auto value = parseNumber(word);
+            isOne = isOne && value && isColor(*value);
+            color[c] = isOne ? *value : 0;
+        }
+        m_scanner.rest();
+        if (!isOne && isThere) m_badColors.add(m_source.name, m_scanner.line());
+        m_mesh.colors.push_back(isOne ? color : Vec3d(1));
     }
 
     void readPolygons(std::size_t polygons) {
@@ -143,7 +167,8 @@ private:
     ByteWindow m_window;
     LineScanner m_scanner;
     Mesh m_mesh;
-    CaseTally m_colours, m_painted, m_fewCorners;
+    bool m_hasNormals = false, m_hasColors = false;
+    CaseTally m_colours, m_badColors, m_painted, m_fewCorners;
 };
 
 }  // namespace

@@ -52,9 +52,30 @@ TEST(OffReader, VerticesAndPolygonsWithAnyBeginning) {
     EXPECT_EQ(offModelOf("OFF\n5 5 0\n" + kOffRows).objects[0].mesh->polygonPlaces[4], (TextPosition{12, 1}));
 }
 
+// Shares of 1, or bytes where any is larger; normals before them, opacities behind.
+TEST(OffReader, ColoursOfVertices) {
+    const auto colors = [](std::string_view text) {
+        const LoadedModel model = offModelOf(text);
+        return model.objects.at(0).mesh->colors;
+    };
+    const std::vector<Vec3d> primaries{{1, 0, 0}, {0, 1, 0}, {0, 0, 0.2}};
+    for (const char* text : {"COFF\n3 1 0\n0 0 0 1 0 0 1\n1 0 0 0 1 0 1\n0 1 0 0 0 .2 1\n3 0 1 2\n",
+                             "COFF\n3 1 0\n0 0 0 255 0 0\n1 0 0 0 255 0 # green\n0 1 0 0 0 51 9\n3 0 1 2\n",
+                             "CNOFF\n3 1 0\n0 0 0 0 0 1 1 0 0\n1 0 0 0 0 1 0 1 0\n0 1 0 0 0 1 0 0 .2\n3 0 1 2\n"}) {
+        EXPECT_EQ(colors(text), primaries) << text;
+        const bool inBytes = std::string_view(text).find("255") != std::string_view::npos;
+        EXPECT_EQ(offRemarksOf(offModelOf(text)).size(), inBytes ? 1u : 0u) << text;
+    }
+    const std::string some = "COFF\n3 1 0\n0 0 0 1 0 0\n1 0 0 nan 0 0\n0 1 0 0.5\n3 0 1 2\n";
+    EXPECT_EQ(colors(some), (std::vector<Vec3d>{{1, 0, 0}, {1, 1, 1}, {1, 1, 1}}));
+    EXPECT_EQ(offRemarksOf(offModelOf(some)),
+              Texts{"2 vertex lines without a colour of three numbers from 0 are read as 1 1 1."});
+    EXPECT_TRUE(colors("COFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n").empty());
+}
+
 TEST(OffReader, WhatIsLeftOutIsSaidWithACount) {
     const LoadedModel model =
-        offModelOf("COFF\n3 3 0\n0 0 0 255 0 0 255\n1 0 0 0 255 0 255 # green\n0 1 0\n3 0 1 2 0.5 0.5 0.5\n2 0 1\n0\n");
+        offModelOf("OFF\n3 3 0\n0 0 0 255 0 0 255\n1 0 0 0 255 0 255 # green\n0 1 0\n3 0 1 2 0.5 0.5 0.5\n2 0 1\n0\n");
     EXPECT_EQ(offRemarksOf(model),
               (Texts{"2 vertex lines with more than three numbers, as a colour or a normal, are read without them.",
                      "1 polygon with a colour is shown with the default material.",
