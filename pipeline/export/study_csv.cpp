@@ -50,6 +50,7 @@ std::string studyCsv(const StudyReport& report) {
     for (const SweepAxis& axis : report.axes) names.add(axis.key);
     for (const char* name : {"failure", "buffer", "stage", "measure", "unit"}) names.add(std::string(name));
     for (std::size_t kind = 0; kind < kErrorKinds; ++kind) names.add(std::string(name(static_cast<ErrorKind>(kind))));
+    names.add(std::string("reference_error"));
     for (const char* name : {"ms_min", "ms_median", "ms_p95", "ms_median_low", "ms_median_high"})
         names.add(std::string(name));
     for (const StageId stage : kStages) names.add("ms_" + std::string(stageInfo(stage).name));
@@ -77,9 +78,10 @@ std::string studyCsv(const StudyReport& report) {
             errors.add(row.measure);
             errors.add(row.unit);
             for (const std::optional<double>& value : row.value) errors.add(value);
+            errors.add(report.errorBar({row.buffer, row.measure, ErrorKind::Model}));
             csv += number + before.text() + errors.text() + after.text() + "\r\n";
         }
-        if (point.errors.empty()) csv += number + before.text() + ",,,,,,," + after.text() + "\r\n";
+        if (point.errors.empty()) csv += number + before.text() + ",,,,,,,," + after.text() + "\r\n";
     }
     return csv;
 }

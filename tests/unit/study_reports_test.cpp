@@ -64,13 +64,14 @@ TEST(StudyCsv, HasARowForEachPointAndMeasure) {
     const std::vector<std::string> lines = linesOf(studyCsv(report));
     ASSERT_EQ(lines.size(), 1 + 2 + 6 + 1u);  // names; two measures; one each; the one that failed
     EXPECT_EQ(lines[0],
-              "point,shading,tessellation,failure,buffer,stage,measure,unit,model,arithmetic,storage,ms_min,ms_median,"
-              "ms_p95,ms_median_low,ms_median_high,ms_transform,ms_cull,ms_normals,ms_shadow-buffer,ms_z-buffer,"
+              "point,shading,tessellation,failure,buffer,stage,measure,unit,model,arithmetic,storage,"
+              "reference_error,ms_min,ms_median,ms_p95,ms_median_low,ms_median_high,ms_transform,ms_cull,ms_normals,ms_"
+              "shadow-buffer,ms_z-buffer,"
               "ms_shading,megabytes,fragments,triangles\r");
-    EXPECT_EQ(lines[1], "0,flat,4,,intensity,shading,RMSE,,0.042,,,1,3.5,6,1,6,,,,,,0.375,21.5,205887,320\r");
+    EXPECT_EQ(lines[1], "0,flat,4,,intensity,shading,RMSE,,0.042,,,2e-16,1,3.5,6,1,6,,,,,,0.375,21.5,205887,320\r");
     EXPECT_EQ(lines[2],
-              "0,flat,4,,normal,normals,largest angle,degrees,10.4,1.2e-5,0,1,3.5,6,1,6,,,,,,0.375,21.5,205887,320\r");
-    EXPECT_EQ(lines.back(), "7,gouraud,128,stopped after 60 s,,,,,,,,,,,,,,,,,,,0,,\r");
+              "0,flat,4,,normal,normals,largest angle,degrees,10.4,1.2e-5,0,,1,3.5,6,1,6,,,,,,0.375,21.5,205887,320\r");
+    EXPECT_EQ(lines.back(), "7,gouraud,128,stopped after 60 s,,,,,,,,,,,,,,,,,,,,0,,\r");
 }
 
 TEST(StudyCsv, EveryRowHasAsManyFieldsAsTheNames) {
