@@ -9,6 +9,7 @@
 #include "app/cli/derived_argument.h"
 #include "app/cli/frame_argument.h"
 #include "app/cli/interrupt.h"
+#include "app/cli/library_guard.h"
 #include "app/cli/message.h"
 #include "app/cli/output_argument.h"
 #include "app/cli/scene_argument.h"
@@ -190,7 +191,7 @@ int runFigure(const FigureOptions& options) {
     figure.width = *width, figure.letters = options.letters, figure.dotsPerInch = options.dots;
     figure.isForProjector = options.colors == "projector";
     figure.caption = options.hasCaption ? options.caption : captionOf(figure, *scene, found.meaning);
-    const auto bytes = figureFile(figure, *format);
+    const auto bytes = guarded(pipeline::figureFile)(figure, *format);
     if (!bytes) {
         printErrors(bytes.errors());
         return kWrongUsage;

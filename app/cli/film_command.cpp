@@ -5,6 +5,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/frame_argument.h"
 #include "app/cli/interrupt.h"
+#include "app/cli/library_guard.h"
 #include "app/cli/message.h"
 #include "app/cli/output_argument.h"
 #include "app/cli/progress_printer.h"
@@ -101,6 +102,7 @@ int runFilm(const FilmOptions& options) {
         return kCouldNotWrite;
     }
     ProgressPrinter line("film");
+    const LibraryGuard guard(LibraryGuard::kNoLimit);  // it may have any number of pictures
     const auto summary = writeFilm(steps, request, options.target, [&](std::size_t done, std::size_t all) {
         line.show(done, all);
         return !interrupt.asked();

@@ -1,9 +1,13 @@
 #include "app/cli/interrupt.h"
 
+#include <unistd.h>
+
+#include <chrono>
 #include <ctime>
 
 #include "app/cli/cli.h"
 #include "app/cli/message.h"
+#include "pipeline/export/hidden_folders.h"
 
 namespace app {
 
@@ -17,10 +21,18 @@ Interrupt::Interrupt() {
     }
     pthread_sigmask(SIG_BLOCK, &ours, &m_before);
     m_waiting = std::jthread([this, ours](const std::stop_token& over) {
+        using Clock = std::chrono::steady_clock;
         // A signal handler may do next to nothing; a thread that waits for the signal may do all.
-        while (!over.stop_requested()) {
-            constexpr timespec kLook{0, 20'000'000};  // how long the end of the program may wait for this thread
-            if (sigtimedwait(&ours, nullptr, &kLook) > 0) m_asked.request_stop();
+        for (Clock::time_point first; !over.stop_requested();) {
+            constexpr timespec kLook{0, 20'000'000};         // how long the end of the program may wait for this thread
+            constexpr std::chrono::milliseconds kOnce{500};  // one request may come as two signals
+            if (sigtimedwait(&ours, nullptr, &kLook) <= 0) continue;
+            if (m_asked.request_stop()) {
+                first = Clock::now();
+            } else if (Clock::now() - first > kOnce) {  // a library that looks at no stop may take long
+                pipeline::removeHiddenFolders();
+                ::_exit(kInterrupted);
+            }
         }
     });
 }

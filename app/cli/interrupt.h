@@ -7,7 +7,8 @@
 namespace app {
 
 // While it lives, Ctrl+C (and a plain kill, and a terminal that is closed) asks to stop instead of ending the program,
-// so that nothing half done stays behind. Made before any other thread, which then leaves the signals to it.
+// so that nothing half done stays behind. Asked again half a second later, the program ends at once and removes only its
+// hidden folders. Made before any other thread, which then leaves the signals to it.
 class Interrupt {
 public:
     Interrupt();

@@ -1,8 +1,11 @@
 #include "app/cli/out_of_memory.h"
 
+#include <dlfcn.h>
+#include <pthread.h>
 #include <unistd.h>
 
 #include <atomic>
+#include <cerrno>
 #include <csignal>
 #include <cstdlib>
 #include <exception>
@@ -18,7 +21,7 @@ namespace app {
 
 namespace {
 
-std::atomic<bool> mayThrow{false}, hasThrown{false};
+std::atomic<bool> mayThrow{false}, hasThrown{false}, endsWithoutThreads{false};
 
 int say(std::string_view sentence) {
     [[maybe_unused]] const auto written = ::write(STDERR_FILENO, sentence.data(), sentence.size());
@@ -87,6 +90,7 @@ constexpr int kSignalsOfStart[]{SIGABRT, SIGSEGV, SIGTRAP};  // the last by GLib
 }  // namespace
 
 void endWhenOutOfMemory() {
+    endsWithoutThreads = true;
     std::set_new_handler(handleFailure);
     std::set_terminate(handleUncaught);
     std::atexit(handleExit);
@@ -104,7 +108,10 @@ void throwWhenOutOfMemory() {
 
 bool hasThrownOutOfMemory() { return hasThrown; }
 
-void onlyThrowWhenOutOfMemory() { std::set_new_handler(nullptr); }
+void onlyThrowWhenOutOfMemory() {
+    endsWithoutThreads = false;
+    std::set_new_handler(nullptr);
+}
 
 int sayOutOfMemory() {
     return say("shadescope: not enough memory; a smaller picture (--size) and fewer buffers (--buffers) need less\n");
@@ -114,4 +121,20 @@ int sayOutOfThreads() {
     return say("shadescope: the system gives no further thread; its limit on processes or memory is reached\n");
 }
 
+int sayLibraryFailed() {
+    return say("shadescope: a library that draws text or 3D views failed, as some do where memory has run out\n");
+}
+
 }  // namespace app
+
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // which have one of their own
+// The loader gives it to every library in place of the C library's.
+extern "C" [[gnu::visibility("default")]] int pthread_create(pthread_t* thread, const pthread_attr_t* how,
+                                                             void* (*run)(void*), void* with) noexcept {
+    using Create = int (*)(pthread_t*, const pthread_attr_t*, void* (*)(void*), void*);
+    static const auto next = reinterpret_cast<Create>(::dlsym(RTLD_NEXT, "pthread_create"));
+    const int error = next(thread, how, run, with);
+    if (error == EAGAIN && app::endsWithoutThreads) app::end(app::sayOutOfThreads);
+    return error;
+}
+#endif

@@ -18,6 +18,9 @@ void throwWhenOutOfMemory();
 // number that they have no memory for as one that is none.
 bool hasThrownOutOfMemory();
 
+// Between endWhenOutOfMemory and onlyThrowWhenOutOfMemory a thread that the system refuses ends the program at once, with
+// its sentence and status 4, whoever asked for it: some libraries wait for ever for a thread that never began.
+
 // For a window, which frees what a job had and goes on: every failure throws.
 void onlyThrowWhenOutOfMemory();
 
@@ -26,6 +29,9 @@ int sayOutOfMemory();
 
 // The same where the system gives no further thread: a limit on processes, or no memory for a stack.
 int sayOutOfThreads();
+
+// The same of a library that crashed or hung while it drew.
+int sayLibraryFailed();
 
 // What has been said already, with the file that it concerns.
 struct OutOfMemorySaid : std::bad_alloc {};

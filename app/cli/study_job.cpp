@@ -8,6 +8,7 @@
 #include "app/cli/child_process.h"
 #include "app/cli/cli.h"
 #include "app/cli/error_argument.h"
+#include "app/cli/library_guard.h"
 #include "app/cli/message.h"
 #include "app/cli/progress_printer.h"
 #include "app/cli/scene_argument.h"
@@ -58,6 +59,12 @@ struct Run {
         return false;
     }
 
+    // What the folder holds stays as it is.
+    bool stoppedBefore() {
+        status = studyCancelled(job);
+        return false;
+    }
+
     bool begin() {
         // What a folder cannot hold would be measured for nothing.
         if (const auto folder = pipeline::Staging::begin(job.folder); !folder) {
@@ -67,12 +74,10 @@ struct Run {
         }
         report = beginStudy(job.request);
         report.processes = job.processes;
+        if (interrupt.asked()) return stoppedBefore();
         if (job.restart) return true;
         auto before = resumed(job.folder, job.request, interrupt.token());
-        if (interrupt.asked()) {  // what the folder holds stays as it is
-            status = studyCancelled(job);
-            return false;
-        }
+        if (interrupt.asked()) return stoppedBefore();
         if (!before) {
             printErrors(before.errors());
             status = kBadInput;
@@ -198,7 +203,10 @@ int reportStudy(const StudyReport& report, pipeline::StudyLimits limits,
     if (limits.error == 0) limits.error = middle.error;
     if (limits.milliseconds == 0) limits.milliseconds = middle.milliseconds;
     const std::string inDoubt = pipeline::whyInDoubt(folder, "study.json", pipeline::readIndex(folder, "study.json"));
-    const auto written = writeStudyFiles(report, analysis, limits, pictures, folder);
+    const auto written = [&] {
+        const LibraryGuard guard;
+        return writeStudyFiles(report, analysis, limits, pictures, folder);
+    }();
     if (!written) {
         printErrors(written.errors());
         return kCouldNotWrite;

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "app/cli/cli.h"
+#include "app/cli/library_guard.h"
 #include "app/cli/message.h"
 #include "app/cli/out_of_memory.h"
 #include "lessons/state/cue_list.h"
@@ -27,8 +28,8 @@ app::CliHost makeHost() {
     app::CliHost host;
 #ifdef SHADESCOPE_WINDOW
     host.hasWindow = true;
-    host.writeViews = app::writeViews;
-    host.drawCueView = app::drawCueView;
+    host.writeViews = app::guarded(app::writeViews);
+    host.drawCueView = app::guarded(app::drawCueView);
 #endif
     return host;
 }
