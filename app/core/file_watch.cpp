@@ -8,7 +8,7 @@
 
 namespace app {
 
-constexpr int kRestMilliseconds = 300, kAbsentMilliseconds = 1000;
+constexpr int kQuietMilliseconds = 300, kAbsentMilliseconds = 1000;
 
 bool FileWatch::readsAgain() { return QSettings().value("files/readAgain", false).toBool(); }
 void FileWatch::setReadsAgain(bool reads) { QSettings().setValue("files/readAgain", reads); }
@@ -16,7 +16,7 @@ void FileWatch::setReadsAgain(bool reads) { QSettings().setValue("files/readAgai
 FileWatch::FileWatch(Document& document) : m_document(document) {
     m_rest.setSingleShot(true);
     connect(&document, &Document::keptChanged, this, &FileWatch::settle);
-    connect(&m_watcher, &QFileSystemWatcher::fileChanged, this, [this] { m_rest.start(kRestMilliseconds); });
+    connect(&m_watcher, &QFileSystemWatcher::fileChanged, this, [this] { m_rest.start(kQuietMilliseconds); });
     connect(&m_rest, &QTimer::timeout, this, &FileWatch::look);
 }
 

@@ -23,7 +23,7 @@ using pipeline::Setting;
 using pipeline::SettingGroup;
 using pipeline::SettingKind;
 using pipeline::SettingRef;
-using Kind = OtherSource::Kind;
+using SourceKind = OtherSource::Kind;
 
 namespace {
 
@@ -40,7 +40,7 @@ bool hasSetting(const Scene& scene, const SettingRef& ref) {
 }
 
 OtherSource withSetting(const SettingRef& ref, double value) {
-    return {.kind = Kind::Setting, .setting = ref, .value = value};
+    return {.kind = SourceKind::Setting, .setting = ref, .value = value};
 }
 
 QString whyNotSetting(const Scene& scene, const SettingRef& ref, double value) {
@@ -77,19 +77,19 @@ bool haveSameShape(const BufferInfo& a, const BufferInfo& b) {
 
 QString nameOf(const OtherSource& source) {
     switch (source.kind) {
-        case Kind::Buffer: return toQString(source.buffer.text());
-        case Kind::PreviousStage: return "previous stage";
-        case Kind::Before: return "before the last change";
-        case Kind::Setting: {
+        case SourceKind::Buffer: return toQString(source.buffer.text());
+        case SourceKind::PreviousStage: return "previous stage";
+        case SourceKind::Before: return "before the last change";
+        case SourceKind::Setting: {
             const auto text = toQString(formatSetting(source.setting, source.value));
             return QString("%1 (%2)").arg(text, toQString(source.setting.setting->label).toLower());
         }
-        case Kind::Scene: {
+        case SourceKind::Scene: {
             const auto scene = pipeline::builtInScene(source.scene.toStdString());
             return scene ? toQString(scene->title) : source.scene;
         }
-        case Kind::File: return shownName(source.file);
-        case Kind::Mine: return "my renderer";
+        case SourceKind::File: return shownName(source.file);
+        case SourceKind::Mine: return "my renderer";
     }
     return {};
 }
@@ -104,32 +104,33 @@ QString captionOf(const SettingRef& setting, const Scene& scene) {
 
 std::string keyOf(const OtherSource& source) {
     switch (source.kind) {
-        case Kind::Buffer: return "buffer " + source.buffer.text();
-        case Kind::PreviousStage: return "previous stage";
-        case Kind::Before: return "before";
-        case Kind::Setting:
+        case SourceKind::Buffer: return "buffer " + source.buffer.text();
+        case SourceKind::PreviousStage: return "previous stage";
+        case SourceKind::Before: return "before";
+        case SourceKind::Setting:
             return "setting " + source.setting.key() + '=' + formatSetting(source.setting, source.value);
-        case Kind::Scene: return "scene " + source.scene.toStdString();
-        case Kind::File: return "file " + source.file.toStdString();
-        case Kind::Mine: break;  // its folder is no part of a state
+        case SourceKind::Scene: return "scene " + source.scene.toStdString();
+        case SourceKind::File: return "file " + source.file.toStdString();
+        case SourceKind::Mine: break;  // its folder is no part of a state
     }
     return {};
 }
 
 pipeline::Result<OtherSource> sourceNamed(std::string_view key, const Scene& scene) {
-    if (key == "before") return OtherSource{.kind = Kind::Before};
-    if (key == "previous stage") return OtherSource{.kind = Kind::PreviousStage};
+    if (key == "before") return OtherSource{.kind = SourceKind::Before};
+    if (key == "previous stage") return OtherSource{.kind = SourceKind::PreviousStage};
     const auto rest = [&](std::string_view word) -> std::optional<std::string> {
         if (!key.starts_with(word)) return {};
         return std::string(key.substr(word.size()));
     };
-    if (const auto file = rest("file ")) return OtherSource{.kind = Kind::File, .file = QString::fromStdString(*file)};
+    if (const auto file = rest("file "))
+        return OtherSource{.kind = SourceKind::File, .file = QString::fromStdString(*file)};
     if (const auto words = rest("buffer "))
         if (const auto name = pipeline::findAnyBuffer(*words))
-            return OtherSource{.kind = Kind::Buffer, .buffer = *name};
+            return OtherSource{.kind = SourceKind::Buffer, .buffer = *name};
     if (const auto words = rest("scene "))
         if (pipeline::builtInScene(*words))
-            return OtherSource{.kind = Kind::Scene, .scene = QString::fromStdString(*words)};
+            return OtherSource{.kind = SourceKind::Scene, .scene = QString::fromStdString(*words)};
     if (const auto words = rest("setting ")) {
         const auto equals = words->find('=');
         const auto setting = findSetting(scene, words->substr(0, equals));
@@ -145,13 +146,13 @@ pipeline::Result<OtherSource> sourceNamed(std::string_view key, const Scene& sce
 
 std::optional<BufferName> otherBuffer(const OtherSource& source, const BufferName& shown, const Scene& scene) {
     switch (source.kind) {
-        case Kind::Buffer: return source.buffer;
-        case Kind::Before:
-        case Kind::Setting:
-        case Kind::Scene: return shown;
-        case Kind::File:
-        case Kind::Mine: return std::nullopt;
-        case Kind::PreviousStage: break;
+        case SourceKind::Buffer: return source.buffer;
+        case SourceKind::Before:
+        case SourceKind::Setting:
+        case SourceKind::Scene: return shown;
+        case SourceKind::File:
+        case SourceKind::Mine: return std::nullopt;
+        case SourceKind::PreviousStage: break;
     }
     // What stands on texels is another picture: the stage before it is taken.
     for (std::size_t i = index(pipeline::bufferInfo(shown.id).stage); i-- > 0;) {
@@ -163,18 +164,18 @@ std::optional<BufferName> otherBuffer(const OtherSource& source, const BufferNam
 
 ScenePtr otherScene(const OtherSource& source, const ScenePtr& scene, const ScenePtr& before) {
     switch (source.kind) {
-        case Kind::Buffer:
-        case Kind::PreviousStage: return scene;
-        case Kind::Before: return before;
-        case Kind::File:
-        case Kind::Mine: return nullptr;
-        case Kind::Scene: {
+        case SourceKind::Buffer:
+        case SourceKind::PreviousStage: return scene;
+        case SourceKind::Before: return before;
+        case SourceKind::File:
+        case SourceKind::Mine: return nullptr;
+        case SourceKind::Scene: {
             const auto builtIn = pipeline::builtInScene(source.scene.toStdString());
             auto read = builtIn ? pipeline::readScene(builtIn->file) : pipeline::Result<Scene>(pipeline::Errors());
             if (!read || !checkSceneAndMemory(*read).empty()) return nullptr;
             return std::make_shared<Scene>(std::move(read).value());
         }
-        case Kind::Setting: break;
+        case SourceKind::Setting: break;
     }
     if (!hasSetting(*scene, source.setting)) return nullptr;
     auto other = std::make_shared<Scene>(*scene);
@@ -187,7 +188,7 @@ const ScenePtr& OtherScene::of(const OtherSource& source, const ScenePtr& scene,
     if (m_source == source && m_scene == scene && m_before == before) return m_other;
     m_source = source, m_scene = scene, m_before = before;
     const ScenePtr last = std::exchange(m_other, otherScene(source, scene, before));
-    if (!m_other || !last || source.kind != Kind::Setting) return m_other;
+    if (!m_other || !last || source.kind != SourceKind::Setting) return m_other;
     auto other = std::make_shared<Scene>(*m_other);
     for (std::size_t i = 0; i < std::min(other->objects.size(), last->objects.size()); ++i) {
         pipeline::Object& object = other->objects[i];
@@ -200,9 +201,9 @@ std::vector<OtherChoice> otherChoices(const pipeline::Frame& frame, const Buffer
                                       const lessons::DerivedRecipe& recipe) {
     const Scene& scene = frame.scene();
     std::vector<OtherChoice> choices;
-    choices.push_back({{}, "Before the last change", {.kind = Kind::Before}});
+    choices.push_back({{}, "Before the last change", {.kind = SourceKind::Before}});
     if (!hasBefore) choices.back().whyNot = "Nothing has been changed yet.";
-    choices.push_back({{}, "The previous stage", {.kind = Kind::PreviousStage}});
+    choices.push_back({{}, "The previous stage", {.kind = SourceKind::PreviousStage}});
     if (!otherBuffer(choices.back().source, shown, scene)) choices.back().whyNot = "This is the first stage.";
 
     const auto precision = findSetting(scene, "precision");
@@ -213,14 +214,14 @@ std::vector<OtherChoice> otherChoices(const pipeline::Frame& frame, const Buffer
 
     for (const BufferName& name : pipeline::allBuffers(scene.lights.size())) {
         if (name == shown || !haveSameShape(bufferInfo(name.id), bufferInfo(shown.id))) continue;
-        choices.push_back({"Another buffer", toQString(name.text()), {.kind = Kind::Buffer, .buffer = name}});
+        choices.push_back({"Another buffer", toQString(name.text()), {.kind = SourceKind::Buffer, .buffer = name}});
     }
     for (const BufferName& name : pipeline::allDerived(scene.lights.size())) {
         if (name == shown || !haveSameShape(bufferInfo(name.id), bufferInfo(shown.id))) continue;
         const auto buffers = buffersFor(name, recipe, scene);
         choices.push_back({"Another buffer",
                            toQString(name.text()),
-                           {.kind = Kind::Buffer, .buffer = name},
+                           {.kind = SourceKind::Buffer, .buffer = name},
                            buffers ? QString() : toQString(buffers.errors().front().found)});
     }
     for (const SettingRef& ref : settingsOf(scene)) {

@@ -16,7 +16,7 @@ using lessons::TalkPicture;
 using lessons::TalkRoom;
 using pipeline::Error;
 using pipeline::Result;
-using Kind = OtherSource::Kind;
+using SourceKind = OtherSource::Kind;
 
 lessons::TalkLegend legendOf(const ShownBuffer& shown) {
     constexpr int kSteps = 32;
@@ -52,21 +52,21 @@ CueSides sidesOf(const lessons::BufferShown& view, const std::shared_ptr<const p
     };
     const auto source = sourceNamed(view.compared->with, *scene);
     if (!source) return fail(format(source.errors()));
-    if (source->kind == Kind::Before) return fail("a page does not know the scene before the last change.");
-    if (source->kind == Kind::File) return fail("a comparison with a file needs the window.");
+    if (source->kind == SourceKind::Before) return fail("a page does not know the scene before the last change.");
+    if (source->kind == SourceKind::File) return fail("a comparison with a file needs the window.");
     const auto a = pipeline::findAnyBuffer(view.buffer);
     const auto b = a ? otherBuffer(*source, *a, *scene) : std::nullopt;
     sides.scene = otherScene(*source, scene, nullptr);
     if (!b || !sides.scene) return fail("this scene has no such B.");
     sides.view.buffer = b->text();
     if (*b != *a) sides.view.range.reset();
-    if (source->kind == Kind::Setting) {
+    if (source->kind == SourceKind::Setting) {
         const auto named = [&](const pipeline::Scene& of) {
             return (toQString(view.buffer) + ", " + captionOf(source->setting, of)).toStdString();
         };
         sides.names = {named(*scene), named(*sides.scene)};
     } else {
-        const bool isBuffer = source->kind == Kind::Buffer || source->kind == Kind::PreviousStage;
+        const bool isBuffer = source->kind == SourceKind::Buffer || source->kind == SourceKind::PreviousStage;
         sides.names.push_back(sides.view.buffer + (isBuffer ? "" : ", " + nameOf(*source).toStdString()));
     }
     return sides;

@@ -26,11 +26,11 @@ using What = SlideRequest::What;
 
 int captionHeight(const SlideRequest& request) { return request.caption ? request.size.height() / 18 : 0; }
 
-struct Part {
+struct PicturePart {
     What what = What::Buffer;
     QRect place;
 };
-std::vector<Part> partsOf(const SlideRequest& request) {
+std::vector<PicturePart> partsOf(const SlideRequest& request) {
     const QSize room(request.size.width(), request.size.height() - captionHeight(request));
     if (request.what != What::Beside) return {{request.what, QRect(QPoint(0, 0), room)}};
     const int gap = room.width() / 60, half = (room.width() - gap) / 2;
@@ -104,7 +104,7 @@ Result<QImage> drawSlide(const SlideContent& content, const BackgroundJob::Contr
     QImage image(request.size, QImage::Format_ARGB32_Premultiplied);
     image.fill(request.transparent ? QColor(Qt::transparent) : Theme::current().colors().view);
     QPainter painter(&image);
-    const std::vector<Part> parts = partsOf(request);
+    const std::vector<PicturePart> parts = partsOf(request);
     for (std::size_t i = 0; i < parts.size(); ++i) {
         const auto progress = [&](double share) {
             if (control.progress) control.progress((double(i) + share) / double(parts.size()));

@@ -10,7 +10,7 @@ namespace app {
 namespace {
 
 using A = ActionId;
-using Kind = lessons::ViewTree::Kind;
+using TreeKind = lessons::ViewTree::Kind;
 
 void addArrangement(Actions& actions, ViewArea& views) {
     actions.add({.id = A::TwoBufferViews,
@@ -25,15 +25,15 @@ void addArrangement(Actions& actions, ViewArea& views) {
                  .text = "Split to the right",
                  .keys = "Ctrl+Alt+R",
                  .tip = "Give half of the active view to a new one at its right.",
-                 .run = [&views] { views.edits().split(views.active().leaf(), Kind::Row); },
-                 .whyNot = [&views] { return views.edits().whyNotSplit(views.active().leaf(), Kind::Row); }});
+                 .run = [&views] { views.edits().split(views.active().leaf(), TreeKind::Row); },
+                 .whyNot = [&views] { return views.edits().whyNotSplit(views.active().leaf(), TreeKind::Row); }});
     actions.add({.id = A::SplitBelow,
                  .menu = "View/Views",
                  .text = "Split below",
                  .keys = "Ctrl+Alt+B",
                  .tip = "Give half of the active view to a new one below it.",
-                 .run = [&views] { views.edits().split(views.active().leaf(), Kind::Column); },
-                 .whyNot = [&views] { return views.edits().whyNotSplit(views.active().leaf(), Kind::Column); }});
+                 .run = [&views] { views.edits().split(views.active().leaf(), TreeKind::Column); },
+                 .whyNot = [&views] { return views.edits().whyNotSplit(views.active().leaf(), TreeKind::Column); }});
     actions.add({.id = A::TurnView,
                  .menu = "View/Views",
                  .text = "Buffer or 3D view",
@@ -58,7 +58,7 @@ void addArrangement(Actions& actions, ViewArea& views) {
 }
 
 QString whyNoOther(const ViewArea& views) {
-    return views.grid().tree().kind == Kind::Leaf ? ViewArea::tr("It is the only view.") : QString();
+    return views.grid().tree().kind == TreeKind::Leaf ? ViewArea::tr("It is the only view.") : QString();
 }
 
 void addMoving(Actions& actions, ViewArea& views) {

@@ -13,7 +13,7 @@ namespace app {
 
 using pipeline::BufferName;
 using pipeline::Domain;
-using Kind = OtherSource::Kind;
+using SourceKind = OtherSource::Kind;
 
 BufferCompare::BufferCompare(Document& document, BufferCanvas* canvas, QWidget* window)
     : QObject(window),
@@ -49,7 +49,7 @@ BufferCompare::BufferCompare(Document& document, BufferCanvas* canvas, QWidget* 
     connect(&m_difference.showing(), &ShowJob::ready, this, &BufferCompare::changed);
     connect(&m_difference.showing(), &ShowJob::busyChanged, this, &BufferCompare::busyChanged);
     connect(&m_document.derived(), &DerivedBuffers::changed, this, [this](const BufferName& name) {
-        if (m_source && m_source->kind == Kind::Buffer && m_source->buffer == name) emit changed();
+        if (m_source && m_source->kind == SourceKind::Buffer && m_source->buffer == name) emit changed();
     });
     connect(&m_document, &Document::sceneOpened, this, [this] {
         if (!isMine()) compareWith(std::nullopt);
@@ -89,7 +89,7 @@ void BufferCompare::holdPrevious(bool held) {
 }
 
 std::optional<OtherSource> BufferCompare::current() const {
-    return m_sides.holdsPrevious() ? OtherSource{.kind = Kind::PreviousStage} : m_source;
+    return m_sides.holdsPrevious() ? OtherSource{.kind = SourceKind::PreviousStage} : m_source;
 }
 
 void BufferCompare::addOther(ShowRequest& request) {
@@ -114,7 +114,7 @@ ShownBuffer BufferCompare::show(const ShowAnswer& answer) {
     if (other) {
         m_difference.find(*other);
         if (!other->whyNotComparable.empty())
-            m_other.giveUp(source->kind == Kind::PreviousStage
+            m_other.giveUp(source->kind == SourceKind::PreviousStage
                                ? tr("The two stages leave different things: look from one to the other.")
                                : toQString(other->whyNotComparable));
     }
@@ -155,7 +155,7 @@ void BufferCompare::nameSides(const OtherSource& source, const ShowAnswer& answe
     const bool isBare = m_bar->isBare();
     m_nameA = (isBare ? QString() : "A  ") + toQString(answer.shown.buffer.name.text());
     m_nameB = isBare ? QString() : "B  ";
-    if (other && source.kind != Kind::Buffer) m_nameB += toQString(other->buffer.name.text()) + ", ";
+    if (other && source.kind != SourceKind::Buffer) m_nameB += toQString(other->buffer.name.text()) + ", ";
     m_nameB += nameOf(source);
     if (other) nameDifference(source, answer.request.frame->scene(), answer.request.other->frame->scene());
 }
@@ -163,7 +163,7 @@ void BufferCompare::nameSides(const OtherSource& source, const ShowAnswer& answe
 // Where the two scenes differ in one setting, each side says which value it has.
 void BufferCompare::nameDifference(const OtherSource& source, const pipeline::Scene& a, const pipeline::Scene& b) {
     const auto differing = differingSettings(a, b);
-    const bool isSetting = source.kind == Kind::Setting;
+    const bool isSetting = source.kind == SourceKind::Setting;
     if (m_bar->isBare() && (isSetting || differing.size() == 1)) {
         const pipeline::SettingRef setting = isSetting ? source.setting : differing[0];
         m_nameA = captionOf(setting, a), m_nameB = captionOf(setting, b);
@@ -171,10 +171,10 @@ void BufferCompare::nameDifference(const OtherSource& source, const pipeline::Sc
     }
     if (differing.size() != 1) return;
     const auto valueIn = [&](const pipeline::Scene& scene) {
-        return nameOf({.kind = Kind::Setting, .setting = differing[0], .value = differing[0].get(scene)});
+        return nameOf({.kind = SourceKind::Setting, .setting = differing[0], .value = differing[0].get(scene)});
     };
     m_nameA += ", " + valueIn(a);
-    if (source.kind == Kind::Before) m_nameB += ", " + valueIn(b);
+    if (source.kind == SourceKind::Before) m_nameB += ", " + valueIn(b);
 }
 
 void BufferCompare::tell() {
@@ -199,11 +199,11 @@ void BufferCompare::tell() {
 }
 
 std::optional<lessons::BufferShown::Compared> BufferCompare::state() const {
-    if (!m_source || m_source->kind == Kind::Mine) return {};
+    if (!m_source || m_source->kind == SourceKind::Mine) return {};
     OtherSource source = *m_source;
     const auto change = m_document.history().lastChange();
-    if (source.kind == Kind::Before && change)
-        source = {.kind = Kind::Setting, .setting = change->setting, .value = change->before};
+    if (source.kind == SourceKind::Before && change)
+        source = {.kind = SourceKind::Setting, .setting = change->setting, .value = change->before};
     const auto& metric = pipeline::metricTable()[std::size_t(m_difference.metric())];
     lessons::BufferShown::Compared state{keyOf(source), std::string(lessons::kCompareModes[std::size_t(mode())]),
                                          m_sides.share(), std::string(metric.name)};

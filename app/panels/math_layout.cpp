@@ -13,13 +13,13 @@ namespace app {
 namespace {
 
 using pipeline::Formula;
-using Kind = Formula::Kind;
+using FormulaKind = Formula::Kind;
 
 // How much room stands between two neighbours of a row; in ems.
 enum class Spacing : unsigned char { Plain, Operator, Dot, Open, Close, Bracket, Comma };
 
 Spacing spacingOf(const Formula& part) {
-    if (part.kind != Kind::Text) return Spacing::Plain;
+    if (part.kind != FormulaKind::Text) return Spacing::Plain;
     static const QStringList operators{"=", "+", "−", "-", "<", ">", "≤", "≥", "≠", "≈", "×", ":="};
     const QString text = toQString(part.text).trimmed();
     if (operators.contains(text)) return Spacing::Operator;
@@ -33,7 +33,9 @@ Spacing spacingOf(const Formula& part) {
 
 double gapBetween(const Formula& left, const Formula& right, bool leftIsSign) {
     const Spacing a = spacingOf(left), b = spacingOf(right);
-    const auto isWide = [](const Formula& f) { return f.kind == Kind::Fraction || f.kind == Kind::Struck; };
+    const auto isWide = [](const Formula& f) {
+        return f.kind == FormulaKind::Fraction || f.kind == FormulaKind::Struck;
+    };
     if (isWide(left) || isWide(right)) return 0.22;
     if (leftIsSign || a == Spacing::Open || b == Spacing::Close || b == Spacing::Comma) return 0;
     if (a == Spacing::Operator || b == Spacing::Operator) return 0.22;
@@ -53,8 +55,8 @@ MathBox layout(const Formula& formula, Context context);
 QFont fontFor(const Formula& leaf, const Context& c) {
     QFont font = Theme::current().formula(1);
     font.setPixelSize(std::max(1, int(std::lround(c.s))));
-    font.setItalic(leaf.kind != Kind::Text);
-    font.setBold(leaf.kind == Kind::Vector || (c.bold && spacingOf(leaf) == Spacing::Plain));
+    font.setItalic(leaf.kind != FormulaKind::Text);
+    font.setBold(leaf.kind == FormulaKind::Vector || (c.bold && spacingOf(leaf) == Spacing::Plain));
     return font;
 }
 
@@ -65,7 +67,7 @@ MathBox layoutLeaf(const Formula& leaf, const Context& c) {
     box.width = QFontMetricsF(font).horizontalAdvance(text);
     box.ascent = 0.72 * c.s;
     box.descent = 0.22 * c.s;
-    const bool isVector = leaf.kind == Kind::Vector;
+    const bool isVector = leaf.kind == FormulaKind::Vector;
     box.pieces.push_back({.at = {0, 0},
                           .text = text,
                           .font = font,
@@ -93,7 +95,8 @@ MathBox layoutRow(const std::vector<const Formula*>& parts, const Context& c) {
             // A minus after nothing or after an operator or a bracket is a sign: it stands at its number.
             const bool afterOperator =
                 i == 1 || spacingOf(*parts[i - 2]) == Spacing::Operator || spacingOf(*parts[i - 2]) == Spacing::Open;
-            const bool leftIsSign = parts[i - 1]->kind == Kind::Text && parts[i - 1]->text == "−" && afterOperator;
+            const bool leftIsSign =
+                parts[i - 1]->kind == FormulaKind::Text && parts[i - 1]->text == "−" && afterOperator;
             row.width += c.s * gapBetween(*parts[i - 1], *parts[i], leftIsSign);
         }
         row.place(layout(*parts[i], c), row.width, 0);
@@ -141,18 +144,18 @@ MathBox layoutStruck(const Formula& formula, const Context& c) {
 MathBox layout(const Formula& formula, Context c) {
     MathBox box;
     switch (formula.kind) {
-        case Kind::Text:
-        case Kind::Symbol:
-        case Kind::Vector: box = layoutLeaf(formula, c); break;
-        case Kind::Row: {
+        case FormulaKind::Text:
+        case FormulaKind::Symbol:
+        case FormulaKind::Vector: box = layoutLeaf(formula, c); break;
+        case FormulaKind::Row: {
             std::vector<const Formula*> parts;
             for (const Formula& part : formula.parts) parts.push_back(&part);
             box = layoutRow(parts, c);
             break;
         }
-        case Kind::Script: box = layoutScript(formula, c); break;
-        case Kind::Fraction: box = layoutFraction(formula, c); break;
-        case Kind::Struck: box = layoutStruck(formula, c); break;
+        case FormulaKind::Script: box = layoutScript(formula, c); break;
+        case FormulaKind::Fraction: box = layoutFraction(formula, c); break;
+        case FormulaKind::Struck: box = layoutStruck(formula, c); break;
     }
     if (!formula.refers.empty())
         box.parts.push_back({.rect = {0, -box.ascent, box.width, box.ascent + box.descent},
@@ -162,7 +165,7 @@ MathBox layout(const Formula& formula, Context c) {
 }
 
 void collectLeaves(const Formula& formula, std::vector<QString>& leaves) {
-    if (formula.kind == Kind::Text || formula.kind == Kind::Symbol || formula.kind == Kind::Vector)
+    if (formula.kind == FormulaKind::Text || formula.kind == FormulaKind::Symbol || formula.kind == FormulaKind::Vector)
         leaves.push_back(toQString(formula.text));
     for (const Formula& part : formula.parts) collectLeaves(part, leaves);
 }

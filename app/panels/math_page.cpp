@@ -12,13 +12,13 @@ namespace {
 
 using pipeline::EquationLine;
 using pipeline::Formula;
-using Kind = Formula::Kind;
+using FormulaKind = Formula::Kind;
 
-bool isText(const Formula& part, const char* text) { return part.kind == Kind::Text && part.text == text; }
+bool isText(const Formula& part, const char* text) { return part.kind == FormulaKind::Text && part.text == text; }
 
 // Rows within rows are one row, unless they stand for something together.
 void flatten(const Formula& formula, std::vector<Formula>& parts) {
-    if (formula.kind == Kind::Row && formula.refers.empty()) {
+    if (formula.kind == FormulaKind::Row && formula.refers.empty()) {
         for (const Formula& part : formula.parts) flatten(part, parts);
     } else {
         parts.push_back(formula);
@@ -38,8 +38,8 @@ struct Line {
 };
 
 bool isNumber(const Formula& part) {
-    if (part.kind == Kind::Script) return isNumber(part.parts[0]);  // with its power of ten
-    if (part.kind != Kind::Text || part.text.empty()) return false;
+    if (part.kind == FormulaKind::Script) return isNumber(part.parts[0]);  // with its power of ten
+    if (part.kind != FormulaKind::Text || part.text.empty()) return false;
     const QString text = toQString(part.text);
     return text[0].isDigit() || (text.size() > 1 && text[0] == QChar(0x2212) && text[1].isDigit());
 }
@@ -60,7 +60,7 @@ Line split(const EquationLine& equation) {
             line.segments.push_back(rowOf(start, part));
             start = part;
         }
-        if (part->kind == Kind::Text)
+        if (part->kind == FormulaKind::Text)
             for (const char c : part->text) depth += (c == '(' || c == '[') - (c == ')' || c == ']');
     }
     line.segments.push_back(rowOf(start, parts.end()));

@@ -11,7 +11,7 @@ using pipeline::AnyBuffer;
 using pipeline::BufferId;
 using pipeline::BufferName;
 using pipeline::FramePtr;
-using Kind = OtherSource::Kind;
+using SourceKind = OtherSource::Kind;
 
 OtherSide::OtherSide(Document& document, QObject* parent) : QObject(parent), m_document(document) {
     observeWork();
@@ -59,19 +59,20 @@ void OtherSide::addTo(ShowRequest& request, const std::optional<OtherSource>& so
 
 std::optional<AnyBuffer> OtherSide::find(const OtherSource& source, const FramePtr& frame, const AnyBuffer& a) {
     const auto name = otherBuffer(source, a.name, frame->scene());
-    const bool isOwn = source.kind == Kind::Buffer || source.kind == Kind::PreviousStage;
+    const bool isOwn = source.kind == SourceKind::Buffer || source.kind == SourceKind::PreviousStage;
     const bool isDerived = name && pipeline::isDerived(name->id);
     m_document.frames().want(this, isOwn && name && !isDerived ? pipeline::setOf({name->id}) : pipeline::BufferSet());
     m_document.derived().want(this, isOwn && isDerived ? std::vector{*name} : std::vector<BufferName>());
-    if (source.kind == Kind::Mine) {
+    if (source.kind == SourceKind::Mine) {
         auto mine = m_document.renderer().buffer(a);
         if (!mine) m_why = m_document.renderer().whyNo(a.name);
         return mine;
     }
-    if (source.kind == Kind::File) return readFile(source.file, a);
+    if (source.kind == SourceKind::File) return readFile(source.file, a);
     const ScenePtr scene = m_scene.of(source, frame->sharedScene(), m_document.history().sceneBefore());
     if (!name || !scene) {
-        m_why = source.kind == Kind::Before ? tr("Nothing has been changed yet.") : tr("This scene has no such B.");
+        m_why =
+            source.kind == SourceKind::Before ? tr("Nothing has been changed yet.") : tr("This scene has no such B.");
         return {};
     }
     if (!isOwn) {

@@ -63,8 +63,8 @@ void NormalGlyphs::setView(const ViewFrame& view) {
     const double scale = view.unitsPerMarkPixel();
     if (std::exchange(m_glyphLength, m_length) != m_length) {
         // Made in pixels; a glyph's own direction is x.
-        constexpr double kRadius = 1.1;
-        const Solid glyph = placed(smallArrow(m_length, kRadius), {.along = {1, 0, 0}, .towardsEye = {0, 0, 1}});
+        constexpr double kConeRadius = 1.1;
+        const Solid glyph = placed(smallArrow(m_length, kConeRadius), {.along = {1, 0, 0}, .towardsEye = {0, 0, 1}});
         m_arrows.mapper->SetSourceData(solidData(glyph));
         m_rims.mapper->SetSourceData(solidData(inflated(glyph, kHalo)));
     }

@@ -38,11 +38,11 @@ QRectF boundsOf(const std::vector<glm::dvec2>& points) {
 
 // Few points of each object say what it covers. Those that have none have been cut away by the near plane.
 void addObjects(const ViewContent& content, std::vector<Obstacle>& obstacles) {
-    constexpr std::size_t kPoints = 4096, kMost = 128, kManyObjects = 256;
+    constexpr std::size_t kPoints = 4096, kMost = 128, kMostObjects = 256;
     const ViewMesh& mesh = *content.mesh;
     const std::size_t objects = mesh.objects.size();
     if (objects == 0) return;
-    if (objects > kManyObjects || !mesh.topology) {
+    if (objects > kMostObjects || !mesh.topology) {
         const auto corners = content.bounds.corners();
         obstacles.emplace_back(corners.begin(), corners.end());
         return;

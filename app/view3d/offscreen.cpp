@@ -27,16 +27,16 @@ constexpr glm::ivec2 kSize{1280, 960};
 // Letters and lines as large as in a view of 800 × 600: a picture goes onto a slide.
 constexpr double kPixelRatio = 1.6;
 
-struct View {
+struct NamedView {
     const char* file;
     ViewPreset preset;
 };
-constexpr std::array<View, 6> kViews{{{"world.png", ViewPreset::Iso},
-                                      {"front.png", ViewPreset::Front},
-                                      {"side.png", ViewPreset::Side},
-                                      {"top.png", ViewPreset::Top},
-                                      {"eye.png", ViewPreset::Eye},
-                                      {"everything.png", ViewPreset::Everything}}};
+constexpr std::array<NamedView, 6> kViews{{{"world.png", ViewPreset::Iso},
+                                           {"front.png", ViewPreset::Front},
+                                           {"side.png", ViewPreset::Side},
+                                           {"top.png", ViewPreset::Top},
+                                           {"eye.png", ViewPreset::Eye},
+                                           {"everything.png", ViewPreset::Everything}}};
 
 bool savePng(const QImage& image, const std::filesystem::path& file) {
     const std::string png = pngBytes(image);
@@ -221,7 +221,7 @@ pipeline::Result<QImage> renderBeside(const SpacePicture& picture, const ShotPro
 
 std::vector<std::string> viewFiles() {
     std::vector<std::string> names;
-    for (const View& view : kViews) names.emplace_back(view.file);
+    for (const NamedView& view : kViews) names.emplace_back(view.file);
     return names;
 }
 
@@ -243,7 +243,7 @@ pipeline::Result<std::vector<std::filesystem::path>> writeViews(const pipeline::
             errors.push_back({{files.back().string(), 0, 0}, "could not be written", {}});
         return errors.empty();
     };
-    for (const View& view : kViews)
+    for (const NamedView& view : kViews)
         if (!write(renderer.render(view.preset), view.file)) return errors;
     if (const auto point = pointContent(*content); point && !write(renderer.renderPoint(point), "point.png"))
         return errors;

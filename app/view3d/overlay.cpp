@@ -88,9 +88,9 @@ void paintMarker(QPainter& painter, const Drawing::Marker& marker, const ViewFra
 // From a mark to the nearest point of its words.
 void paintLeader(QPainter& painter, const PlacedLabel& placed, const QColor& ink, double scale) {
     QLineF line(toPoint(nearest(boxOf(placed), placed.mark)), toPoint(placed.mark));
-    constexpr double kMark = 8;
-    if (line.length() <= kMark * scale) return;
-    line.setLength(line.length() - (placed.label.kind == Label::Kind::Caption ? kMark * scale : 0));
+    constexpr double kMarkLength = 8;
+    if (line.length() <= kMarkLength * scale) return;
+    line.setLength(line.length() - (placed.label.kind == Label::Kind::Caption ? kMarkLength * scale : 0));
     for (const QPen& pen : {QPen(Theme::current().colors().view, 3 * scale), QPen(ink, scale)}) {
         painter.setPen(pen);
         painter.drawLine(line);
