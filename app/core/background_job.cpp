@@ -5,7 +5,7 @@
 #include <atomic>
 
 #include "app/core/memory_notice.h"
-#include "app/core/window_look.h"
+#include "app/look/window_look.h"
 
 namespace app {
 

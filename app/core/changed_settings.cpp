@@ -3,7 +3,7 @@
 #include <QFileInfo>
 
 #include "app/core/export_plan.h"
-#include "app/core/text.h"
+#include "app/look/text.h"
 #include "pipeline/formats/scene_reader.h"
 
 namespace app {

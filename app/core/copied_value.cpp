@@ -5,7 +5,7 @@
 #include <cassert>
 #include <charconv>
 
-#include "app/core/text.h"
+#include "app/look/text.h"
 
 namespace app {
 

@@ -5,9 +5,9 @@
 #include <algorithm>
 
 #include "app/core/document_state.h"
-#include "app/core/shown_name.h"
-#include "app/core/text.h"
 #include "app/core/write_file.h"
+#include "app/look/shown_name.h"
+#include "app/look/text.h"
 #include "lessons/state/cue_list.h"
 #include "lessons/state/cue_text.h"
 #include "lessons/state/state_scene.h"

@@ -2,7 +2,7 @@
 
 #include "app/core/frame_feed.h"
 #include "app/core/mix_model.h"
-#include "app/core/text.h"
+#include "app/look/text.h"
 
 namespace app {
 

@@ -2,7 +2,7 @@
 
 #include "app/core/derived_buffers.h"
 #include "app/core/mix_model.h"
-#include "app/core/text.h"
+#include "app/look/text.h"
 #include "lessons/state/state_scene.h"
 #include "pipeline/formats/toml_writer.h"
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/core/numbers.h"
-#include "app/core/text.h"
+#include "app/look/numbers.h"
+#include "app/look/text.h"
 #include "pipeline/buffers/buffer_table.h"
 #include "pipeline/illumination/illumination.h"
 

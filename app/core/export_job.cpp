@@ -1,7 +1,7 @@
 #include "app/core/export_job.h"
 
 #include "app/core/memory_notice.h"
-#include "app/core/text.h"
+#include "app/look/text.h"
 #include "pipeline/run/runner.h"
 
 namespace app {

@@ -2,7 +2,7 @@
 
 #include <QRegularExpression>
 
-#include "app/core/text.h"
+#include "app/look/text.h"
 #include "pipeline/export/exporter.h"
 #include "pipeline/export/size_text.h"
 

@@ -3,7 +3,7 @@
 #include <QLocale>
 
 #include "app/core/export_plan.h"
-#include "app/core/text.h"
+#include "app/look/text.h"
 
 namespace app {
 namespace {

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "app/core/document.h"
-#include "app/core/text.h"
+#include "app/look/text.h"
 
 namespace app {
 

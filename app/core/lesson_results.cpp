@@ -1,6 +1,6 @@
 #include "app/core/lesson_results.h"
 
-#include "app/core/text.h"
+#include "app/look/text.h"
 
 namespace app {
 

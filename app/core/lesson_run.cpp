@@ -4,7 +4,7 @@
 
 #include "app/core/document_state.h"
 #include "app/core/hand.h"
-#include "app/core/text.h"
+#include "app/look/text.h"
 #include "lessons/state/state_scene.h"
 #include "pipeline/run/runner.h"
 

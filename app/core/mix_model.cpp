@@ -1,6 +1,6 @@
 #include "app/core/mix_model.h"
 
-#include "app/core/text.h"
+#include "app/look/text.h"
 
 namespace app {
 

@@ -3,7 +3,7 @@
 #include <QFileInfo>
 #include <tuple>
 
-#include "app/core/text.h"
+#include "app/look/text.h"
 #include "lessons/state/state_scene.h"
 #include "pipeline/buffers/buffer_table.h"
 #include "pipeline/formats/png_scene.h"

@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "app/core/equation_symbols.h"
-#include "app/core/shown_name.h"
 #include "app/core/stage_buffer.h"
-#include "app/core/text.h"
+#include "app/look/shown_name.h"
+#include "app/look/text.h"
 #include "pipeline/formats/built_in_scenes.h"
 #include "pipeline/formats/scene_reader.h"
 #include "pipeline/plan/memory_limit.h"

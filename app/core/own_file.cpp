@@ -4,7 +4,7 @@
 #include <QFileInfo>
 
 #include "app/core/document.h"
-#include "app/core/text.h"
+#include "app/look/text.h"
 #include "pipeline/formats/built_in_scenes.h"
 #include "pipeline/formats/toml_writer.h"
 

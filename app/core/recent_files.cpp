@@ -4,7 +4,7 @@
 #include <QSettings>
 #include <algorithm>
 
-#include "app/core/shown_name.h"
+#include "app/look/shown_name.h"
 
 namespace app {
 

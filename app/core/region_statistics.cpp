@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/core/number_format.h"
-#include "app/core/numbers.h"
-#include "app/core/text.h"
+#include "app/look/number_format.h"
+#include "app/look/numbers.h"
+#include "app/look/text.h"
 
 namespace app {
 

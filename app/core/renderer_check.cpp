@@ -4,9 +4,9 @@
 #include <QTime>
 #include <atomic>
 
-#include "app/core/shown_name.h"
-#include "app/core/text.h"
 #include "app/core/work_list.h"
+#include "app/look/shown_name.h"
+#include "app/look/text.h"
 #include "pipeline/plan/memory_limit.h"
 
 namespace app {

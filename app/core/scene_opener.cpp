@@ -2,8 +2,8 @@
 
 #include <QScopedValueRollback>
 
-#include "app/core/shown_name.h"
-#include "app/core/text.h"
+#include "app/look/shown_name.h"
+#include "app/look/text.h"
 
 namespace app {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <iterator>
 
-#include "app/core/numbers.h"
-#include "app/core/shown_name.h"
+#include "app/look/numbers.h"
+#include "app/look/shown_name.h"
 
 namespace app {
 namespace {

@@ -1,7 +1,7 @@
 #include "app/core/scene_step.h"
 
 #include "app/core/equation_symbols.h"
-#include "app/core/text.h"
+#include "app/look/text.h"
 
 namespace app {
 

@@ -4,8 +4,8 @@
 
 #include <QRegularExpression>
 
-#include "app/core/numbers.h"
-#include "app/core/text.h"
+#include "app/look/numbers.h"
+#include "app/look/text.h"
 #include "pipeline/scene/settings_table.h"
 
 namespace app {

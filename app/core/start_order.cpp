@@ -3,7 +3,7 @@
 #include <QCoreApplication>
 #include <algorithm>
 
-#include "app/core/text.h"
+#include "app/look/text.h"
 #include "pipeline/formats/built_in_scenes.h"
 
 namespace app {

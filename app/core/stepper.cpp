@@ -4,7 +4,7 @@
 #include <array>
 
 #include "app/core/freed_aside.h"
-#include "app/core/text.h"
+#include "app/look/text.h"
 
 namespace app {
 

@@ -1,6 +1,6 @@
 #include "app/core/study_images.h"
 
-#include "app/core/shown_name.h"
+#include "app/look/shown_name.h"
 #include "pipeline/export/study_pictures.h"
 
 namespace app {

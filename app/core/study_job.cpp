@@ -4,7 +4,7 @@
 #include <functional>
 
 #include "app/core/memory_notice.h"
-#include "app/core/text.h"
+#include "app/look/text.h"
 #include "pipeline/study/machine.h"
 
 namespace app {

@@ -4,10 +4,10 @@
 
 #include <QFont>
 
-#include "app/core/number_format.h"
-#include "app/core/shown_name.h"
-#include "app/core/text.h"
-#include "app/core/theme.h"
+#include "app/look/number_format.h"
+#include "app/look/shown_name.h"
+#include "app/look/text.h"
+#include "app/look/theme.h"
 
 namespace app {
 

@@ -3,7 +3,7 @@
 #include <thread>
 #include <utility>
 
-#include "app/core/window_look.h"
+#include "app/look/window_look.h"
 
 namespace app {
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <numeric>
 
-#include "app/core/text.h"
-#include "app/core/theme.h"
+#include "app/look/text.h"
+#include "app/look/theme.h"
 #include "lessons/talk_words.h"
 
 namespace app {

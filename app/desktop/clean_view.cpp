@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/core/text.h"
 #include "app/desktop/ask_panel.h"
 #include "app/desktop/pen_layer.h"
 #include "app/desktop/pinned_settings.h"
@@ -18,6 +17,7 @@
 #include "app/desktop/talk_pointer.h"
 #include "app/desktop/talk_work.h"
 #include "app/desktop/view_area.h"
+#include "app/look/text.h"
 #include "app/panels/follow_theme.h"
 #include "lessons/talk_html.h"
 

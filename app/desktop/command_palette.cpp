@@ -10,7 +10,7 @@
 #include <QPainter>
 #include <QStyledItemDelegate>
 
-#include "app/core/word_match.h"
+#include "app/look/word_match.h"
 #include "app/panels/follow_theme.h"
 
 namespace app {

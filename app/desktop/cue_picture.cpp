@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "app/core/other_source.h"
-#include "app/core/text.h"
+#include "app/look/text.h"
 #include "app/panels/state_picture.h"
 #include "app/view3d/space_picture.h"
 

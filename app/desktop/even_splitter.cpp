@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/core/theme.h"
+#include "app/look/theme.h"
 
 namespace app {
 namespace {

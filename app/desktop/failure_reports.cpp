@@ -2,8 +2,8 @@
 
 #include "app/core/document.h"
 #include "app/core/memory_notice.h"
-#include "app/core/shown_name.h"
-#include "app/core/text.h"
+#include "app/look/shown_name.h"
+#include "app/look/text.h"
 #include "app/panels/error_list.h"
 
 namespace app {

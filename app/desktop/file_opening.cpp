@@ -8,12 +8,12 @@
 
 #include "app/core/document.h"
 #include "app/core/recent_files.h"
-#include "app/core/text.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/scene_files.h"
 #include "app/desktop/window_cues.h"
 #include "app/desktop/window_lessons.h"
 #include "app/desktop/window_renderer.h"
+#include "app/look/text.h"
 #include "app/panels/cue_panel.h"
 #include "app/panels/start_page.h"
 #include "lessons/library.h"

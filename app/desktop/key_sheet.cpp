@@ -8,9 +8,9 @@
 #include <algorithm>
 #include <memory>
 
-#include "app/core/word_match.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/panel_table.h"
+#include "app/look/word_match.h"
 #include "app/panels/follow_theme.h"
 
 namespace app {

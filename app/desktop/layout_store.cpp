@@ -7,8 +7,8 @@
 #include <QSettings>
 #include <algorithm>
 
-#include "app/core/number_format.h"
-#include "app/core/theme.h"
+#include "app/look/number_format.h"
+#include "app/look/theme.h"
 #include "lessons/state/view_tree.h"
 
 namespace app {

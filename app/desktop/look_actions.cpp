@@ -3,8 +3,8 @@
 #include <QWidget>
 #include <utility>
 
-#include "app/core/theme.h"
 #include "app/desktop/actions.h"
+#include "app/look/theme.h"
 
 namespace app {
 

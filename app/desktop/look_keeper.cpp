@@ -2,9 +2,9 @@
 
 #include <QEvent>
 
-#include "app/core/theme.h"
 #include "app/desktop/layout_store.h"
 #include "app/desktop/panel_docks.h"
+#include "app/look/theme.h"
 
 namespace app {
 namespace {

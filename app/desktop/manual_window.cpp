@@ -12,8 +12,8 @@
 #include <QVBoxLayout>
 #include <array>
 
-#include "app/core/text.h"
 #include "app/desktop/panel_table.h"
+#include "app/look/text.h"
 #include "app/panels/follow_theme.h"
 #include "pipeline/formats/built_in_scenes.h"
 #include "pipeline/formats/scene_folder.h"

@@ -8,10 +8,10 @@
 #include <QStyledItemDelegate>
 #include <QVBoxLayout>
 
-#include "app/core/shown_name.h"
-#include "app/core/text.h"
-#include "app/core/theme.h"
-#include "app/core/window_look.h"
+#include "app/look/shown_name.h"
+#include "app/look/text.h"
+#include "app/look/theme.h"
+#include "app/look/window_look.h"
 #include "app/panels/elided_label.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/state_picture.h"

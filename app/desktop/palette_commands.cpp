@@ -5,7 +5,6 @@
 
 #include "app/core/equation_symbols.h"
 #include "app/core/start_order.h"
-#include "app/core/text.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/command_palette.h"
 #include "app/desktop/file_opening.h"
@@ -16,6 +15,7 @@
 #include "app/desktop/view_area.h"
 #include "app/desktop/window_layout.h"
 #include "app/desktop/window_lessons.h"
+#include "app/look/text.h"
 #include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_compare.h"
 #include "app/panels/buffer_overlays.h"

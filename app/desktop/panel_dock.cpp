@@ -6,8 +6,8 @@
 #include <QPainter>
 #include <QToolButton>
 
-#include "app/core/icons.h"
 #include "app/desktop/panel_table.h"
+#include "app/look/icons.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/tab_order.h"
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "app/core/document.h"
-#include "app/core/icons.h"
+#include "app/look/icons.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/settings_panel.h"
 

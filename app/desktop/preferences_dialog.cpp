@@ -13,10 +13,10 @@
 #include <cmath>
 
 #include "app/core/file_watch.h"
-#include "app/core/number_format.h"
-#include "app/core/numbers.h"
 #include "app/core/session_file.h"
 #include "app/desktop/layout_store.h"
+#include "app/look/number_format.h"
+#include "app/look/numbers.h"
 #include "app/panels/elided_label.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/on_screen.h"

@@ -7,10 +7,10 @@
 #include <QWidget>
 #include <utility>
 
-#include "app/core/theme.h"
 #include "app/desktop/clean_view.h"
 #include "app/desktop/notes_window.h"
 #include "app/desktop/talk_keys.h"
+#include "app/look/theme.h"
 #include "app/panels/follow_theme.h"
 
 namespace app {

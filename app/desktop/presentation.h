@@ -6,7 +6,7 @@
 
 #include "app/core/cue_model.h"
 #include "app/core/document.h"
-#include "app/core/theme.h"
+#include "app/look/theme.h"
 
 class QAction;
 class QScreen;

@@ -15,10 +15,10 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "app/core/put_away.h"
-#include "app/core/text.h"
 #include "app/core/write_file.h"
 #include "app/desktop/view_area.h"
+#include "app/look/hidden_in_window.h"
+#include "app/look/text.h"
 #include "app/panels/buffer_compare.h"
 #include "app/panels/buffer_painter.h"
 #include "app/panels/buffer_view.h"
@@ -99,7 +99,7 @@ QWidget* SlideDialog::makeFields() {
         m_what->setItemData(int(i), int(i), kViewRole);
         if (buffers[i] == &m_views.activeBuffer()) m_what->setCurrentIndex(int(i));
     }
-    if (!isPutAway(m_views.view3d())) {
+    if (!isHiddenInWindow(m_views.view3d())) {
         m_what->addItem(tr("3D view"), int(SlideRequest::What::Space));
         m_what->addItem(tr("Buffer and 3D view"), int(SlideRequest::What::Beside));
     }

@@ -4,10 +4,10 @@
 
 #include "app/core/derived_buffers.h"
 #include "app/core/mix_model.h"
-#include "app/core/put_away.h"
-#include "app/core/text.h"
-#include "app/core/theme.h"
 #include "app/desktop/view_area.h"
+#include "app/look/hidden_in_window.h"
+#include "app/look/text.h"
+#include "app/look/theme.h"
 #include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_compare.h"
 #include "app/panels/buffer_view.h"
@@ -88,7 +88,7 @@ Result<SlideContent> slideContent(const Document& document, const ViewArea& view
         content.compared = shown[request.view]->canvas()->pictures();
     for (const auto& [what, place] : partsOf(request)) {
         if (what != What::Space) continue;
-        if (isPutAway(views.view3d())) return Error{{}, "no 3D view is on show", {}};
+        if (isHiddenInWindow(views.view3d())) return Error{{}, "no 3D view is on show", {}};
         const auto space = views.view3d().view().picture(place.size(), request.transparent);
         if (!space) return space.errors();
         content.space = *space;

@@ -5,10 +5,10 @@
 #include <QMimeData>
 
 #include "app/core/document_state.h"
-#include "app/core/text.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/scene_files.h"
 #include "app/desktop/shown_state.h"
+#include "app/look/text.h"
 #include "app/panels/buffer_view.h"
 #include "app/panels/error_list.h"
 #include "lessons/state/cue_list.h"

@@ -7,9 +7,9 @@
 #include <QPushButton>
 
 #include "app/core/stage_status.h"
-#include "app/core/text.h"
 #include "app/desktop/opening_bar.h"
 #include "app/desktop/work_bar.h"
+#include "app/look/text.h"
 #include "app/panels/elided_label.h"
 #include "app/panels/follow_theme.h"
 #include "pipeline/run/frame_remarks.h"

@@ -4,7 +4,7 @@
 #include <QVBoxLayout>
 
 #include "app/core/document.h"
-#include "app/core/text.h"
+#include "app/look/text.h"
 #include "app/panels/algorithm_panel.h"
 #include "app/panels/algorithm_view.h"
 #include "app/panels/follow_theme.h"

@@ -1,9 +1,9 @@
 #include "app/desktop/talk_caption.h"
 
 #include "app/core/memory_notice.h"
-#include "app/core/shown_name.h"
-#include "app/core/text.h"
 #include "app/desktop/ask_panel.h"
+#include "app/look/shown_name.h"
+#include "app/look/text.h"
 
 namespace app {
 namespace {

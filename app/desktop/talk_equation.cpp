@@ -4,8 +4,8 @@
 #include <QLabel>
 
 #include "app/core/document.h"
-#include "app/core/number_format.h"
 #include "app/core/pixel_inspection.h"
+#include "app/look/number_format.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/math_view.h"
 #include "lessons/talk_words.h"

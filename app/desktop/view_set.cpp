@@ -4,7 +4,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "app/core/put_away.h"
+#include "app/look/hidden_in_window.h"
 #include "app/panels/buffer_features.h"
 #include "app/panels/buffer_header.h"
 #include "app/panels/buffer_range.h"
@@ -59,7 +59,7 @@ BufferView& ViewSet::buffer(int number) {
 // An audience compares pictures: one above a histogram is as high as one beside it.
 void ViewSet::alignPictures() {
     const bool any = std::ranges::any_of(m_buffers, [](const auto& one) {
-        return !isPutAway(*one.second) && !one.second->features().range->foot().isHidden();
+        return !isHiddenInWindow(*one.second) && !one.second->features().range->foot().isHidden();
     });
     for (const auto& one : m_buffers) one.second->features().range->foot().keepRoom(any);
 }

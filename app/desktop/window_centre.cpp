@@ -4,8 +4,8 @@
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
-#include "app/core/theme.h"
 #include "app/desktop/view_area.h"
+#include "app/look/theme.h"
 #include "app/panels/error_list.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/start_page.h"

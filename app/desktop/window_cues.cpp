@@ -7,8 +7,6 @@
 
 #include "app/core/document.h"
 #include "app/core/recent_files.h"
-#include "app/core/shown_name.h"
-#include "app/core/text.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/keep_changes.h"
 #include "app/desktop/layout_store.h"
@@ -18,6 +16,8 @@
 #include "app/desktop/shown_state.h"
 #include "app/desktop/view_area.h"
 #include "app/desktop/window_layout.h"
+#include "app/look/shown_name.h"
+#include "app/look/text.h"
 #include "app/panels/cue_panel.h"
 #include "app/panels/error_list.h"
 #include "app/panels/lesson_panel.h"

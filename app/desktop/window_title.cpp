@@ -4,10 +4,10 @@
 #include <QUndoStack>
 
 #include "app/core/document.h"
-#include "app/core/shown_name.h"
 #include "app/desktop/scene_files.h"
 #include "app/desktop/window_layout.h"
 #include "app/desktop/window_lessons.h"
+#include "app/look/shown_name.h"
 
 namespace app {
 

@@ -2,7 +2,7 @@
 #include <QPainter>
 #include <QStyledItemDelegate>
 
-#include "app/core/theme.h"
+#include "app/look/theme.h"
 
 namespace app {
 

@@ -13,9 +13,9 @@
 #include <QToolButton>
 #include <algorithm>
 
-#include "app/core/icons.h"
-#include "app/core/spoken.h"
-#include "app/core/text.h"
+#include "app/look/accessible.h"
+#include "app/look/icons.h"
+#include "app/look/text.h"
 #include "app/panels/algorithm_view.h"
 #include "app/panels/elided_label.h"
 #include "app/panels/follow_theme.h"
@@ -53,7 +53,7 @@ AlgorithmPanel::AlgorithmPanel(Document& document, QWidget* parent)
     auto* head = new QHBoxLayout;
     head->addWidget(m_list, 1);
     head->addWidget(m_copy);
-    nameChoice(*m_list, tr("Algorithm"));
+    nameComboBox(*m_list, tr("Algorithm"));
     m_list->setToolTip(tr("The algorithms that this scene runs. Choose one to go to its first step."));
     m_list->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_list->setMinimumContentsLength(12);

@@ -7,9 +7,9 @@
 #include <QPainter>
 #include <algorithm>
 
-#include "app/core/spoken.h"
-#include "app/core/text.h"
-#include "app/core/theme.h"
+#include "app/look/accessible.h"
+#include "app/look/text.h"
+#include "app/look/theme.h"
 #include "app/panels/code_words.h"
 #include "app/panels/folded_text.h"
 #include "app/panels/follow_theme.h"
@@ -33,7 +33,7 @@ bool isGrey(LineStatus status) {
 AlgorithmView::AlgorithmView(QWidget* parent) : QWidget(parent) {
     setObjectName("algorithmView");
     setFocusPolicy(Qt::StrongFocus);
-    speakAs(*this, QAccessible::StaticText);
+    setAccessibleRole(*this, QAccessible::StaticText);
     setAccessibleName(tr("Algorithm"));
     QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     policy.setHeightForWidth(true);

@@ -1,7 +1,7 @@
 #include <QButtonGroup>
 #include <QVBoxLayout>
 
-#include "app/core/text.h"
+#include "app/look/text.h"
 #include "app/panels/answer_body.h"
 #include "app/panels/option_button.h"
 #include "app/panels/pick_watch.h"

@@ -3,8 +3,8 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "app/core/spoken.h"
-#include "app/core/text.h"
+#include "app/look/accessible.h"
+#include "app/look/text.h"
 #include "app/panels/answer_body.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/pick_watch.h"
@@ -50,7 +50,7 @@ private:
         constexpr std::size_t kMost = 200;  // a longer list helps nobody
         m_list = new QComboBox(this);
         m_list->setObjectName("things");
-        nameChoice(*m_list, tr("Your answer"));
+        nameComboBox(*m_list, tr("Your answer"));
         m_list->addItem(tr("No %1 yet").arg(what()));
         const std::size_t count = std::min(kMost, countOf(m_kind, m_document.scene()));
         for (std::size_t i = 0; i < count; ++i) m_list->addItem(QStringLiteral("%1 %2").arg(what()).arg(i));

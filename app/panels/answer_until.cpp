@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "app/core/hand.h"
-#include "app/core/text.h"
+#include "app/look/text.h"
 #include "app/panels/answer_body.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/setting_row.h"

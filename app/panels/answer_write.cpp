@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "app/core/background_job.h"
-#include "app/core/text.h"
+#include "app/look/text.h"
 #include "app/panels/answer_body.h"
 #include "app/panels/follow_theme.h"
 #include "lessons/live_page.h"

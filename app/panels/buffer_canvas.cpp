@@ -1,6 +1,6 @@
 #include "app/panels/buffer_canvas.h"
 
-#include "app/core/spoken.h"
+#include "app/look/accessible.h"
 #include "app/panels/canvas_flip.h"
 #include "app/panels/follow_theme.h"
 
@@ -20,7 +20,7 @@ BufferCanvas::BufferCanvas(QWidget* parent) : QWidget(parent) {
     setMouseTracking(true);
     setMinimumSize(120, 90);
     setFocusPolicy(Qt::StrongFocus);
-    speakAs(*this, QAccessible::Graphic);
+    setAccessibleRole(*this, QAccessible::Graphic);
     setCursor(Qt::CrossCursor);
     followTheme(this, [this] { updateAll(); });
     connect(&m_placing, &CanvasPlacing::changed, this, qOverload<>(&BufferCanvas::update));

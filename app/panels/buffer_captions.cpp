@@ -2,7 +2,7 @@
 
 #include <QLabel>
 
-#include "app/core/theme.h"
+#include "app/look/theme.h"
 #include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_compare.h"
 #include "app/panels/buffer_view.h"

@@ -2,7 +2,7 @@
 
 #include <QKeyEvent>
 
-#include "app/core/luminance.h"
+#include "app/look/luminance.h"
 #include "app/panels/buffer_header.h"
 #include "app/panels/buffer_view.h"
 

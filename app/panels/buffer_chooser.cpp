@@ -9,9 +9,9 @@
 #include <algorithm>
 
 #include "app/core/derived_buffers.h"
-#include "app/core/icons.h"
-#include "app/core/text.h"
-#include "app/core/word_match.h"
+#include "app/look/icons.h"
+#include "app/look/text.h"
+#include "app/look/word_match.h"
 #include "app/panels/follow_theme.h"
 #include "pipeline/plan/needs.h"
 

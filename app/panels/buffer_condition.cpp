@@ -3,7 +3,7 @@
 #include <QKeyEvent>
 #include <QMenu>
 
-#include "app/core/theme.h"
+#include "app/look/theme.h"
 #include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_header.h"
 #include "app/panels/buffer_overlays.h"

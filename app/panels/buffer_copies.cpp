@@ -5,7 +5,7 @@
 #include <QMenu>
 
 #include "app/core/copied_value.h"
-#include "app/core/text.h"
+#include "app/look/text.h"
 #include "app/panels/buffer_header.h"
 #include "app/panels/buffer_view.h"
 

@@ -5,10 +5,10 @@
 #include <QMenu>
 #include <QToolButton>
 
-#include "app/core/icons.h"
-#include "app/core/luminance.h"
-#include "app/core/numbers.h"
-#include "app/core/text.h"
+#include "app/look/icons.h"
+#include "app/look/luminance.h"
+#include "app/look/numbers.h"
+#include "app/look/text.h"
 #include "app/panels/elided_label.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/shown_buffer.h"

@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "app/core/hand.h"
-#include "app/core/text.h"
-#include "app/core/theme.h"
+#include "app/look/text.h"
+#include "app/look/theme.h"
 #include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_header.h"
 #include "app/panels/buffer_view.h"

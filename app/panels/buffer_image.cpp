@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "app/core/number_format.h"
-#include "app/core/numbers.h"
+#include "app/look/number_format.h"
+#include "app/look/numbers.h"
 #include "pipeline/inspect/compare.h"
 #include "pipeline/run/frame_data.h"
 #include "pipeline/study/shadow_verdict.h"

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <map>
 
-#include "app/core/numbers.h"
-#include "app/core/shown_name.h"
-#include "app/core/text.h"
+#include "app/look/numbers.h"
+#include "app/look/shown_name.h"
+#include "app/look/text.h"
 #include "pipeline/stages/cull.h"
 
 namespace app {

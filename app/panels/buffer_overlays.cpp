@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "app/core/renderer_check.h"
-#include "app/core/theme.h"
+#include "app/look/theme.h"
 #include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_header.h"
 #include "app/panels/buffer_view.h"

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/core/luminance.h"
-#include "app/core/theme.h"
+#include "app/look/luminance.h"
+#include "app/look/theme.h"
 #include "app/panels/edge_painter.h"
 #include "app/panels/shape_painter.h"
 

@@ -8,7 +8,7 @@
 #include <algorithm>
 
 #include "app/core/pinned_pixels.h"
-#include "app/core/theme.h"
+#include "app/look/theme.h"
 #include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_header.h"
 #include "app/panels/buffer_readout.h"

@@ -6,7 +6,7 @@
 
 #include "app/core/copied_value.h"
 #include "app/core/shadow_texel.h"
-#include "app/core/theme.h"
+#include "app/look/theme.h"
 #include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_compare.h"
 #include "app/panels/buffer_holds.h"

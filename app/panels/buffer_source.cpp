@@ -4,8 +4,8 @@
 
 #include "app/core/derived_buffers.h"
 #include "app/core/mix_model.h"
-#include "app/core/put_away.h"
-#include "app/core/text.h"
+#include "app/look/hidden_in_window.h"
+#include "app/look/text.h"
 #include "app/panels/buffer_compare.h"
 #include "app/panels/buffer_condition.h"
 #include "app/panels/buffer_view.h"
@@ -60,10 +60,10 @@ pipeline::BufferSet BufferSource::want() {
     Document& document = view().document();
     const BufferName& name = view().buffer();
     std::vector<BufferName> derived;
-    if (!isPutAway(view()) && isDerived()) derived.push_back(name);
-    if (!isPutAway(view()) && isMixed()) derived.push_back(kMixedPicture);
+    if (!isHiddenInWindow(view()) && isDerived()) derived.push_back(name);
+    if (!isHiddenInWindow(view()) && isMixed()) derived.push_back(kMixedPicture);
     document.derived().want(this, std::move(derived));
-    document.mixer().setShownAlone(this, !isPutAway(view()) && name == kMixedPicture);
+    document.mixer().setShownAlone(this, !isHiddenInWindow(view()) && name == kMixedPicture);
     const bool isUseful = !isDerived() && document.hasScene() && whyUseless(document.scene(), name.id).empty();
     return isUseful || isForced() ? pipeline::setOf({name.id}) : pipeline::BufferSet();
 }

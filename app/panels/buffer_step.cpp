@@ -4,7 +4,7 @@
 #include <QPushButton>
 #include <utility>
 
-#include "app/core/theme.h"
+#include "app/look/theme.h"
 #include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_captions.h"
 #include "app/panels/buffer_view.h"

@@ -8,11 +8,11 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/core/number_format.h"
-#include "app/core/press_watch.h"
-#include "app/core/put_away.h"
-#include "app/core/text.h"
-#include "app/core/working_bar.h"
+#include "app/look/hidden_in_window.h"
+#include "app/look/number_format.h"
+#include "app/look/press_watch.h"
+#include "app/look/text.h"
+#include "app/look/working_bar.h"
 #include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_captions.h"
 #include "app/panels/buffer_channels.h"
@@ -183,11 +183,11 @@ pipeline::Errors BufferView::lookAt(const lessons::BufferShown& state) {
 void BufferView::want() {
     pipeline::BufferSet wanted;
     for (BufferFeature* feature : m_features.all) wanted |= feature->want();
-    m_document.frames().want(this, isPutAway(*this) ? pipeline::BufferSet() : wanted);
+    m_document.frames().want(this, isHiddenInWindow(*this) ? pipeline::BufferSet() : wanted);
 }
 
 void BufferView::refresh() {
-    m_missed = isPutAway(*this);
+    m_missed = isHiddenInWindow(*this);
     if (m_missed) {
         m_frame.reset();
         return m_showing.forget();

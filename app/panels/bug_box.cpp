@@ -2,7 +2,7 @@
 
 #include <QPainter>
 
-#include "app/core/text.h"
+#include "app/look/text.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/standing_row.h"
 #include "lessons/wrong_picture.h"

@@ -13,7 +13,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/core/text.h"
+#include "app/look/text.h"
 #include "app/panels/bug_parts.h"
 #include "app/panels/bug_round.h"
 #include "app/panels/follow_theme.h"

@@ -6,8 +6,8 @@
 #include <QLabel>
 #include <QPushButton>
 
-#include "app/core/text.h"
-#include "app/core/theme.h"
+#include "app/look/text.h"
+#include "app/look/theme.h"
 #include "app/panels/follow_theme.h"
 #include "lessons/wrong_picture.h"
 #include "pipeline/formats/built_in_scenes.h"

@@ -6,7 +6,7 @@
 #include <QVBoxLayout>
 #include <cmath>
 
-#include "app/core/text.h"
+#include "app/look/text.h"
 #include "app/panels/bug_round.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/math_view.h"

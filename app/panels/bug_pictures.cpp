@@ -5,8 +5,8 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "app/core/spoken.h"
-#include "app/core/text.h"
+#include "app/look/accessible.h"
+#include "app/look/text.h"
 #include "app/panels/buffer_canvas.h"
 #include "app/panels/bug_round.h"
 #include "app/panels/follow_theme.h"
@@ -53,7 +53,7 @@ QWidget* BugPictures::makeOpened() {
     auto* column = spaced(new QVBoxLayout(all), {0, 4, 0, 0}, 4);
     m_buffers = new QComboBox(all);
     m_buffers->setObjectName("bugBuffers");
-    nameChoice(*m_buffers, tr("Open a buffer: it counts as a look"));
+    nameComboBox(*m_buffers, tr("Open a buffer: it counts as a look"));
     m_buffers->setToolTip(tr("Opening a buffer is a look. Alt+1 to Alt+6 open the main buffer of a stage."));
     connect(m_buffers, &QComboBox::activated, this, [this](int row) {
         const auto name = pipeline::findBuffer(m_buffers->itemData(row).toString().toStdString());

@@ -1,6 +1,6 @@
 #include "app/panels/canvas_base.h"
 
-#include "app/core/theme.h"
+#include "app/look/theme.h"
 #include "app/panels/canvas_flip.h"
 
 namespace app {

@@ -6,7 +6,7 @@
 #include <QPushButton>
 #include <algorithm>
 
-#include "app/core/theme.h"
+#include "app/look/theme.h"
 #include "app/panels/elided_label.h"
 #include "app/panels/fitting_choice.h"
 #include "app/panels/follow_theme.h"

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <array>
 
-#include "app/core/text.h"
+#include "app/look/text.h"
 #include "app/panels/airy_cells.h"
 #include "app/panels/follow_theme.h"
 

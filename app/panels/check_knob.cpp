@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/core/text.h"
+#include "app/look/text.h"
 #include "app/panels/check_plot.h"
 #include "app/panels/elided_label.h"
 #include "app/panels/follow_theme.h"

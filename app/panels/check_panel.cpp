@@ -10,7 +10,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "app/core/text.h"
+#include "app/look/text.h"
 #include "app/panels/check_bar.h"
 #include "app/panels/check_details.h"
 #include "app/panels/check_knob.h"

@@ -5,7 +5,7 @@
 #include <QVBoxLayout>
 
 #include "app/core/scene_gallery.h"
-#include "app/core/text.h"
+#include "app/look/text.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/study_pictures.h"
 

@@ -2,8 +2,8 @@
 
 #include <QPainter>
 
-#include "app/core/spoken.h"
-#include "app/core/text.h"
+#include "app/look/accessible.h"
+#include "app/look/text.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/plot_painter.h"
 
@@ -11,7 +11,7 @@ namespace app {
 
 CheckPlot::CheckPlot(QWidget* parent) : QWidget(parent) {
     setObjectName("checkPlot");
-    speakAs(*this, QAccessible::Chart);
+    setAccessibleRole(*this, QAccessible::Chart);
     setAccessibleName(tr("Errors of both forms over the range"));
     followTheme(this, [this] {
         updateGeometry();

@@ -6,9 +6,9 @@
 #include <QPushButton>
 #include <QToolButton>
 
-#include "app/core/icons.h"
-#include "app/core/spoken.h"
-#include "app/core/text.h"
+#include "app/look/accessible.h"
+#include "app/look/icons.h"
+#include "app/look/text.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/segmented.h"
 
@@ -43,7 +43,7 @@ CompareBar::CompareBar(QWidget* parent)
         m_metric->setItemData(m_metric->count() - 1, toQString(metric.words) + ", " + toQString(metric.formula),
                               Qt::ToolTipRole);
     }
-    nameChoice(*m_metric, tr("Metric of the difference"));
+    nameComboBox(*m_metric, tr("Metric of the difference"));
     m_worst->setAccessibleName(tr("Worst pixel"));
     m_stages->setAccessibleName(tr("By stage"));
     m_stages->setToolTip(tr("Lists how much every buffer of every stage differs"));

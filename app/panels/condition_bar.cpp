@@ -9,9 +9,9 @@
 #include <QToolButton>
 
 #include "app/core/derived_buffers.h"
-#include "app/core/icons.h"
-#include "app/core/numbers.h"
-#include "app/core/text.h"
+#include "app/look/icons.h"
+#include "app/look/numbers.h"
+#include "app/look/text.h"
 #include "app/panels/elided_label.h"
 #include "app/panels/follow_theme.h"
 

@@ -9,8 +9,8 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "app/core/numbers.h"
-#include "app/core/text.h"
+#include "app/look/numbers.h"
+#include "app/look/text.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/standing_row.h"
 

@@ -14,10 +14,10 @@
 #include <QStyledItemDelegate>
 #include <QToolButton>
 
-#include "app/core/icons.h"
 #include "app/core/session_file.h"
-#include "app/core/shown_name.h"
-#include "app/core/text.h"
+#include "app/look/icons.h"
+#include "app/look/shown_name.h"
+#include "app/look/text.h"
 #include "app/panels/follow_theme.h"
 
 namespace app {

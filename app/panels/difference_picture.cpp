@@ -1,7 +1,7 @@
 #include "app/panels/difference_picture.h"
 
-#include "app/core/numbers.h"
-#include "app/core/text.h"
+#include "app/look/numbers.h"
+#include "app/look/text.h"
 
 namespace app {
 

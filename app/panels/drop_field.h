@@ -2,7 +2,7 @@
 #include <QLabel>
 #include <QPainter>
 
-#include "app/core/theme.h"
+#include "app/look/theme.h"
 
 namespace app {
 

@@ -3,8 +3,8 @@
 #include <QFontMetricsF>
 #include <cmath>
 
-#include "app/core/numbers.h"
-#include "app/core/theme.h"
+#include "app/look/numbers.h"
+#include "app/look/theme.h"
 
 namespace app {
 

@@ -7,8 +7,8 @@
 
 #include "app/core/changed_settings.h"
 #include "app/core/equation_symbols.h"
-#include "app/core/number_format.h"
-#include "app/core/text.h"
+#include "app/look/number_format.h"
+#include "app/look/text.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/math_view.h"
 #include "app/panels/segmented.h"

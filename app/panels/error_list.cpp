@@ -15,8 +15,8 @@
 #include <QPushButton>
 #include <QUrl>
 
-#include "app/core/icons.h"
-#include "app/core/text.h"
+#include "app/look/icons.h"
+#include "app/look/text.h"
 #include "app/panels/follow_theme.h"
 
 namespace app {

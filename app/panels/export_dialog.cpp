@@ -13,7 +13,7 @@
 
 #include "app/core/derived_buffers.h"
 #include "app/core/export_job.h"
-#include "app/core/text.h"
+#include "app/look/text.h"
 #include "app/panels/export_formats.h"
 #include "app/panels/export_list.h"
 #include "app/panels/follow_theme.h"

@@ -6,7 +6,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include "app/core/text.h"
+#include "app/look/text.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/wrapping_check_box.h"
 #include "pipeline/export/exporter.h"

@@ -5,7 +5,7 @@
 #include <QHeaderView>
 #include <QKeyEvent>
 
-#include "app/core/text.h"
+#include "app/look/text.h"
 #include "app/panels/airy_cells.h"
 #include "app/panels/follow_theme.h"
 

@@ -9,8 +9,8 @@
 #include <QShortcut>
 
 #include "app/core/derived_buffers.h"
-#include "app/core/text.h"
 #include "app/core/write_file.h"
+#include "app/look/text.h"
 #include "app/panels/figure_fields.h"
 #include "app/panels/figure_preview.h"
 #include "app/panels/follow_theme.h"

@@ -11,7 +11,7 @@
 #include <QSignalBlocker>
 #include <cmath>
 
-#include "app/core/text.h"
+#include "app/look/text.h"
 #include "app/panels/buffer_chooser.h"
 #include "app/panels/figure_size_fields.h"
 #include "app/panels/follow_theme.h"

@@ -5,7 +5,7 @@
 #include <QLabel>
 #include <algorithm>
 
-#include "app/core/text.h"
+#include "app/look/text.h"
 #include "app/panels/follow_theme.h"
 
 namespace app {

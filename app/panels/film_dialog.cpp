@@ -9,7 +9,7 @@
 #include <QSpinBox>
 
 #include "app/core/export_plan.h"
-#include "app/core/text.h"
+#include "app/look/text.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/on_screen.h"
 #include "app/panels/save_dialog.h"

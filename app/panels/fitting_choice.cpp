@@ -3,7 +3,7 @@
 #include <QComboBox>
 #include <QVBoxLayout>
 
-#include "app/core/spoken.h"
+#include "app/look/accessible.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/segmented.h"
 
@@ -14,7 +14,7 @@ FittingChoice::FittingChoice(const QStringList& choices, const QString& name, co
     m_segmented->setAccessibleName(name);
     m_list->setObjectName(listName);
     m_list->addItems(choices);
-    nameChoice(*m_list, name);
+    nameComboBox(*m_list, name);
     auto* column = spaced(new QVBoxLayout(this), {});
     column->addWidget(m_segmented);
     column->addWidget(m_list);

@@ -4,7 +4,7 @@
 #include <QWidget>
 #include <functional>
 
-#include "app/core/theme.h"
+#include "app/look/theme.h"
 
 namespace app {
 

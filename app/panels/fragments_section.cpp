@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/core/number_format.h"
-#include "app/core/spoken.h"
-#include "app/core/text.h"
+#include "app/look/accessible.h"
+#include "app/look/number_format.h"
+#include "app/look/text.h"
 #include "app/panels/follow_theme.h"
 #include "pipeline/buffers/palette.h"
 
@@ -62,7 +62,7 @@ void paintMark(QPainter& painter, FragmentVerdict verdict, QPointF centre) {
 }  // namespace
 
 FragmentsSection::FragmentsSection(QWidget* parent) : QWidget(parent) {
-    speakAs(*this, QAccessible::List);
+    setAccessibleRole(*this, QAccessible::List);
     setAccessibleName(tr("Fragments"));
     setFocusPolicy(Qt::StrongFocus);
     setCursor(Qt::PointingHandCursor);

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "app/core/theme.h"
+#include "app/look/theme.h"
 #include "pipeline/inspect/term_mix.h"
 
 namespace app {
@@ -32,7 +32,7 @@ void GainBar::show(double share, double gain, bool isOff) {
     update();
 }
 
-SpokenSlider::Scale GainBar::spoken() const { return {m_gain, 0, kMostGain, 0.1}; }
+AccessibleSlider::Scale GainBar::spoken() const { return {m_gain, 0, kMostGain, 0.1}; }
 
 void GainBar::paintEvent(QPaintEvent*) {
     const Theme& theme = Theme::current();

@@ -1,13 +1,13 @@
 #pragma once
 #include <QWidget>
 
-#include "app/core/spoken.h"
+#include "app/look/accessible.h"
 
 namespace app {
 
 // The share of a term in its sum, as a bar, and its gain, as a mark on a scale from 0 to 4. Any press or drag sets the
 // gain, a double click makes it 1; keys: arrows a tenth, Home 0, End 4, 1.
-class GainBar : public QWidget, public SpokenSlider {
+class GainBar : public QWidget, public AccessibleSlider {
     Q_OBJECT
 public:
     explicit GainBar(QWidget* parent = nullptr);

@@ -3,7 +3,7 @@
 #include <QDir>
 #include <QFileInfo>
 
-#include "app/core/text.h"
+#include "app/look/text.h"
 #include "app/panels/save_dialog.h"
 #include "lessons/handout.h"
 

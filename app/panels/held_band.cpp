@@ -6,7 +6,7 @@
 
 #include "app/core/derived_buffers.h"
 #include "app/core/hand.h"
-#include "app/core/text.h"
+#include "app/look/text.h"
 #include "app/panels/buffer_view.h"
 #include "app/panels/follow_theme.h"
 

@@ -5,7 +5,7 @@
 
 #include "app/core/document.h"
 #include "app/core/hand.h"
-#include "app/core/text.h"
+#include "app/look/text.h"
 #include "app/panels/follow_theme.h"
 
 namespace app {

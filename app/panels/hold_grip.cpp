@@ -6,7 +6,7 @@
 #include <QPainter>
 #include <algorithm>
 
-#include "app/core/theme.h"
+#include "app/look/theme.h"
 #include "app/panels/follow_theme.h"
 
 namespace app {

@@ -3,7 +3,7 @@
 #include <QWidget>
 #include <optional>
 
-#include "app/core/spoken.h"
+#include "app/look/accessible.h"
 
 class QLabel;
 
@@ -12,7 +12,7 @@ namespace app {
 // A button over a picture, or on the figure below it, that moves one thing which a page of a lesson lets the user hold, by
 // mouse and by keys: arrows, Shift for large steps, Home for the page's own value, Esc to let a drag be. Its words stand
 // beside it. For a screen reader it is a slider. It moves nothing itself: it says what was done to it.
-class HoldGrip : public QWidget, public SpokenSlider {
+class HoldGrip : public QWidget, public AccessibleSlider {
     Q_OBJECT
 public:
     // A white disc with a sign, or a square one; a sun, or its hollow foot.

@@ -3,7 +3,7 @@
 #include <QPainter>
 #include <QPainterPath>
 
-#include "app/core/theme.h"
+#include "app/look/theme.h"
 
 namespace app {
 

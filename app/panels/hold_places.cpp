@@ -1,8 +1,8 @@
 #include <algorithm>
 
 #include "app/core/hand.h"
-#include "app/core/text.h"
-#include "app/core/theme.h"
+#include "app/look/text.h"
+#include "app/look/theme.h"
 #include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_view.h"
 #include "app/panels/held_band.h"
@@ -102,8 +102,8 @@ HoldGrip::Place HoldPlaces::placeOfHold(const HeldGrip& grip) const {
     place.words = tellsShown ? m_hand.shown() : m_hand.words(grip.hold);
     const double value = m_hand.value(grip.hold);
     const bool hasEnds = hold.kind == HoldKind::Number || hold.kind == HoldKind::Along || hold.kind == HoldKind::Rim;
-    place.scale = hasEnds ? SpokenSlider::Scale{value, hold.low, hold.high, (hold.high - hold.low) / 100}
-                          : SpokenSlider::Scale{value, value - 180, value + 180, 1};
+    place.scale = hasEnds ? AccessibleSlider::Scale{value, hold.low, hold.high, (hold.high - hold.low) / 100}
+                          : AccessibleSlider::Scale{value, value - 180, value + 180, 1};
     return place;
 }
 

@@ -7,10 +7,10 @@
 #include <QStackedLayout>
 #include <QVBoxLayout>
 
-#include "app/core/number_format.h"
-#include "app/core/shown_name.h"
-#include "app/core/text.h"
-#include "app/core/working_bar.h"
+#include "app/look/number_format.h"
+#include "app/look/shown_name.h"
+#include "app/look/text.h"
+#include "app/look/working_bar.h"
 #include "app/panels/equation_section.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/fragments_section.h"

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <functional>
 
-#include "app/core/text.h"
+#include "app/look/text.h"
 #include "app/panels/job_foot.h"
 #include "app/panels/tab_order.h"
 #include "pipeline/core/result.h"

@@ -4,7 +4,7 @@
 #include <QLabel>
 #include <QVBoxLayout>
 
-#include "app/core/numbers.h"
+#include "app/look/numbers.h"
 #include "app/panels/follow_theme.h"
 
 namespace app {

@@ -6,7 +6,7 @@
 #include <QVBoxLayout>
 #include <map>
 
-#include "app/core/text.h"
+#include "app/look/text.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/prose_view.h"
 #include "app/panels/question_card.h"

@@ -8,9 +8,9 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "app/core/icons.h"
-#include "app/core/spoken.h"
-#include "app/core/text.h"
+#include "app/look/accessible.h"
+#include "app/look/icons.h"
+#include "app/look/text.h"
 #include "app/panels/elided_label.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/question_card.h"
@@ -18,7 +18,7 @@
 namespace app {
 
 PageSegments::PageSegments(const LessonRun& run, QWidget* parent) : QWidget(parent), m_run(run) {
-    speakAs(*this, QAccessible::ProgressBar);
+    setAccessibleRole(*this, QAccessible::ProgressBar);
     followTheme(this, [this] { setFixedHeight(Theme::current().px(11)); });
 }
 

@@ -3,7 +3,7 @@
 #include <QVBoxLayout>
 #include <utility>
 
-#include "app/core/text.h"
+#include "app/look/text.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/prose_view.h"
 #include "app/panels/question_card.h"

@@ -13,7 +13,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/core/text.h"
+#include "app/look/text.h"
 #include "app/panels/alt_keys.h"
 #include "app/panels/error_list.h"
 #include "app/panels/fitting_stack.h"

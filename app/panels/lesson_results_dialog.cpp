@@ -7,8 +7,8 @@
 #include <QVBoxLayout>
 
 #include "app/core/lesson_run.h"
-#include "app/core/text.h"
-#include "app/core/theme.h"
+#include "app/look/text.h"
+#include "app/look/theme.h"
 #include "app/panels/on_screen.h"
 #include "app/panels/question_card.h"
 #include "lessons/misconceptions.h"

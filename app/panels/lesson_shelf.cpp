@@ -3,7 +3,7 @@
 #include <QSettings>
 #include <algorithm>
 
-#include "app/core/text.h"
+#include "app/look/text.h"
 
 namespace app {
 

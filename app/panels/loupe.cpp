@@ -2,7 +2,7 @@
 
 #include <QPainter>
 
-#include "app/core/theme.h"
+#include "app/look/theme.h"
 #include "app/panels/buffer_canvas.h"
 
 namespace app {

@@ -5,8 +5,8 @@
 #include <array>
 #include <cmath>
 
-#include "app/core/text.h"
-#include "app/core/theme.h"
+#include "app/look/text.h"
+#include "app/look/theme.h"
 
 namespace app {
 

@@ -3,8 +3,8 @@
 #include <QFontMetricsF>
 #include <algorithm>
 
-#include "app/core/text.h"
-#include "app/core/theme.h"
+#include "app/look/text.h"
+#include "app/look/theme.h"
 
 namespace app {
 

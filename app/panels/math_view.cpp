@@ -8,8 +8,8 @@
 #include <QPainter>
 #include <cmath>
 
-#include "app/core/spoken.h"
-#include "app/core/text.h"
+#include "app/look/accessible.h"
+#include "app/look/text.h"
 #include "app/panels/follow_theme.h"
 #include "pipeline/export/json.h"
 #include "pipeline/inspect/equation_text.h"
@@ -29,7 +29,7 @@ QString written(const std::vector<EquationLine>& lines, pipeline::EquationFormat
 MathView::MathView(QWidget* parent) : QWidget(parent) {
     setMouseTracking(true);
     setFocusPolicy(Qt::StrongFocus);
-    speakAs(*this, QAccessible::Equation);
+    setAccessibleRole(*this, QAccessible::Equation);
     QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Minimum);
     policy.setHeightForWidth(true);
     setSizePolicy(policy);

@@ -3,7 +3,7 @@
 #include "app/core/derived_buffers.h"
 #include "app/core/picture_file.h"
 #include "app/core/renderer_check.h"
-#include "app/core/text.h"
+#include "app/look/text.h"
 
 namespace app {
 

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "app/core/freed_aside.h"
-#include "app/core/numbers.h"
-#include "app/core/text.h"
+#include "app/look/numbers.h"
+#include "app/look/text.h"
 #include "app/panels/buffer_legend.h"
 #include "app/panels/violators.h"
 #include "pipeline/inspect/overlay_values.h"

@@ -9,9 +9,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/core/numbers.h"
-#include "app/core/spoken.h"
-#include "app/core/text.h"
+#include "app/look/accessible.h"
+#include "app/look/numbers.h"
+#include "app/look/text.h"
 #include "app/panels/follow_theme.h"
 #include "pipeline/core/text.h"
 #include "pipeline/formats/text_scanner.h"
@@ -27,7 +27,7 @@ double barHeight(int count, int most, bool logarithmic) {
 
 PaletteBar::PaletteBar(QWidget* parent) : QWidget(parent) {
     setFocusPolicy(Qt::StrongFocus);
-    speakAs(*this, QAccessible::Chart);
+    setAccessibleRole(*this, QAccessible::Chart);
     setToolTip(
         tr("Drag a handle to choose what the palette's ends stand for, between them to move both; "
            "double-click to type. ← → move the first end, Shift+← → the last"));

@@ -6,8 +6,8 @@
 #include <QStyle>
 #include <QVBoxLayout>
 
-#include "app/core/numbers.h"
-#include "app/core/text.h"
+#include "app/look/numbers.h"
+#include "app/look/text.h"
 #include "app/panels/answer_body.h"
 #include "app/panels/fitting_stack.h"
 #include "app/panels/follow_theme.h"

@@ -8,9 +8,9 @@
 #include <QVBoxLayout>
 
 #include "app/core/buffer_place.h"
-#include "app/core/icons.h"
 #include "app/core/large_frame.h"
-#include "app/core/working_bar.h"
+#include "app/look/icons.h"
+#include "app/look/working_bar.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/shown_buffer.h"
 

@@ -3,8 +3,8 @@
 #include <optional>
 
 #include "app/core/background_job.h"
-#include "app/core/number_format.h"
 #include "app/core/region_statistics.h"
+#include "app/look/number_format.h"
 
 class QLabel;
 

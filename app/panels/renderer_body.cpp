@@ -7,9 +7,9 @@
 #include <algorithm>
 
 #include "app/core/document.h"
-#include "app/core/numbers.h"
-#include "app/core/spoken.h"
-#include "app/core/text.h"
+#include "app/look/accessible.h"
+#include "app/look/numbers.h"
+#include "app/look/text.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/renderer_conventions.h"
 #include "app/panels/renderer_error.h"
@@ -73,7 +73,7 @@ RendererHints::RendererHints(RendererFinding& finding, QWidget* parent) : QWidge
     m_next = rendererButton(tr("Next hint"), "nextHint", this);
     m_choice = new QComboBox(this);
     m_choice->setObjectName("hintChoice");
-    nameChoice(*m_choice, tr("What is given away at once"));
+    nameComboBox(*m_choice, tr("What is given away at once"));
     m_choice->addItems({tr("Give nothing away"), tr("Give the stage away"), tr("Give stage and place away"),
                         tr("Give stage, place and name away")});
     m_choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);

@@ -6,8 +6,8 @@
 #include <QPushButton>
 #include <algorithm>
 
-#include "app/core/spoken.h"
-#include "app/core/text.h"
+#include "app/look/accessible.h"
+#include "app/look/text.h"
 #include "app/panels/follow_theme.h"
 
 namespace app {
@@ -29,7 +29,7 @@ void RendererConventions::addRow(const pipeline::foreign::ConventionChoice& choi
     auto* key = new QLabel(toQString(choice.key), this);
     auto* list = new QComboBox(this);
     list->setObjectName("convention:" + toQString(choice.key));
-    nameChoice(*list, toQString(choice.key));
+    nameComboBox(*list, toQString(choice.key));
     list->setToolTip(toQString(choice.buffers));
     list->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     list->setMinimumContentsLength(8);

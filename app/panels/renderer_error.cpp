@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/core/text.h"
+#include "app/look/text.h"
 #include "app/panels/follow_theme.h"
 
 namespace app {

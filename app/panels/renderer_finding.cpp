@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "app/core/document.h"
-#include "app/core/text.h"
+#include "app/look/text.h"
 #include "pipeline/compare/compare_text.h"
 #include "pipeline/compare/worst_pixels.h"
 

@@ -8,8 +8,8 @@
 #include <QToolButton>
 
 #include "app/core/document.h"
-#include "app/core/icons.h"
-#include "app/core/text.h"
+#include "app/look/icons.h"
+#include "app/look/text.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/renderer_finding.h"
 #include "app/panels/standing_row.h"

@@ -5,7 +5,7 @@
 #include <QMessageBox>
 #include <QPushButton>
 
-#include "app/core/shown_name.h"
+#include "app/look/shown_name.h"
 
 namespace app {
 

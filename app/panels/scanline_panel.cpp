@@ -6,8 +6,8 @@
 #include <QToolButton>
 #include <algorithm>
 
-#include "app/core/text.h"
 #include "app/core/write_file.h"
+#include "app/look/text.h"
 #include "app/panels/elided_label.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/save_dialog.h"

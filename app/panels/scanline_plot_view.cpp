@@ -3,7 +3,7 @@
 #include <QMouseEvent>
 #include <QPainter>
 
-#include "app/core/spoken.h"
+#include "app/look/accessible.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/plot_painter.h"
 
@@ -12,7 +12,7 @@ namespace app {
 ScanlinePlotView::ScanlinePlotView(QWidget* parent) : QWidget(parent) {
     setMouseTracking(true);
     setFocusPolicy(Qt::StrongFocus);
-    speakAs(*this, QAccessible::Chart);
+    setAccessibleRole(*this, QAccessible::Chart);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     setAccessibleName(tr("Section along a row"));
     followTheme(this, [this] {

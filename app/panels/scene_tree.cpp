@@ -5,7 +5,7 @@
 #include <QPainter>
 #include <QStyledItemDelegate>
 
-#include "app/core/icons.h"
+#include "app/look/icons.h"
 #include "app/panels/follow_theme.h"
 
 namespace app {

@@ -3,7 +3,7 @@
 #include <QHBoxLayout>
 #include <QPainter>
 
-#include "app/core/icons.h"
+#include "app/look/icons.h"
 #include "app/panels/elided_label.h"
 #include "app/panels/follow_theme.h"
 

@@ -8,8 +8,8 @@
 #include <algorithm>
 
 #include "app/core/equation_symbols.h"
-#include "app/core/spoken.h"
-#include "app/core/text.h"
+#include "app/look/accessible.h"
+#include "app/look/text.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/number_field.h"
 #include "app/panels/segmented.h"
@@ -65,7 +65,7 @@ SettingRow::SettingRow(Document& document, pipeline::SettingRef setting, QGridLa
     isNumber ? addNumber(parent) : addChoice(parent);
     for (QWidget* control : m_controls) {
         control->setAccessibleName(labelOf(m_setting));
-        if (auto* list = qobject_cast<QComboBox*>(control)) nameChoice(*list, list->accessibleName());
+        if (auto* list = qobject_cast<QComboBox*>(control)) nameComboBox(*list, list->accessibleName());
         control->setObjectName(toQString(setting.key()));
     }
     connect(&document, &Document::sceneChanged, this, &SettingRow::showScene);

@@ -11,7 +11,7 @@
 #include <QVBoxLayout>
 
 #include "app/core/equation_symbols.h"
-#include "app/core/text.h"
+#include "app/look/text.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/setting_row.h"
 

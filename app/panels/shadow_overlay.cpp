@@ -3,9 +3,9 @@
 #include <QMenu>
 
 #include "app/core/derived_buffers.h"
-#include "app/core/numbers.h"
-#include "app/core/text.h"
-#include "app/core/theme.h"
+#include "app/look/numbers.h"
+#include "app/look/text.h"
+#include "app/look/theme.h"
 #include "pipeline/buffers/palette.h"
 
 namespace app {

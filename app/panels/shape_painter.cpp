@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <numeric>
 
-#include "app/core/luminance.h"
-#include "app/core/theme.h"
+#include "app/look/luminance.h"
+#include "app/look/theme.h"
 
 namespace app {
 

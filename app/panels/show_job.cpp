@@ -2,7 +2,7 @@
 
 #include "app/core/buffer_place.h"
 #include "app/core/large_frame.h"
-#include "app/core/luminance.h"
+#include "app/look/luminance.h"
 #include "app/panels/condition_bar.h"
 #include "app/panels/shadow_overlay.h"
 #include "app/panels/violators.h"

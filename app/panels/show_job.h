@@ -4,7 +4,7 @@
 
 #include "app/core/background_job.h"
 #include "app/core/other_source.h"
-#include "app/core/window_look.h"
+#include "app/look/window_look.h"
 #include "app/panels/overlays.h"
 #include "app/panels/shown_buffer.h"
 #include "lessons/expression/condition.h"

@@ -6,9 +6,9 @@
 
 #include "app/core/freed_aside.h"
 #include "app/core/large_frame.h"
-#include "app/core/luminance.h"
-#include "app/core/numbers.h"
-#include "app/core/text.h"
+#include "app/look/luminance.h"
+#include "app/look/numbers.h"
+#include "app/look/text.h"
 #include "app/panels/buffer_legend.h"
 #include "lessons/look_text.h"
 #include "pipeline/run/frame_remarks.h"

@@ -7,8 +7,8 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "app/core/shown_name.h"
-#include "app/core/text.h"
+#include "app/look/shown_name.h"
+#include "app/look/text.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/on_screen.h"
 #include "pipeline/formats/scene_folder.h"

@@ -8,8 +8,8 @@
 #include <cmath>
 #include <utility>
 
-#include "app/core/numbers.h"
-#include "app/core/text.h"
+#include "app/look/numbers.h"
+#include "app/look/text.h"
 #include "app/panels/fitting_font.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/standing_row.h"

@@ -6,9 +6,9 @@
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
-#include "app/core/numbers.h"
 #include "app/core/renderer_check.h"
-#include "app/core/text.h"
+#include "app/look/numbers.h"
+#include "app/look/text.h"
 #include "app/panels/buffer_compare.h"
 #include "app/panels/follow_theme.h"
 

@@ -4,7 +4,7 @@
 #include <QPainter>
 
 #include "app/core/renderer_check.h"
-#include "app/core/text.h"
+#include "app/look/text.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/stage_card.h"
 

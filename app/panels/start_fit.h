@@ -2,7 +2,7 @@
 #include <QSize>
 #include <algorithm>
 
-#include "app/core/theme.h"
+#include "app/look/theme.h"
 
 namespace app {
 

@@ -5,8 +5,8 @@
 #include <QScrollArea>
 #include <algorithm>
 
-#include "app/core/text.h"
-#include "app/core/word_match.h"
+#include "app/look/text.h"
+#include "app/look/word_match.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/start_card.h"
 #include "app/panels/start_lesson_row.h"

@@ -3,7 +3,7 @@
 #include <QPainter>
 #include <algorithm>
 
-#include "app/core/theme.h"
+#include "app/look/theme.h"
 
 namespace app {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <QPainter>
 
-#include "app/core/icons.h"
-#include "app/core/theme.h"
+#include "app/look/icons.h"
+#include "app/look/theme.h"
 
 namespace app {
 

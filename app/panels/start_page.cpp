@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "app/core/recent_files.h"
-#include "app/core/shown_name.h"
+#include "app/look/shown_name.h"
 #include "app/panels/drop_field.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/segmented.h"

@@ -11,8 +11,8 @@
 #include <QShortcut>
 #include <algorithm>
 
-#include "app/core/icons.h"
-#include "app/core/text.h"
+#include "app/look/icons.h"
+#include "app/look/text.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/segmented.h"
 #include "app/panels/start_card.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/core/theme.h"
+#include "app/look/theme.h"
 #include "app/panels/canvas_flip.h"
 #include "app/panels/condition_bar.h"
 #include "app/panels/overlays.h"

@@ -7,8 +7,8 @@
 #include <QToolTip>
 #include <cmath>
 
-#include "app/core/spoken.h"
-#include "app/core/text.h"
+#include "app/look/accessible.h"
+#include "app/look/text.h"
 #include "app/panels/fitting_font.h"
 #include "app/panels/follow_theme.h"
 
@@ -34,7 +34,7 @@ StageNames::StageNames(int width) {
 StepBar::StepBar(Stepper& stepper, QWidget* parent) : QWidget(parent), m_stepper(stepper) {
     setObjectName("stepBar");
     setFocusPolicy(Qt::StrongFocus);
-    speakAs(*this, QAccessible::Graphic);
+    setAccessibleRole(*this, QAccessible::Graphic);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     setAccessibleName(tr("Steps of the frame"));
     connect(&stepper, &Stepper::changed, this, [this] {

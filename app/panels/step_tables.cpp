@@ -5,8 +5,8 @@
 
 #include "app/core/document.h"
 #include "app/core/large_frame.h"
-#include "app/core/text.h"
-#include "app/core/theme.h"
+#include "app/look/text.h"
+#include "app/look/theme.h"
 #include "app/panels/follow_theme.h"
 #include "pipeline/inspect/pixel_report.h"
 

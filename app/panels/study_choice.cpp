@@ -6,8 +6,8 @@
 #include <QSignalBlocker>
 #include <algorithm>
 
-#include "app/core/spoken.h"
-#include "app/core/text.h"
+#include "app/look/accessible.h"
+#include "app/look/text.h"
 #include "app/panels/elided_label.h"
 #include "app/panels/follow_theme.h"
 #include "pipeline/export/study_text.h"
@@ -24,7 +24,7 @@ StudyChoice::StudyChoice(QWidget* parent) : QWidget(parent) {
         auto* box = new QComboBox(this);
         box->setObjectName(name);
         box->setToolTip(title);
-        nameChoice(*box, title);
+        nameComboBox(*box, title);
         row->addWidget(box);
         return box;
     };

@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/core/numbers.h"
-#include "app/core/text.h"
+#include "app/look/numbers.h"
+#include "app/look/text.h"
 #include "app/panels/airy_cells.h"
 #include "app/panels/follow_theme.h"
 #include "pipeline/study/analysis_text.h"

@@ -11,7 +11,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "app/core/text.h"
+#include "app/look/text.h"
 #include "app/panels/folding_panes.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/on_screen.h"

@@ -7,7 +7,7 @@
 #include <QVBoxLayout>
 #include <cmath>
 
-#include "app/core/numbers.h"
+#include "app/look/numbers.h"
 #include "app/panels/elided_label.h"
 #include "app/panels/follow_theme.h"
 

@@ -5,7 +5,7 @@
 #include <QToolTip>
 #include <algorithm>
 
-#include "app/core/spoken.h"
+#include "app/look/accessible.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/plot_painter.h"
 
@@ -17,7 +17,7 @@ using pipeline::PlotText;
 
 StudyPlot::StudyPlot(QWidget* parent) : QWidget(parent) {
     setObjectName("studyPlot");
-    speakAs(*this, QAccessible::Chart);
+    setAccessibleRole(*this, QAccessible::Chart);
     setAccessibleName(tr("Plot of error against run time"));
     setMouseTracking(true);
     setFocusPolicy(Qt::StrongFocus);

@@ -4,7 +4,7 @@
 #include <QSignalBlocker>
 #include <algorithm>
 
-#include "app/core/text.h"
+#include "app/look/text.h"
 #include "app/panels/airy_cells.h"
 #include "app/panels/follow_theme.h"
 #include "pipeline/export/study_text.h"

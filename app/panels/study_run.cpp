@@ -9,7 +9,7 @@
 #include <cmath>
 #include <thread>
 
-#include "app/core/text.h"
+#include "app/look/text.h"
 #include "app/panels/elided_label.h"
 #include "app/panels/follow_theme.h"
 #include "pipeline/core/text.h"

@@ -7,8 +7,8 @@
 #include <QStandardItemModel>
 #include <QVBoxLayout>
 
-#include "app/core/spoken.h"
-#include "app/core/text.h"
+#include "app/look/accessible.h"
+#include "app/look/text.h"
 #include "app/panels/follow_theme.h"
 #include "pipeline/core/text.h"
 
@@ -20,7 +20,7 @@ using pipeline::Sweep;
 StudySweep::StudySweep(Document& document, QWidget* parent) : QWidget(parent), m_document(document) {
     m_named = new QComboBox(this);
     m_named->setObjectName("studySweep");
-    nameChoice(*m_named, tr("Sweep"));
+    nameComboBox(*m_named, tr("Sweep"));
     m_meaning = styled(new QLabel(this), {.tone = 2, .size = 12, .wraps = true});
     m_state = styled(new QLabel(this), {.name = "studySweepState", .tone = 2, .size = 12, .wraps = true});
     m_own = new QWidget(this);
@@ -29,7 +29,7 @@ StudySweep::StudySweep(Document& document, QWidget* parent) : QWidget(parent), m
         auto* key = new QComboBox(m_own);
         auto* values = new QLineEdit(m_own);
         key->setObjectName(QString("studyKey%1").arg(i));
-        nameChoice(*key, i == 0 ? tr("First setting") : tr("Second setting"));
+        nameComboBox(*key, i == 0 ? tr("First setting") : tr("Second setting"));
         values->setObjectName(QString("studyValues%1").arg(i));
         values->setAccessibleName(i == 0 ? tr("Values of the first setting") : tr("Values of the second setting"));
         values->setToolTip(tr("By comma, or a range: flat,phong · all · 4..7 · 0..1+0.25 · 4..64*2"));

@@ -7,8 +7,8 @@
 #include <QVBoxLayout>
 #include <cmath>
 
-#include "app/core/shown_name.h"
-#include "app/core/text.h"
+#include "app/look/shown_name.h"
+#include "app/look/text.h"
 #include "app/panels/airy_cells.h"
 #include "app/panels/follow_theme.h"
 #include "pipeline/core/text.h"

@@ -9,9 +9,9 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "app/core/number_format.h"
-#include "app/core/numbers.h"
-#include "app/core/text.h"
+#include "app/look/number_format.h"
+#include "app/look/numbers.h"
+#include "app/look/text.h"
 #include "app/panels/airy_cells.h"
 #include "app/panels/follow_theme.h"
 

@@ -8,9 +8,9 @@
 #include <cmath>
 
 #include "app/core/mix_model.h"
-#include "app/core/number_format.h"
-#include "app/core/numbers.h"
-#include "app/core/text.h"
+#include "app/look/number_format.h"
+#include "app/look/numbers.h"
+#include "app/look/text.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/gain_bar.h"
 #include "pipeline/stages/shading.h"

@@ -7,9 +7,9 @@
 #include <algorithm>
 
 #include "app/core/derived_buffers.h"
-#include "app/core/spoken.h"
-#include "app/core/text.h"
-#include "app/core/theme.h"
+#include "app/look/accessible.h"
+#include "app/look/text.h"
+#include "app/look/theme.h"
 #include "app/panels/buffer_painter.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/thumbnail.h"
@@ -22,7 +22,7 @@ using pipeline::BufferName;
 
 ThumbnailStrip::ThumbnailStrip(Document& document, QWidget* parent) : QWidget(parent), m_document(document) {
     setFocusPolicy(Qt::StrongFocus);
-    speakAs(*this, QAccessible::List);
+    setAccessibleRole(*this, QAccessible::List);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     setAccessibleName(tr("Thumbnails of the buffers"));
     // While a slider moves the views come first; frames follow each other more quickly than this.

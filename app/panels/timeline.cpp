@@ -6,10 +6,10 @@
 #include <QLabel>
 #include <QToolButton>
 
-#include "app/core/icons.h"
-#include "app/core/numbers.h"
-#include "app/core/spoken.h"
-#include "app/core/text.h"
+#include "app/look/accessible.h"
+#include "app/look/icons.h"
+#include "app/look/numbers.h"
+#include "app/look/text.h"
 #include "app/panels/fitting_font.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/segmented.h"
@@ -58,13 +58,13 @@ Timeline::Timeline(Document& document, const Transport& transport, QWidget* pare
     m_levels->setObjectName("stepLevel");
     m_levelList->setObjectName("stepLevelList");
     m_levels->setAccessibleName(tr("What a step is"));
-    nameChoice(*m_levelList, tr("What a step is"));
+    nameComboBox(*m_levelList, tr("What a step is"));
     for (const QString& level : levelNames()) m_levelList->addItem(tr("by %1").arg(level));
     m_levels->setToolTip(tr("What a step is. A stage without such parts takes its own next larger ones."));
     m_levelList->setToolTip(m_levels->toolTip());
     m_words->setObjectName("stepWords");
     m_speed->setObjectName("stepSpeed");
-    nameChoice(*m_speed, tr("Speed"));
+    nameComboBox(*m_speed, tr("Speed"));
     m_speed->setToolTip(tr("How fast it plays"));
     for (const double speed : kSpeeds) m_speed->addItem(speedText(speed), speed);
     m_speed->setCurrentIndex(2);

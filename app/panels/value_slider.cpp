@@ -27,7 +27,7 @@ void ValueSlider::setValue(double value) {
     update();
 }
 
-SpokenSlider::Scale ValueSlider::spoken() const {
+AccessibleSlider::Scale ValueSlider::spoken() const {
     return {m_value, m_low, m_high, std::max(m_step, (m_high - m_low) / 100)};
 }
 

@@ -3,14 +3,14 @@
 
 #include <QWidget>
 
-#include "app/core/spoken.h"
+#include "app/look/accessible.h"
 
 namespace app {
 
 // A slider over real numbers: a thin track, filled up to the value, with a mark where the value
 // was before. Any press on the track takes the knob there. What lies outside [low, high] stands
 // at the end. Keys: arrows a hundredth of the range, Page Up and Down a tenth, Home and End.
-class ValueSlider : public QWidget, public SpokenSlider {
+class ValueSlider : public QWidget, public AccessibleSlider {
     Q_OBJECT
 public:
     // step: values are multiples of it from low on; 0 for none.

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "app/core/numbers.h"
-#include "app/core/text.h"
+#include "app/look/numbers.h"
+#include "app/look/text.h"
 #include "pipeline/compare/compare_html.h"
 
 namespace app {

@@ -6,12 +6,12 @@
 #include <QToolButton>
 #include <algorithm>
 
-#include "app/core/icons.h"
 #include "app/core/large_frame.h"
-#include "app/core/number_format.h"
-#include "app/core/numbers.h"
-#include "app/core/shown_name.h"
-#include "app/core/text.h"
+#include "app/look/icons.h"
+#include "app/look/number_format.h"
+#include "app/look/numbers.h"
+#include "app/look/shown_name.h"
+#include "app/look/text.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/source_view.h"
 #include "pipeline/inspect/shadow_blocker.h"

@@ -3,7 +3,7 @@
 #include <QFontMetricsF>
 #include <cmath>
 
-#include "app/core/theme.h"
+#include "app/look/theme.h"
 
 namespace app {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/core/numbers.h"
+#include "app/look/numbers.h"
 
 namespace app {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/core/theme.h"
+#include "app/look/theme.h"
 #include "app/view3d/arrow_shape.h"
 #include "app/view3d/orbit_camera.h"
 

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "app/core/theme.h"
+#include "app/look/theme.h"
 #include "app/view3d/view_content.h"
 #include "app/view3d/vtk_data.h"
 

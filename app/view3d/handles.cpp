@@ -4,7 +4,7 @@
 #include <cmath>
 #include <span>
 
-#include "app/core/numbers.h"
+#include "app/look/numbers.h"
 #include "app/view3d/world_drawing.h"
 #include "pipeline/stages/transform.h"
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "app/core/text.h"
+#include "app/look/text.h"
 
 namespace app {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/core/numbers.h"
+#include "app/look/numbers.h"
 #include "pipeline/core/text.h"
 
 namespace app {

@@ -10,9 +10,9 @@
 #include <future>
 #include <thread>
 
-#include "app/core/numbers.h"
-#include "app/core/window_look.h"
 #include "app/core/write_file.h"
+#include "app/look/numbers.h"
+#include "app/look/window_look.h"
 #include "app/view3d/headless_window.h"
 #include "app/view3d/overlay.h"
 #include "app/view3d/point_drawing.h"

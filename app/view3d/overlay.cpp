@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/core/text.h"
+#include "app/look/text.h"
 #include "app/view3d/label_words.h"
 
 namespace app {

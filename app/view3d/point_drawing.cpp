@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/core/numbers.h"
+#include "app/look/numbers.h"
 #include "app/view3d/lobe_drawing.h"
 #include "pipeline/core/numerics.h"
 

@@ -3,9 +3,9 @@
 #include <QLabel>
 #include <QPainter>
 
-#include "app/core/spoken.h"
-#include "app/core/text.h"
-#include "app/core/theme.h"
+#include "app/look/accessible.h"
+#include "app/look/text.h"
+#include "app/look/theme.h"
 #include "app/view3d/overlay.h"
 #include "app/view3d/point_drawing.h"
 #include "app/view3d/space_picture.h"
@@ -56,7 +56,7 @@ SceneView::SceneView(QWidget* parent)
       m_camera(std::make_unique<ViewCamera>(*this)),
       m_handles(std::make_unique<ViewHandles>(*this)),
       m_input(std::make_unique<ViewInput>(*this)) {
-    speakAs(*this, QAccessible::Graphic);
+    setAccessibleRole(*this, QAccessible::Graphic);
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setAutoFillBackground(true);

@@ -3,7 +3,7 @@
 #include <QScopedValueRollback>
 
 #include "app/core/hand.h"
-#include "app/core/text.h"
+#include "app/look/text.h"
 
 namespace app {
 

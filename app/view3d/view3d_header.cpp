@@ -6,11 +6,11 @@
 #include <QToolButton>
 #include <algorithm>
 
-#include "app/core/icons.h"
-#include "app/core/numbers.h"
-#include "app/core/press_watch.h"
-#include "app/core/text.h"
-#include "app/core/theme.h"
+#include "app/look/icons.h"
+#include "app/look/numbers.h"
+#include "app/look/press_watch.h"
+#include "app/look/text.h"
+#include "app/look/theme.h"
 #include "app/view3d/normal_arrows.h"
 #include "app/view3d/view3d_spaces.h"
 #include "app/view3d/view_settings.h"

@@ -6,8 +6,8 @@
 #include "app/core/equation_symbols.h"
 #include "app/core/large_frame.h"
 #include "app/core/pixel_inspection.h"
-#include "app/core/put_away.h"
-#include "app/core/text.h"
+#include "app/look/hidden_in_window.h"
+#include "app/look/text.h"
 #include "app/view3d/normal_arrows.h"
 #include "app/view3d/picture_turns.h"
 #include "app/view3d/view3d_handles.h"
@@ -124,7 +124,7 @@ bool View3dPanel::wantsFrusta() const {
 
 void View3dPanel::wantBuffers() {
     if (!m_document.hasScene()) return;
-    if (isPutAway(*this)) return m_document.frames().want(this, {});
+    if (isHiddenInWindow(*this)) return m_document.frames().want(this, {});
     auto wanted = contentBuffers(m_document.scene(), m_view->options().normals == NormalsShown::Vertices);
     const bool useful = whyUseless(m_document.scene(), pipeline::BufferId::ShadowBuffer).empty();
     if (wantsFrusta() && useful) wanted |= pipeline::setOf({pipeline::BufferId::ShadowBuffer});
@@ -132,7 +132,7 @@ void View3dPanel::wantBuffers() {
 }
 
 bool View3dPanel::misses() {
-    m_missed = m_missed || isPutAway(*this);
+    m_missed = m_missed || isHiddenInWindow(*this);
     return m_missed;
 }
 
@@ -221,7 +221,7 @@ void View3dPanel::takeSelection() {
 void View3dPanel::takeHover() {
     const auto& content = m_view->space().content();
     const auto pixel = m_document.pointing().hovered();
-    m_view->setProbe(content && pixel && !isPutAway(*this) ? pointShownBy(*content, *pixel) : std::nullopt);
+    m_view->setProbe(content && pixel && !isHiddenInWindow(*this) ? pointShownBy(*content, *pixel) : std::nullopt);
 }
 
 // By the frame that the view was made of: another one may be there before the view is.

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "app/core/large_frame.h"
-#include "app/core/text.h"
+#include "app/look/text.h"
 #include "pipeline/plan/needs.h"
 
 namespace app {

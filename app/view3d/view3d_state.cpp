@@ -4,7 +4,7 @@
 #include <string_view>
 #include <utility>
 
-#include "app/core/text.h"
+#include "app/look/text.h"
 #include "app/view3d/space_picture.h"
 #include "app/view3d/view3d_panel.h"
 #include "app/view3d/view3d_spaces.h"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "app/core/theme.h"
+#include "app/look/theme.h"
 #include "app/view3d/scene_view.h"
 #include "app/view3d/view_corner.h"
 

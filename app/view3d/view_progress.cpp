@@ -2,9 +2,9 @@
 
 #include <QLabel>
 
-#include "app/core/numbers.h"
-#include "app/core/theme.h"
-#include "app/core/working_bar.h"
+#include "app/look/numbers.h"
+#include "app/look/theme.h"
+#include "app/look/working_bar.h"
 #include "app/view3d/scene_view.h"
 #include "app/view3d/vtk_widget.h"
 

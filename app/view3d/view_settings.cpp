@@ -8,8 +8,8 @@
 #include <QSlider>
 #include <cmath>
 
-#include "app/core/spoken.h"
-#include "app/core/theme.h"
+#include "app/look/accessible.h"
+#include "app/look/theme.h"
 
 namespace app {
 
@@ -22,7 +22,7 @@ constexpr int kSteps = 200;
 
 // From a low number to a high one by equal factors: the small ones need the finer steps. A screen reader is told the
 // number, not the step.
-class FactorSlider : public QSlider, public SpokenSlider {
+class FactorSlider : public QSlider, public AccessibleSlider {
 public:
     FactorSlider(double low, double high, QWidget* parent)
         : QSlider(Qt::Horizontal, parent), m_low(low), m_high(high), m_number(low) {

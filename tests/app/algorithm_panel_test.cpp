@@ -9,7 +9,7 @@
 #include <QSlider>
 #include <QTest>
 
-#include "app/core/theme.h"
+#include "app/look/theme.h"
 #include "app/panels/algorithm_view.h"
 #include "app/panels/code_words.h"
 #include "tests/support/scenes.h"

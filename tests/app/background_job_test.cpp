@@ -11,8 +11,8 @@
 
 #include "app/core/freed_aside.h"
 #include "app/core/memory_notice.h"
-#include "app/core/window_look.h"
 #include "app/core/work_list.h"
+#include "app/look/window_look.h"
 
 namespace app {
 namespace {

@@ -12,8 +12,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/core/luminance.h"
 #include "app/core/picture_file.h"
+#include "app/look/luminance.h"
 #include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_channels.h"
 #include "app/panels/buffer_view.h"

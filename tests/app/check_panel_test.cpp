@@ -13,7 +13,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/core/theme.h"
+#include "app/look/theme.h"
 #include "app/panels/check_cases.h"
 #include "app/panels/check_knob.h"
 #include "app/panels/check_pictures.h"

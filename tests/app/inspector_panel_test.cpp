@@ -13,7 +13,7 @@
 #include "app/core/derived_buffers.h"
 #include "app/core/equation_symbols.h"
 #include "app/core/mix_model.h"
-#include "app/core/number_format.h"
+#include "app/look/number_format.h"
 #include "app/panels/equation_section.h"
 #include "app/panels/fragments_section.h"
 #include "app/panels/layers_section.h"

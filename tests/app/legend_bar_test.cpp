@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/core/theme.h"
+#include "app/look/theme.h"
 
 namespace {
 

@@ -20,7 +20,7 @@
 #include <QTest>
 #include <QTextBrowser>
 
-#include "app/core/theme.h"
+#include "app/look/theme.h"
 
 // The real panel on a real document: pages set the window, numbers come from its frames.
 namespace {

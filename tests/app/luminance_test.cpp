@@ -1,4 +1,4 @@
-#include "app/core/luminance.h"
+#include "app/look/luminance.h"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 #include <QTest>
 #include <algorithm>
 
-#include "app/core/theme.h"
+#include "app/look/theme.h"
 
 using app::MathBox;
 using app::MathPiece;

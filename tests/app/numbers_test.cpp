@@ -1,11 +1,11 @@
-#include "app/core/numbers.h"
+#include "app/look/numbers.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "app/core/number_format.h"
 #include "app/core/scene_outline.h"
+#include "app/look/number_format.h"
 #include "app/panels/buffer_image.h"
 #include "app/panels/elided_label.h"
 #include "tests/support/scenes.h"

@@ -4,7 +4,7 @@
 
 #include <QTest>
 
-#include "app/core/theme.h"
+#include "app/look/theme.h"
 #include "app/panels/scanline_plot_view.h"
 #include "tests/support/scenes.h"
 

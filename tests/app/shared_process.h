@@ -7,8 +7,8 @@
 #include <optional>
 
 #include "app/core/application.h"
-#include "app/core/number_format.h"
-#include "app/core/theme.h"
+#include "app/look/number_format.h"
+#include "app/look/theme.h"
 
 namespace test {
 

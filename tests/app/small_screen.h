@@ -5,7 +5,7 @@
 #include <QWidget>
 #include <initializer_list>
 
-#include "app/core/theme.h"
+#include "app/look/theme.h"
 #include "app/panels/folding_panes.h"
 
 namespace test {

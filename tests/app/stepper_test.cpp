@@ -11,7 +11,7 @@
 #include "app/core/document.h"
 #include "app/core/stage_status.h"
 #include "app/core/step_track.h"
-#include "app/core/theme.h"
+#include "app/look/theme.h"
 #include "app/panels/stage_card.h"
 #include "app/panels/stage_strip.h"
 #include "app/panels/step_bar.h"

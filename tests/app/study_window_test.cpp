@@ -7,7 +7,7 @@
 #include <QTabWidget>
 #include <QTableWidget>
 
-#include "app/core/theme.h"
+#include "app/look/theme.h"
 #include "app/panels/folding_panes.h"
 #include "app/panels/study_details.h"
 #include "app/panels/study_pictures.h"

@@ -1,4 +1,4 @@
-#include "app/core/theme.h"
+#include "app/look/theme.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <QRegularExpression>
 #include <algorithm>
 
-#include "app/core/style_sheet.h"
+#include "app/look/style_sheet.h"
 #include "app/panels/buffer_painter.h"
 #include "tests/app/color_math.h"
 

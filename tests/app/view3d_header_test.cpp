@@ -5,7 +5,7 @@
 #include <QToolButton>
 #include <algorithm>
 
-#include "app/core/theme.h"
+#include "app/look/theme.h"
 #include "app/view3d/view3d_header.h"
 #include "app/view3d/view_corner.h"
 #include "pipeline/scene/shape.h"

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/core/theme.h"
+#include "app/look/theme.h"
 #include "app/view3d/label_words.h"
 #include "app/view3d/obstacles.h"
 #include "app/view3d/overlay.h"

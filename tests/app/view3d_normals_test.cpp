@@ -9,7 +9,7 @@
 #include <iterator>
 #include <utility>
 
-#include "app/core/theme.h"
+#include "app/look/theme.h"
 #include "app/view3d/normal_arrows.h"
 #include "app/view3d/space_content.h"
 #include "app/view3d/view_settings.h"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "app/core/theme.h"
+#include "app/look/theme.h"
 #include "app/view3d/overlay.h"
 #include "app/view3d/view_corner.h"
 #include "tests/app/shown_view3d.h"

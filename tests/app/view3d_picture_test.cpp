@@ -3,7 +3,7 @@
 #include <QImage>
 #include <cmath>
 
-#include "app/core/theme.h"
+#include "app/look/theme.h"
 #include "app/view3d/offscreen.h"
 #include "tests/app/view3d_fixture.h"
 #include "tests/support/files.h"

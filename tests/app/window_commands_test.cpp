@@ -12,7 +12,6 @@
 #include <QTimer>
 #include <algorithm>
 #include <map>
-#include "app/core/theme.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/command_palette.h"
 #include "app/desktop/even_splitter.h"
@@ -20,6 +19,7 @@
 #include "app/desktop/layout_store.h"
 #include "app/desktop/panel_table.h"
 #include "app/desktop/view_area.h"
+#include "app/look/theme.h"
 #include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_compare.h"
 #include "app/panels/buffer_view.h"

@@ -6,7 +6,6 @@
 #include <QPointer>
 #include <QTest>
 
-#include "app/core/theme.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/caption_line.h"
 #include "app/desktop/clean_view.h"
@@ -14,6 +13,7 @@
 #include "app/desktop/pen_layer.h"
 #include "app/desktop/presentation.h"
 #include "app/desktop/view_area.h"
+#include "app/look/theme.h"
 #include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_view.h"
 #include "app/panels/condition_bar.h"

@@ -11,9 +11,9 @@
 #include <QTreeWidget>
 #include <algorithm>
 
-#include "app/core/theme.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/view_area.h"
+#include "app/look/theme.h"
 #include "app/panels/buffer_view.h"
 #include "app/panels/export_dialog.h"
 #include "app/panels/figure_dialog.h"

@@ -17,10 +17,10 @@
 #include <QToolButton>
 
 #include "app/core/pixel_inspection.h"
-#include "app/core/theme.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/panel_dock.h"
 #include "app/desktop/view_area.h"
+#include "app/look/theme.h"
 #include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_view.h"
 #include "app/panels/export_dialog.h"

@@ -12,7 +12,6 @@
 #include <QTimer>
 #include <map>
 
-#include "app/core/theme.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/command_palette.h"
 #include "app/desktop/even_splitter.h"
@@ -21,6 +20,7 @@
 #include "app/desktop/panel_dock.h"
 #include "app/desktop/panel_table.h"
 #include "app/desktop/view_area.h"
+#include "app/look/theme.h"
 #include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_view.h"
 #include "app/panels/lesson_panel.h"

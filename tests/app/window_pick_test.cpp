@@ -4,7 +4,7 @@
 #include <QTest>
 #include <algorithm>
 
-#include "app/core/theme.h"
+#include "app/look/theme.h"
 #include "app/panels/buffer_canvas.h"
 #include "app/panels/inspector_panel.h"
 #include "app/panels/scene_tree.h"

@@ -6,10 +6,10 @@
 
 #include <QPushButton>
 
-#include "app/core/number_format.h"
-#include "app/core/theme.h"
 #include "app/desktop/layout_store.h"
 #include "app/desktop/view_area.h"
+#include "app/look/number_format.h"
+#include "app/look/theme.h"
 #include "app/panels/buffer_view.h"
 #include "app/panels/segmented.h"
 #include "tests/app/window_fixture.h"

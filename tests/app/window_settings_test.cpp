@@ -6,7 +6,7 @@
 #include <QTabBar>
 #include <QTest>
 
-#include "app/core/theme.h"
+#include "app/look/theme.h"
 #include "app/panels/buffer_canvas.h"
 #include "app/panels/number_field.h"
 #include "app/panels/scene_tree.h"

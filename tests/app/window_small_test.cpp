@@ -8,13 +8,13 @@
 #include <QScrollArea>
 #include <QTest>
 
-#include "app/core/theme.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/command_palette.h"
 #include "app/desktop/panel_table.h"
 #include "app/desktop/preferences_dialog.h"
 #include "app/desktop/slide_dialog.h"
 #include "app/desktop/view_area.h"
+#include "app/look/theme.h"
 #include "app/panels/export_dialog.h"
 #include "app/panels/figure_dialog.h"
 #include "app/panels/film_dialog.h"

@@ -7,11 +7,11 @@
 #include <QTest>
 
 #include "app/core/stage_buffer.h"
-#include "app/core/theme.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/even_splitter.h"
 #include "app/desktop/layout_store.h"
 #include "app/desktop/view_area.h"
+#include "app/look/theme.h"
 #include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_compare.h"
 #include "app/panels/buffer_header.h"

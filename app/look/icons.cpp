@@ -1,4 +1,4 @@
-#include "app/core/icons.h"
+#include "app/look/icons.h"
 
 #include <QFile>
 #include <QIconEngine>
@@ -6,7 +6,7 @@
 #include <QSvgRenderer>
 #include <algorithm>
 
-#include "app/core/theme.h"
+#include "app/look/theme.h"
 
 namespace app {
 

@@ -1,4 +1,4 @@
-#include "app/core/spoken.h"
+#include "app/look/accessible.h"
 
 #include <algorithm>
 
@@ -18,7 +18,8 @@ public:
 
 class Slider : public QAccessibleWidget, public QAccessibleValueInterface {
 public:
-    Slider(QWidget* widget, SpokenSlider& slider) : QAccessibleWidget(widget, QAccessible::Slider), m_slider(slider) {}
+    Slider(QWidget* widget, AccessibleSlider& slider)
+        : QAccessibleWidget(widget, QAccessible::Slider), m_slider(slider) {}
 
     void* interface_cast(QAccessible::InterfaceType type) override {
         if (type == QAccessible::ValueInterface) return static_cast<QAccessibleValueInterface*>(this);
@@ -37,24 +38,24 @@ public:
     }
 
 private:
-    SpokenSlider& m_slider;
+    AccessibleSlider& m_slider;
 };
 
 QAccessibleInterface* make(const QString&, QObject* object) {
     auto* widget = qobject_cast<QWidget*>(object);
     if (!widget || !widget->property(kRole).isValid()) return nullptr;
-    if (auto* slider = dynamic_cast<SpokenSlider*>(widget)) return new Slider(widget, *slider);
+    if (auto* slider = dynamic_cast<AccessibleSlider*>(widget)) return new Slider(widget, *slider);
     return new Painted(widget);
 }
 
 }  // namespace
 
-void speakAs(QWidget& widget, QAccessible::Role role) {
+void setAccessibleRole(QWidget& widget, QAccessible::Role role) {
     QAccessible::installFactory(make);  // Qt keeps each factory once
     widget.setProperty(kRole, role);
 }
 
-void nameChoice(QComboBox& box, const QString& name) {
+void nameComboBox(QComboBox& box, const QString& name) {
     box.setAccessibleName(name);
     auto* label = new QLabel(name, box.parentWidget());
     label->setBuddy(&box);
@@ -62,11 +63,11 @@ void nameChoice(QComboBox& box, const QString& name) {
     QObject::connect(&box, &QObject::destroyed, label, &QObject::deleteLater);
 }
 
-void SpokenSlider::speak(QWidget& slider) { speakAs(slider, QAccessible::Slider); }
+void AccessibleSlider::speak(QWidget& slider) { setAccessibleRole(slider, QAccessible::Slider); }
 
-void SpokenSlider::sayValue(QWidget& slider) {
+void AccessibleSlider::sayValue(QWidget& slider) {
     if (!QAccessible::isActive()) return;
-    QAccessibleValueChangeEvent event(&slider, dynamic_cast<SpokenSlider&>(slider).spoken().value);
+    QAccessibleValueChangeEvent event(&slider, dynamic_cast<AccessibleSlider&>(slider).spoken().value);
     QAccessible::updateAccessibility(&event);
 }
 

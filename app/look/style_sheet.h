@@ -2,7 +2,7 @@
 #include <QString>
 #include <functional>
 
-#include "app/core/theme.h"
+#include "app/look/theme.h"
 
 namespace app {
 

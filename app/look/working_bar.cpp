@@ -1,10 +1,10 @@
-#include "app/core/working_bar.h"
+#include "app/look/working_bar.h"
 
 #include <QEvent>
 #include <QPainter>
 #include <utility>
 
-#include "app/core/theme.h"
+#include "app/look/theme.h"
 
 namespace app {
 

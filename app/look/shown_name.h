@@ -3,7 +3,7 @@
 
 #include <QFileInfo>
 
-#include "app/core/text.h"
+#include "app/look/text.h"
 #include "pipeline/core/printable.h"
 
 namespace app {

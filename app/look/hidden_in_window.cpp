@@ -1,10 +1,10 @@
-#include "app/core/put_away.h"
+#include "app/look/hidden_in_window.h"
 
 #include <QWidget>
 
 namespace app {
 
-bool isPutAway(const QWidget& view) {
+bool isHiddenInWindow(const QWidget& view) {
     for (const QWidget* part = &view; !part->isWindow(); part = part->parentWidget())
         if (part->isHidden()) return true;
     return false;

@@ -1,4 +1,4 @@
-#include "app/core/word_match.h"
+#include "app/look/word_match.h"
 
 #include <QStringList>
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "app/core/spoken.h"
+#include "app/look/accessible.h"
 
 #include <gtest/gtest.h>
 
@@ -36,7 +36,7 @@ TEST(Spoken, AListToChooseFromIsNamedByALabel) {
     QWidget panel;
     QComboBox box(&panel);
     box.addItem("1×");
-    nameChoice(box, "Speed");
+    nameComboBox(box, "Speed");
     const auto labels = QAccessible::queryAccessibleInterface(&box)->relations(QAccessible::Label);
     ASSERT_EQ(labels.size(), 1);
     EXPECT_EQ(labels[0].first->text(QAccessible::Name), "Speed");

@@ -1,4 +1,4 @@
-#include "app/core/numbers.h"
+#include "app/look/numbers.h"
 
 #include <QLocale>
 #include <QRegularExpression>

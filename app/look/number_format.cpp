@@ -1,11 +1,11 @@
-#include "app/core/number_format.h"
+#include "app/look/number_format.h"
 
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
 
-#include "app/core/numbers.h"
+#include "app/look/numbers.h"
 
 namespace app {
 

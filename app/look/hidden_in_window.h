@@ -5,6 +5,6 @@ namespace app {
 
 // Whether a view is removed from its window for now: it wants nothing and costs nothing. False in a window that is not
 // open yet.
-bool isPutAway(const QWidget& view);
+bool isHiddenInWindow(const QWidget& view);
 
 }  // namespace app

@@ -1,6 +1,6 @@
 #pragma once
-#include "app/core/number_format.h"
-#include "app/core/theme.h"
+#include "app/look/number_format.h"
+#include "app/look/theme.h"
 
 namespace app {
 

@@ -1,10 +1,10 @@
-#include "app/core/theme.h"
+#include "app/look/theme.h"
 
 #include <QApplication>
 #include <algorithm>
 #include <cmath>
 
-#include "app/core/style_sheet.h"
+#include "app/look/style_sheet.h"
 
 namespace app {
 

@@ -1,4 +1,4 @@
-#include "app/core/style_sheet.h"
+#include "app/look/style_sheet.h"
 
 #include <QRegularExpression>
 

@@ -8,19 +8,19 @@ namespace app {
 
 // Tells a screen reader the role of a widget that paints itself; otherwise it would be an empty frame. Call it before
 // the widget has a name, because answers about a widget are cached.
-void speakAs(QWidget& widget, QAccessible::Role role);
+void setAccessibleRole(QWidget& widget, QAccessible::Role role);
 
 // The name of a list without a label beside it. If names come only from labels, as in Qt on Linux, a screen reader
 // would call it by its value.
-void nameChoice(QComboBox& box, const QString& name);
+void nameComboBox(QComboBox& box, const QString& name);
 
 // A widget that moves one number between two ends: for a screen reader a slider with its number.
-class SpokenSlider {
+class AccessibleSlider {
 public:
     struct Scale {
         double value, low, high, step;
     };
-    virtual ~SpokenSlider() = default;
+    virtual ~AccessibleSlider() = default;
     virtual Scale spoken() const = 0;
     virtual void slideTo(double value) = 0;  // as if the user had done it
 
