@@ -2,7 +2,7 @@
 
 #include <chrono>
 
-#include "app/core/memory_notice.h"
+#include "app/jobs/memory_notice.h"
 
 namespace app {
 

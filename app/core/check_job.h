@@ -1,5 +1,5 @@
 #pragma once
-#include "app/core/thread_job.h"
+#include "app/jobs/thread_job.h"
 #include "pipeline/check/case.h"
 
 namespace app {

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "app/core/document_state.h"
-#include "app/core/write_file.h"
+#include "app/jobs/write_file.h"
 #include "app/look/shown_name.h"
 #include "app/look/text.h"
 #include "lessons/state/cue_list.h"

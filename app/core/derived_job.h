@@ -2,7 +2,7 @@
 #include <QString>
 #include <optional>
 
-#include "app/core/background_job.h"
+#include "app/jobs/background_job.h"
 #include "lessons/derived_buffer.h"
 
 namespace app {

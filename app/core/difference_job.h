@@ -1,7 +1,7 @@
 #pragma once
 #include <optional>
 
-#include "app/core/background_job.h"
+#include "app/jobs/background_job.h"
 #include "pipeline/inspect/compare.h"
 
 namespace app {

@@ -11,7 +11,7 @@
 #include "app/core/pixel_inspection.h"
 #include "app/core/renderer_check.h"
 #include "app/core/stage_status.h"
-#include "app/core/write_file.h"
+#include "app/jobs/write_file.h"
 #include "app/look/shown_name.h"
 #include "app/look/text.h"
 #include "pipeline/core/text.h"

@@ -8,7 +8,7 @@
 #include "app/core/pointing.h"
 #include "app/core/scene_history.h"
 #include "app/core/stepper.h"
-#include "app/core/work_list.h"
+#include "app/jobs/work_list.h"
 #include "lessons/hidden.h"
 #include "pipeline/core/result.h"
 

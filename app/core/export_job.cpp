@@ -1,6 +1,6 @@
 #include "app/core/export_job.h"
 
-#include "app/core/memory_notice.h"
+#include "app/jobs/memory_notice.h"
 #include "app/look/text.h"
 #include "pipeline/run/runner.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "app/core/thread_job.h"
+#include "app/jobs/thread_job.h"
 #include "lessons/derived_buffer.h"
 #include "pipeline/export/export_frame.h"
 

@@ -1,7 +1,7 @@
 #include "app/core/film_job.h"
 
 #include "app/core/export_plan.h"
-#include "app/core/memory_notice.h"
+#include "app/jobs/memory_notice.h"
 #include "app/look/text.h"
 #include "pipeline/run/runner.h"
 

@@ -2,7 +2,7 @@
 #include <QStringList>
 #include <filesystem>
 
-#include "app/core/thread_job.h"
+#include "app/jobs/thread_job.h"
 #include "pipeline/export/film.h"
 
 namespace app {

@@ -1,9 +1,9 @@
 #include "app/core/frame_feed.h"
 
 #include "app/core/frame_worker.h"
-#include "app/core/freed_aside.h"
 #include "app/core/stepper.h"
-#include "app/core/work_list.h"
+#include "app/jobs/free_in_background.h"
+#include "app/jobs/work_list.h"
 
 namespace app {
 
@@ -17,7 +17,7 @@ FrameFeed::FrameFeed(Stepper& stepper, WorkList& work, QObject* parent)
     m_worker = std::make_unique<FrameWorker>(
         [this](FramePtr frame, long ticket) {
             QMetaObject::invokeMethod(
-                this, [this, frame = freedAside(std::move(frame)), ticket] { take(frame, ticket); },
+                this, [this, frame = freedInBackground(std::move(frame)), ticket] { take(frame, ticket); },
                 Qt::QueuedConnection);
         },
         [this](FramePtr frame, const FrameCheck& check) {

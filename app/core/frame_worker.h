@@ -6,11 +6,11 @@
 #include <stop_token>
 
 #include "app/core/frame_check.h"
-#include "app/core/newest_worker.h"
+#include "app/jobs/latest_worker.h"
 
 namespace app {
 
-// Computes frames on the thread of a NewestWorker. It keeps the last frame, so that the next one can reuse its results.
+// Computes frames on the thread of a LatestWorker. It keeps the last frame, so that the next one can reuse its results.
 // If no request comes for a while, it checks the frame once. No Qt, so that the thread sanitizer sees every lock.
 class FrameWorker {
 public:
@@ -25,7 +25,7 @@ public:
     FrameWorker(Deliver deliver, DeliverCheck deliverCheck, Fail fail = {});
     ~FrameWorker();  // stops and joins; no call comes after
 
-    using Running = NewestWorker::Running;
+    using Running = LatestWorker::Running;
     // The worker sets the stop token of `request` itself. Returns the request's ticket; tickets increase.
     long request(std::shared_ptr<const pipeline::Scene> scene, pipeline::FrameRequest request, Running running);
     void cancel();  // the running and the waiting request; the next frame reuses valid results
@@ -49,7 +49,7 @@ private:
     long m_tickets = 0;
 
     pipeline::FramePtr m_last;  // used by the worker's thread only
-    NewestWorker m_worker;      // last: its thread uses the other members
+    LatestWorker m_worker;      // last: its thread uses the other members
 };
 
 }  // namespace app

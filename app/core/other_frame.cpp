@@ -2,7 +2,7 @@
 
 #include <QMetaObject>
 
-#include "app/core/freed_aside.h"
+#include "app/jobs/free_in_background.h"
 
 namespace app {
 
@@ -19,7 +19,7 @@ void OtherFrame::request(const std::shared_ptr<const pipeline::Scene>& scene, pi
         const auto deliver = [this](pipeline::FramePtr frame, long ticket) {
             QMetaObject::invokeMethod(
                 this,
-                [this, frame = freedAside(std::move(frame)), ticket] {
+                [this, frame = freedInBackground(std::move(frame)), ticket] {
                     if (ticket < m_oldestValid) return;
                     m_frame = frame;
                     m_taken = ticket;

@@ -3,7 +3,7 @@
 #include "app/core/frame_feed.h"
 #include "app/core/large_frame.h"
 #include "app/core/pointing.h"
-#include "app/core/work_list.h"
+#include "app/jobs/work_list.h"
 
 namespace app {
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <memory>
 
-#include "app/core/background_job.h"
+#include "app/jobs/background_job.h"
 #include "pipeline/inspect/pixel_report.h"
 #include "pipeline/run/frame.h"
 

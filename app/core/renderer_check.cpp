@@ -4,7 +4,7 @@
 #include <QTime>
 #include <atomic>
 
-#include "app/core/work_list.h"
+#include "app/jobs/work_list.h"
 #include "app/look/shown_name.h"
 #include "app/look/text.h"
 #include "pipeline/plan/memory_limit.h"

@@ -6,10 +6,10 @@
 #include <memory>
 #include <optional>
 
-#include "app/core/background_job.h"
 #include "app/core/renderer_files.h"
 #include "app/core/renderer_watch.h"
 #include "app/core/scene_step.h"
+#include "app/jobs/background_job.h"
 #include "pipeline/compare/convention_choices.h"
 
 namespace app {

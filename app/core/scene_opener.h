@@ -2,8 +2,8 @@
 #include <QObject>
 #include <chrono>
 
-#include "app/core/background_job.h"
 #include "app/core/opened_scene.h"
+#include "app/jobs/background_job.h"
 
 namespace app {
 

@@ -7,7 +7,7 @@
 #include <QStandardPaths>
 #include <utility>
 
-#include "app/core/write_file.h"
+#include "app/jobs/write_file.h"
 #include "pipeline/formats/scene_folder.h"
 #include "pipeline/formats/toml_scene.h"
 

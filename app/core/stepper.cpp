@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "app/core/freed_aside.h"
+#include "app/jobs/free_in_background.h"
 #include "app/look/text.h"
 
 namespace app {
@@ -50,7 +50,7 @@ void Stepper::request() {
     const auto find = [this, whole = m_whole, at = m_place](const BackgroundJob::Control& control) {
         if (!m_counted || m_counted->frame() != whole) m_counted = std::make_shared<const pipeline::Steps>(whole);
         Answer answer{m_counted, nullptr};
-        if (at) answer.shown = freedAside(m_counted->frameAt(m_counted->momentOf(*at), 0, control.stop));
+        if (at) answer.shown = freedInBackground(m_counted->frameAt(m_counted->momentOf(*at), 0, control.stop));
         return answer;
     };
     // What is being found may finish, so that pictures come while the scrubber is dragged.

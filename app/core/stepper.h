@@ -5,7 +5,7 @@
 #include <set>
 #include <vector>
 
-#include "app/core/background_job.h"
+#include "app/jobs/background_job.h"
 #include "pipeline/steps/steps.h"
 
 namespace app {

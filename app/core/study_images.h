@@ -4,7 +4,7 @@
 #include <QString>
 #include <optional>
 
-#include "app/core/background_job.h"
+#include "app/jobs/background_job.h"
 #include "pipeline/study/run_study.h"
 
 namespace app {

@@ -3,7 +3,7 @@
 #include <chrono>
 #include <functional>
 
-#include "app/core/memory_notice.h"
+#include "app/jobs/memory_notice.h"
 #include "app/look/text.h"
 #include "pipeline/study/machine.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <QString>
 
-#include "app/core/thread_job.h"
+#include "app/jobs/thread_job.h"
 #include "pipeline/core/result.h"
 #include "pipeline/study/run_study.h"
 

@@ -1,7 +1,7 @@
 #include "app/desktop/failure_reports.h"
 
 #include "app/core/document.h"
-#include "app/core/memory_notice.h"
+#include "app/jobs/memory_notice.h"
 #include "app/look/shown_name.h"
 #include "app/look/text.h"
 #include "app/panels/error_list.h"

@@ -3,8 +3,8 @@
 #include <QTimer>
 #include <QWidget>
 
-#include "app/core/background_job.h"
 #include "app/core/cue_model.h"
+#include "app/jobs/background_job.h"
 
 class QLabel;
 class QListView;

@@ -1,7 +1,7 @@
 #pragma once
 #include <QObject>
 
-#include "app/core/background_job.h"
+#include "app/jobs/background_job.h"
 
 class QMenu;
 

@@ -15,8 +15,8 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "app/core/write_file.h"
 #include "app/desktop/view_area.h"
+#include "app/jobs/write_file.h"
 #include "app/look/hidden_in_window.h"
 #include "app/look/text.h"
 #include "app/panels/buffer_compare.h"

@@ -3,8 +3,8 @@
 #include <map>
 #include <string>
 
-#include "app/core/background_job.h"
 #include "app/core/document.h"
+#include "app/jobs/background_job.h"
 #include "app/panels/wipe.h"
 #include "app/view3d/offscreen.h"
 #include "lessons/derived_buffer.h"

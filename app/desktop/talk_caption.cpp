@@ -1,7 +1,7 @@
 #include "app/desktop/talk_caption.h"
 
-#include "app/core/memory_notice.h"
 #include "app/desktop/ask_panel.h"
+#include "app/jobs/memory_notice.h"
 #include "app/look/shown_name.h"
 #include "app/look/text.h"
 

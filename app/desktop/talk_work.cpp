@@ -4,9 +4,9 @@
 #include <utility>
 
 #include "app/core/scene_opener.h"
-#include "app/core/work_list.h"
 #include "app/desktop/opening_bar.h"
 #include "app/desktop/work_bar.h"
+#include "app/jobs/work_list.h"
 
 namespace app {
 namespace {

@@ -3,7 +3,7 @@
 #include <QProgressBar>
 #include <QPushButton>
 
-#include "app/core/work_list.h"
+#include "app/jobs/work_list.h"
 
 namespace app {
 

@@ -6,7 +6,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "app/core/background_job.h"
+#include "app/jobs/background_job.h"
 #include "app/look/text.h"
 #include "app/panels/answer_body.h"
 #include "app/panels/follow_theme.h"

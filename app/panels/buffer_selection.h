@@ -1,5 +1,5 @@
 #pragma once
-#include "app/core/background_job.h"
+#include "app/jobs/background_job.h"
 #include "app/panels/buffer_feature.h"
 
 namespace app {

@@ -3,7 +3,7 @@
 #include <functional>
 #include <optional>
 
-#include "app/core/background_job.h"
+#include "app/jobs/background_job.h"
 #include "lessons/wrong_picture.h"
 
 namespace app {

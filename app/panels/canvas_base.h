@@ -2,7 +2,7 @@
 #include <QPixmap>
 #include <optional>
 
-#include "app/core/background_job.h"
+#include "app/jobs/background_job.h"
 #include "app/panels/buffer_painter.h"
 
 namespace app {

@@ -2,8 +2,8 @@
 #include <QWidget>
 #include <optional>
 
-#include "app/core/background_job.h"
 #include "app/core/document.h"
+#include "app/jobs/background_job.h"
 #include "lessons/expression/condition_stop.h"
 
 class QLabel;

@@ -2,9 +2,9 @@
 #include <QFrame>
 #include <memory>
 
-#include "app/core/background_job.h"
 #include "app/core/document.h"
 #include "app/core/renderer_check.h"
+#include "app/jobs/background_job.h"
 #include "pipeline/contracts/contract.h"
 
 class QLabel;

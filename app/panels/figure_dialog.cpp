@@ -9,7 +9,7 @@
 #include <QShortcut>
 
 #include "app/core/derived_buffers.h"
-#include "app/core/write_file.h"
+#include "app/jobs/write_file.h"
 #include "app/look/text.h"
 #include "app/panels/figure_fields.h"
 #include "app/panels/figure_preview.h"

@@ -2,9 +2,9 @@
 #include <QDialog>
 #include <functional>
 
-#include "app/core/background_job.h"
 #include "app/core/changed_settings.h"
 #include "app/core/figure_order.h"
+#include "app/jobs/background_job.h"
 #include "app/panels/job_foot.h"
 
 namespace app {

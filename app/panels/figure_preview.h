@@ -2,7 +2,7 @@
 #include <QWidget>
 #include <functional>
 
-#include "app/core/background_job.h"
+#include "app/jobs/background_job.h"
 #include "pipeline/export/figure.h"
 
 class QLabel;

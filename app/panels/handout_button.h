@@ -2,7 +2,7 @@
 #include <QPushButton>
 #include <functional>
 
-#include "app/core/background_job.h"
+#include "app/jobs/background_job.h"
 #include "lessons/lesson.h"
 
 namespace app {

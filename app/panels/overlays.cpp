@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "app/core/freed_aside.h"
+#include "app/jobs/free_in_background.h"
 #include "app/look/numbers.h"
 #include "app/look/text.h"
 #include "app/panels/buffer_legend.h"
@@ -191,8 +191,8 @@ void addOverlays(const Frame& frame, OverlaySet overlays, ShownBuffer& shown, co
         if (isOn(OverlayId::DepthTest)) legend << depthTest(frame, content.size, content.overlays);
         const auto verdicts = frame.buffer({BufferId::PolygonsVerdict});
         if (isOn(OverlayId::Verdict) && verdicts) {
-            content.verdicts =
-                freedAside(std::make_shared<const ShapePicture>(shapePicture(frame, *verdicts, {}, false, stop)));
+            content.verdicts = freedInBackground(
+                std::make_shared<const ShapePicture>(shapePicture(frame, *verdicts, {}, false, stop)));
             QStringList names;
             for (const LegendEntry& entry : legendOf(frame, *verdicts, {})) names << swatch(entry.color, entry.text);
             legend << names.join(' ');

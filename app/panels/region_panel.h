@@ -2,8 +2,8 @@
 #include <QFrame>
 #include <optional>
 
-#include "app/core/background_job.h"
 #include "app/core/region_statistics.h"
+#include "app/jobs/background_job.h"
 #include "app/look/number_format.h"
 
 class QLabel;

@@ -6,7 +6,7 @@
 #include <QToolButton>
 #include <algorithm>
 
-#include "app/core/write_file.h"
+#include "app/jobs/write_file.h"
 #include "app/look/text.h"
 #include "app/panels/elided_label.h"
 #include "app/panels/follow_theme.h"

@@ -1,8 +1,8 @@
 #pragma once
 #include <QWidget>
 
-#include "app/core/background_job.h"
 #include "app/core/document.h"
+#include "app/jobs/background_job.h"
 #include "pipeline/inspect/scanline.h"
 
 class QLabel;

@@ -2,8 +2,8 @@
 #include <memory>
 #include <optional>
 
-#include "app/core/background_job.h"
 #include "app/core/other_source.h"
+#include "app/jobs/background_job.h"
 #include "app/look/window_look.h"
 #include "app/panels/overlays.h"
 #include "app/panels/shown_buffer.h"

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <map>
 
-#include "app/core/freed_aside.h"
 #include "app/core/large_frame.h"
+#include "app/jobs/free_in_background.h"
 #include "app/look/luminance.h"
 #include "app/look/numbers.h"
 #include "app/look/text.h"
@@ -227,8 +227,8 @@ ShownBuffer showBuffer(const Frame& frame, const AnyBuffer& buffer, const std::v
     if (stop.stop_requested()) return shown;
     if (standsOnShapes(info)) {
         content.size = {settings.width, settings.height};
-        content.shapes =
-            freedAside(std::make_shared<const ShapePicture>(shapePicture(frame, buffer, shown.look, false, stop)));
+        content.shapes = freedInBackground(
+            std::make_shared<const ShapePicture>(shapePicture(frame, buffer, shown.look, false, stop)));
         if (stop.stop_requested()) return shown;
         content.focus = focusOn(boundsOf(frame, true), content.size);
     } else {

@@ -2,8 +2,8 @@
 #include <QFrame>
 #include <deque>
 
-#include "app/core/background_job.h"
 #include "app/core/document.h"
+#include "app/jobs/background_job.h"
 #include "pipeline/inspect/compare.h"
 
 class QLabel;

@@ -4,8 +4,8 @@
 #include <QWidget>
 #include <vector>
 
-#include "app/core/background_job.h"
 #include "app/core/document.h"
+#include "app/jobs/background_job.h"
 
 namespace app {
 

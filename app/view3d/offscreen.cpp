@@ -10,7 +10,7 @@
 #include <future>
 #include <thread>
 
-#include "app/core/write_file.h"
+#include "app/jobs/write_file.h"
 #include "app/look/numbers.h"
 #include "app/look/window_look.h"
 #include "app/view3d/headless_window.h"

@@ -2,8 +2,8 @@
 #include <QWidget>
 #include <memory>
 
-#include "app/core/background_job.h"
 #include "app/core/document.h"
+#include "app/jobs/background_job.h"
 #include "app/view3d/scene_view.h"
 #include "lessons/state/window_state.h"
 

@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "app/core/background_job.h"
 #include "app/core/document.h"
+#include "app/jobs/background_job.h"
 #include "app/view3d/scene_view.h"
 
 namespace app {

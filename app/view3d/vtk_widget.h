@@ -4,7 +4,7 @@
 #include <QWidget>
 #include <memory>
 
-#include "app/core/background_job.h"
+#include "app/jobs/background_job.h"
 #include "app/view3d/vtk_renderer.h"
 
 namespace app {

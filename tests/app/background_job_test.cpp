@@ -1,4 +1,4 @@
-#include "app/core/background_job.h"
+#include "app/jobs/background_job.h"
 
 #include <gtest/gtest.h>
 
@@ -9,9 +9,9 @@
 #include <QWidget>
 #include <atomic>
 
-#include "app/core/freed_aside.h"
-#include "app/core/memory_notice.h"
-#include "app/core/work_list.h"
+#include "app/jobs/free_in_background.h"
+#include "app/jobs/memory_notice.h"
+#include "app/jobs/work_list.h"
 #include "app/look/window_look.h"
 
 namespace app {
@@ -229,7 +229,7 @@ TEST(FreedAside, IsFreedOnAnotherThreadThanTheWindows) {
     std::thread::id freedOn{};
     std::shared_ptr<const Large> own(new Large{&freedOn});
     const Large* at = own.get();
-    auto shown = freedAside(std::move(own));
+    auto shown = freedInBackground(std::move(own));
     EXPECT_EQ(shown.get(), at) << "it is the same thing";
     auto other = shown;
     shown.reset();
@@ -238,7 +238,7 @@ TEST(FreedAside, IsFreedOnAnotherThreadThanTheWindows) {
     QThreadPool::globalInstance()->waitForDone();
     EXPECT_NE(freedOn, std::thread::id());
     EXPECT_NE(freedOn, std::this_thread::get_id());
-    EXPECT_FALSE(freedAside(std::shared_ptr<const Large>()));
+    EXPECT_FALSE(freedInBackground(std::shared_ptr<const Large>()));
 }
 
 TEST(WorkList, TellsWhatTakesLongAndStopsItUntilItIsToGoOn) {

@@ -6,7 +6,7 @@
 #include <QTemporaryDir>
 #include <optional>
 
-#include "app/core/application.h"
+#include "app/jobs/application.h"
 #include "app/look/number_format.h"
 #include "app/look/theme.h"
 

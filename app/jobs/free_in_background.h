@@ -4,15 +4,15 @@
 
 namespace app {
 
-void freeAside(std::shared_ptr<const void> held);
+void freeInBackground(std::shared_ptr<const void> held);
 
 // A frame of a million polygons, or its drawing as shapes, takes long to free. Wrapped by this, it is freed in the
 // background even if the window releases it last.
 template <class T>
-std::shared_ptr<T> freedAside(std::shared_ptr<T> held) {
+std::shared_ptr<T> freedInBackground(std::shared_ptr<T> held) {
     T* at = held.get();
     if (!at) return {};
-    return {at, [held = std::move(held)](T*) mutable { freeAside(std::move(held)); }};
+    return {at, [held = std::move(held)](T*) mutable { freeInBackground(std::move(held)); }};
 }
 
 }  // namespace app

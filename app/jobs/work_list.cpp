@@ -1,4 +1,4 @@
-#include "app/core/work_list.h"
+#include "app/jobs/work_list.h"
 
 #include <algorithm>
 #include <utility>

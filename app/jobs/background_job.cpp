@@ -1,10 +1,10 @@
-#include "app/core/background_job.h"
+#include "app/jobs/background_job.h"
 
 #include <QCoreApplication>
 #include <QScopeGuard>
 #include <atomic>
 
-#include "app/core/memory_notice.h"
+#include "app/jobs/memory_notice.h"
 #include "app/look/window_look.h"
 
 namespace app {
@@ -13,7 +13,7 @@ BackgroundJob::BackgroundJob(QObject* parent) : QObject(parent) {}
 BackgroundJob::~BackgroundJob() = default;
 
 void BackgroundJob::start(std::function<std::function<void()>(const Control&)> job, Running running) {
-    if (!m_worker) m_worker = std::make_unique<NewestWorker>();
+    if (!m_worker) m_worker = std::make_unique<LatestWorker>();
     const bool wasBusy = busy();
     if (running == Running::Stop) m_oldestValid = m_ticket + 1;
     const long ticket = ++m_ticket;

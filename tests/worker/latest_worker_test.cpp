@@ -1,5 +1,5 @@
 // The loop under everything that the window finds out beside its frames.
-#include "app/core/newest_worker.h"
+#include "app/jobs/latest_worker.h"
 
 #include <gtest/gtest.h>
 
@@ -10,14 +10,14 @@
 namespace app {
 namespace {
 
-using Running = NewestWorker::Running;
+using Running = LatestWorker::Running;
 
 // Work that says that it runs, then waits until it is let go or stopped.
 struct Held {
     std::promise<void> begun, letGo;
     std::atomic<bool> stopped = false;
 
-    NewestWorker::Work work() {
+    LatestWorker::Work work() {
         return [this, go = letGo.get_future().share()](const std::stop_token& stop) {
             begun.set_value();
             while (!stop.stop_requested() && go.wait_for(std::chrono::milliseconds(1)) != std::future_status::ready) {
@@ -28,12 +28,12 @@ struct Held {
 };
 
 // Of three that are asked for while a fourth runs, the newest alone is done.
-TEST(NewestWorker, DoesTheNewestOfWhatWaits) {
+TEST(LatestWorker, DoesTheNewestOfWhatWaits) {
     Held held;
     std::vector<int> done;
     std::promise<void> last;
     {
-        NewestWorker worker;
+        LatestWorker worker;
         worker.ask(held.work(), Running::Finish);
         held.begun.get_future().wait();
         for (const int i : {1, 2, 3})
@@ -52,10 +52,10 @@ TEST(NewestWorker, DoesTheNewestOfWhatWaits) {
     EXPECT_EQ(done, std::vector{3});
 }
 
-TEST(NewestWorker, StopsWhatRunsWhereItIsTold) {
+TEST(LatestWorker, StopsWhatRunsWhereItIsTold) {
     Held held;
     std::promise<void> next;
-    NewestWorker worker;
+    LatestWorker worker;
     worker.ask(held.work(), Running::Stop);
     held.begun.get_future().wait();
     worker.ask(
@@ -68,11 +68,11 @@ TEST(NewestWorker, StopsWhatRunsWhereItIsTold) {
     EXPECT_TRUE(held.stopped);
 }
 
-TEST(NewestWorker, ForgetsWhatRunsAndWhatWaits) {
+TEST(LatestWorker, ForgetsWhatRunsAndWhatWaits) {
     Held held;
     bool waiting = false;
     {
-        NewestWorker worker;
+        LatestWorker worker;
         worker.ask(held.work(), Running::Finish);
         held.begun.get_future().wait();
         worker.ask([&](const std::stop_token&) { waiting = true; }, Running::Finish);
@@ -83,11 +83,11 @@ TEST(NewestWorker, ForgetsWhatRunsAndWhatWaits) {
 }
 
 // However it meets the loop: nothing runs after the destructor has returned.
-TEST(NewestWorker, EndsWhileWorkArrives) {
+TEST(LatestWorker, EndsWhileWorkArrives) {
     for (int i = 0; i < 200; ++i) {
         auto alive = std::make_shared<std::atomic<bool>>(true);
         {
-            NewestWorker worker;
+            LatestWorker worker;
             for (int k = 0; k <= i % 3; ++k)
                 worker.ask([alive](const std::stop_token&) { EXPECT_TRUE(*alive); },
                            k % 2 ? Running::Stop : Running::Finish);

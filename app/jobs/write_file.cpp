@@ -1,4 +1,4 @@
-#include "app/core/write_file.h"
+#include "app/jobs/write_file.h"
 
 #include <QFile>
 

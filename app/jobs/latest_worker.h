@@ -9,12 +9,12 @@ namespace app {
 
 // Runs one piece of work at a time on a thread of its own: always the newest request. A newer request replaces a
 // waiting one. No Qt, so that the thread sanitizer sees every lock.
-class NewestWorker {
+class LatestWorker {
 public:
     using Work = std::function<void(const std::stop_token& stop)>;
 
-    NewestWorker();
-    ~NewestWorker();  // stops and joins; nothing begins after
+    LatestWorker();
+    ~LatestWorker();  // stops and joins; nothing begins after
 
     // Whether running work may finish although newer work waits. It may while a slider moves: a late picture is better
     // than none.

@@ -5,7 +5,7 @@
 #include <memory>
 #include <mutex>
 
-#include "app/core/newest_worker.h"
+#include "app/jobs/latest_worker.h"
 
 namespace app {
 
@@ -14,7 +14,7 @@ namespace app {
 class BackgroundJob : public QObject {
     Q_OBJECT
 public:
-    using Running = NewestWorker::Running;
+    using Running = LatestWorker::Running;
     // For the work: whether to stop, and a place for its progress, 0 to 1.
     struct Control {
         std::stop_token stop;
@@ -52,7 +52,7 @@ private:
     std::mutex m_mutex;
     std::condition_variable m_finished;
     long m_posted = 0;                       // number of the newest result on its way; guarded by m_mutex
-    std::unique_ptr<NewestWorker> m_worker;  // last: its thread uses the other members
+    std::unique_ptr<LatestWorker> m_worker;  // last: its thread uses the other members
 };
 
 }  // namespace app

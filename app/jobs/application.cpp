@@ -1,4 +1,4 @@
-#include "app/core/application.h"
+#include "app/jobs/application.h"
 
 #include <QKeyEvent>
 #include <QLabel>
@@ -6,7 +6,7 @@
 #include <QToolButton>
 #include <new>
 
-#include "app/core/memory_notice.h"
+#include "app/jobs/memory_notice.h"
 
 namespace app {
 

@@ -1,16 +1,16 @@
-#include "app/core/newest_worker.h"
+#include "app/jobs/latest_worker.h"
 
 namespace app {
 
-NewestWorker::NewestWorker() : m_thread([this](const std::stop_token& quit) { loop(quit); }) {}
+LatestWorker::LatestWorker() : m_thread([this](const std::stop_token& quit) { loop(quit); }) {}
 
-NewestWorker::~NewestWorker() {
+LatestWorker::~LatestWorker() {
     m_thread.request_stop();
     forget();
     m_thread.join();
 }
 
-void NewestWorker::ask(Work work, Running running) {
+void LatestWorker::ask(Work work, Running running) {
     {
         const std::lock_guard lock(m_mutex);
         m_next = std::move(work);
@@ -19,18 +19,18 @@ void NewestWorker::ask(Work work, Running running) {
     m_arrived.notify_one();
 }
 
-void NewestWorker::forget() {
+void LatestWorker::forget() {
     const std::lock_guard lock(m_mutex);
     m_next.reset();
     m_stop.request_stop();
 }
 
-bool NewestWorker::hasWaiting() {
+bool LatestWorker::hasWaiting() {
     const std::lock_guard lock(m_mutex);
     return m_next.has_value();
 }
 
-void NewestWorker::loop(const std::stop_token& quit) {
+void LatestWorker::loop(const std::stop_token& quit) {
     while (!quit.stop_requested()) {
         Work work;
         std::stop_token stop;

@@ -1,4 +1,4 @@
-#include "app/core/freed_aside.h"
+#include "app/jobs/free_in_background.h"
 
 #include <QCoreApplication>
 #include <QThread>
@@ -6,7 +6,7 @@
 
 namespace app {
 
-void freeAside(std::shared_ptr<const void> held) {
+void freeInBackground(std::shared_ptr<const void> held) {
     const QCoreApplication* window = QCoreApplication::instance();
     if (!window || QThread::currentThread() != window->thread()) return;  // at the end of this call
     QThreadPool::globalInstance()->start([held = std::move(held)] {});
