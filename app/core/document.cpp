@@ -5,12 +5,12 @@
 
 #include <QFileInfo>
 
-#include "app/core/derived_buffers.h"
 #include "app/core/hand.h"
-#include "app/core/mix_model.h"
-#include "app/core/pixel_inspection.h"
 #include "app/core/renderer_check.h"
-#include "app/core/stage_status.h"
+#include "app/frames/derived_buffers.h"
+#include "app/frames/mix_model.h"
+#include "app/frames/pixel_inspection.h"
+#include "app/frames/stage_status.h"
 #include "app/jobs/write_file.h"
 #include "app/look/shown_name.h"
 #include "app/look/text.h"

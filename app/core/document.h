@@ -3,11 +3,11 @@
 #include <QString>
 #include <memory>
 
-#include "app/core/frame_feed.h"
 #include "app/core/opened_scene.h"
-#include "app/core/pointing.h"
 #include "app/core/scene_history.h"
-#include "app/core/stepper.h"
+#include "app/frames/frame_feed.h"
+#include "app/frames/pointing.h"
+#include "app/frames/stepper.h"
 #include "app/jobs/work_list.h"
 #include "lessons/hidden.h"
 #include "pipeline/core/result.h"

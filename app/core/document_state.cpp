@@ -1,7 +1,7 @@
 #include "app/core/document_state.h"
 
-#include "app/core/derived_buffers.h"
-#include "app/core/mix_model.h"
+#include "app/frames/derived_buffers.h"
+#include "app/frames/mix_model.h"
 #include "app/look/text.h"
 #include "lessons/state/state_scene.h"
 #include "pipeline/formats/toml_writer.h"

@@ -2,7 +2,7 @@
 #include <QObject>
 #include <QString>
 
-#include "app/core/scene_step.h"
+#include "app/frames/scene_step.h"
 #include "lessons/lesson.h"
 
 namespace app {
@@ -56,8 +56,8 @@ public:
 
 signals:
     void insideAsked();  // the instruments around the picture, or the picture alone again
-    void taken();    // other things can be moved, or none
-    void changed();  // places, words, or isPlayed()
+    void taken();        // other things can be moved, or none
+    void changed();      // places, words, or isPlayed()
 
 private:
     enum class Moves { Live, Done };

@@ -8,7 +8,7 @@
 
 #include "app/core/renderer_files.h"
 #include "app/core/renderer_watch.h"
-#include "app/core/scene_step.h"
+#include "app/frames/scene_step.h"
 #include "app/jobs/background_job.h"
 #include "pipeline/compare/convention_choices.h"
 

@@ -4,7 +4,7 @@
 #include <variant>
 #include <vector>
 
-#include "app/core/scene_step.h"
+#include "app/frames/scene_step.h"
 
 namespace app {
 

@@ -3,7 +3,7 @@
 #include <QPainter>
 #include <algorithm>
 
-#include "app/core/other_source.h"
+#include "app/frames/other_source.h"
 #include "app/look/text.h"
 #include "app/panels/state_picture.h"
 #include "app/view3d/space_picture.h"

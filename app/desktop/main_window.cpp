@@ -5,7 +5,6 @@
 #include <QToolBar>
 
 #include "app/core/freed_memory.h"
-#include "app/core/pixel_inspection.h"
 #include "app/core/scene_opener.h"
 #include "app/core/session_file.h"
 #include "app/desktop/actions.h"
@@ -40,6 +39,7 @@
 #include "app/desktop/window_lessons.h"
 #include "app/desktop/window_renderer.h"
 #include "app/desktop/window_title.h"
+#include "app/frames/pixel_inspection.h"
 #include "app/panels/cue_panel.h"
 #include "app/panels/error_list.h"
 #include "app/panels/follow_theme.h"

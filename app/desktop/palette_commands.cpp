@@ -3,7 +3,6 @@
 #include <QMenu>
 #include <QPointer>
 
-#include "app/core/equation_symbols.h"
 #include "app/core/start_order.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/command_palette.h"
@@ -15,6 +14,7 @@
 #include "app/desktop/view_area.h"
 #include "app/desktop/window_layout.h"
 #include "app/desktop/window_lessons.h"
+#include "app/frames/equation_symbols.h"
 #include "app/look/text.h"
 #include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_compare.h"

@@ -2,9 +2,9 @@
 
 #include <QPainter>
 
-#include "app/core/derived_buffers.h"
-#include "app/core/mix_model.h"
 #include "app/desktop/view_area.h"
+#include "app/frames/derived_buffers.h"
+#include "app/frames/mix_model.h"
 #include "app/look/hidden_in_window.h"
 #include "app/look/text.h"
 #include "app/look/theme.h"

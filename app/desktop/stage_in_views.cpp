@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "app/core/document.h"
-#include "app/core/stage_buffer.h"
 #include "app/desktop/view_grid.h"
+#include "app/frames/stage_buffer.h"
 #include "app/panels/buffer_view.h"
 
 namespace app {

@@ -6,9 +6,9 @@
 #include <QLabel>
 #include <QPushButton>
 
-#include "app/core/stage_status.h"
 #include "app/desktop/opening_bar.h"
 #include "app/desktop/work_bar.h"
+#include "app/frames/stage_status.h"
 #include "app/look/text.h"
 #include "app/panels/elided_label.h"
 #include "app/panels/follow_theme.h"

@@ -4,7 +4,7 @@
 #include <QLabel>
 
 #include "app/core/document.h"
-#include "app/core/pixel_inspection.h"
+#include "app/frames/pixel_inspection.h"
 #include "app/look/number_format.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/math_view.h"

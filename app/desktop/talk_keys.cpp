@@ -7,13 +7,13 @@
 #include <QPlainTextEdit>
 #include <QTextEdit>
 
-#include "app/core/stepper.h"
 #include "app/desktop/ask_panel.h"
 #include "app/desktop/pen_layer.h"
 #include "app/desktop/talk_caption.h"
 #include "app/desktop/talk_hint.h"
 #include "app/desktop/talk_work.h"
 #include "app/desktop/view_area.h"
+#include "app/frames/stepper.h"
 
 namespace app {
 namespace {

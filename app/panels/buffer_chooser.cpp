@@ -8,7 +8,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "app/core/derived_buffers.h"
+#include "app/frames/derived_buffers.h"
 #include "app/look/icons.h"
 #include "app/look/text.h"
 #include "app/look/word_match.h"

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "app/core/changed_settings.h"
-#include "app/core/derived_buffers.h"
 #include "app/core/renderer_check.h"
+#include "app/frames/derived_buffers.h"
 #include "app/look/text.h"
 #include "app/panels/buffer_canvas.h"
 #include "lessons/state/state_text.h"

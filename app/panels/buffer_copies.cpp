@@ -4,7 +4,7 @@
 #include <QClipboard>
 #include <QMenu>
 
-#include "app/core/copied_value.h"
+#include "app/frames/copied_value.h"
 #include "app/look/text.h"
 #include "app/panels/buffer_header.h"
 #include "app/panels/buffer_view.h"

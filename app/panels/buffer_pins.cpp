@@ -7,7 +7,7 @@
 #include <QMenu>
 #include <algorithm>
 
-#include "app/core/pinned_pixels.h"
+#include "app/frames/pinned_pixels.h"
 #include "app/look/theme.h"
 #include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_header.h"

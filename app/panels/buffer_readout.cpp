@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/core/copied_value.h"
-#include "app/core/shadow_texel.h"
+#include "app/frames/copied_value.h"
+#include "app/frames/shadow_texel.h"
 #include "app/look/theme.h"
 #include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_compare.h"

@@ -1,5 +1,5 @@
 #pragma once
-#include "app/core/region_statistics.h"
+#include "app/frames/region_statistics.h"
 #include "app/panels/buffer_feature.h"
 
 namespace app {

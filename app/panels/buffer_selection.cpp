@@ -1,6 +1,6 @@
 #include "app/panels/buffer_selection.h"
 
-#include "app/core/large_frame.h"
+#include "app/frames/large_frame.h"
 #include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_view.h"
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "app/core/derived_buffers.h"
-#include "app/core/mix_model.h"
+#include "app/frames/derived_buffers.h"
+#include "app/frames/mix_model.h"
 #include "app/look/hidden_in_window.h"
 #include "app/look/text.h"
 #include "app/panels/buffer_compare.h"

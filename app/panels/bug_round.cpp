@@ -3,7 +3,7 @@
 #include <QRegularExpression>
 #include <utility>
 
-#include "app/core/stage_buffer.h"
+#include "app/frames/stage_buffer.h"
 #include "app/look/text.h"
 
 namespace app {

@@ -3,7 +3,7 @@
 #include <array>
 #include <memory>
 
-#include "app/core/frame_worker.h"
+#include "app/frames/frame_worker.h"
 #include "pipeline/check/case.h"
 
 class QLabel;

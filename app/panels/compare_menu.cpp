@@ -3,8 +3,8 @@
 #include <QFileDialog>
 #include <QMenu>
 
-#include "app/core/derived_buffers.h"
 #include "app/core/renderer_check.h"
+#include "app/frames/derived_buffers.h"
 #include "app/panels/buffer_compare.h"
 
 namespace app {

@@ -8,7 +8,7 @@
 #include <QLineEdit>
 #include <QToolButton>
 
-#include "app/core/derived_buffers.h"
+#include "app/frames/derived_buffers.h"
 #include "app/look/icons.h"
 #include "app/look/numbers.h"
 #include "app/look/text.h"

@@ -2,7 +2,7 @@
 #include <QObject>
 #include <optional>
 
-#include "app/core/difference_job.h"
+#include "app/frames/difference_job.h"
 #include "app/panels/show_job.h"
 
 namespace app {

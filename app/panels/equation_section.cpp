@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "app/core/changed_settings.h"
-#include "app/core/equation_symbols.h"
+#include "app/frames/equation_symbols.h"
 #include "app/look/number_format.h"
 #include "app/look/text.h"
 #include "app/panels/follow_theme.h"

@@ -11,8 +11,8 @@
 #include <QLineEdit>
 #include <QPushButton>
 
-#include "app/core/derived_buffers.h"
 #include "app/core/export_job.h"
+#include "app/frames/derived_buffers.h"
 #include "app/look/text.h"
 #include "app/panels/export_formats.h"
 #include "app/panels/export_list.h"

@@ -8,7 +8,7 @@
 #include <QMimeData>
 #include <QShortcut>
 
-#include "app/core/derived_buffers.h"
+#include "app/frames/derived_buffers.h"
 #include "app/jobs/write_file.h"
 #include "app/look/text.h"
 #include "app/panels/figure_fields.h"

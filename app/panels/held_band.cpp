@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <array>
 
-#include "app/core/derived_buffers.h"
 #include "app/core/hand.h"
+#include "app/frames/derived_buffers.h"
 #include "app/look/text.h"
 #include "app/panels/buffer_view.h"
 #include "app/panels/follow_theme.h"

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "app/core/document.h"
-#include "app/core/pixel_inspection.h"
+#include "app/frames/pixel_inspection.h"
 
 class QLabel;
 class QScrollArea;

@@ -1,8 +1,8 @@
 #include "app/panels/other_side.h"
 
-#include "app/core/derived_buffers.h"
-#include "app/core/picture_file.h"
 #include "app/core/renderer_check.h"
+#include "app/frames/derived_buffers.h"
+#include "app/frames/picture_file.h"
 #include "app/look/text.h"
 
 namespace app {

@@ -2,10 +2,10 @@
 #include <QObject>
 #include <optional>
 
-#include "app/core/derived_job.h"
 #include "app/core/document.h"
-#include "app/core/other_frame.h"
-#include "app/core/other_source.h"
+#include "app/frames/derived_job.h"
+#include "app/frames/other_frame.h"
+#include "app/frames/other_source.h"
 #include "app/panels/show_job.h"
 
 namespace app {

@@ -7,8 +7,8 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "app/core/buffer_place.h"
-#include "app/core/large_frame.h"
+#include "app/frames/buffer_place.h"
+#include "app/frames/large_frame.h"
 #include "app/look/icons.h"
 #include "app/look/working_bar.h"
 #include "app/panels/follow_theme.h"

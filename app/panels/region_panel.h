@@ -2,7 +2,7 @@
 #include <QFrame>
 #include <optional>
 
-#include "app/core/region_statistics.h"
+#include "app/frames/region_statistics.h"
 #include "app/jobs/background_job.h"
 #include "app/look/number_format.h"
 

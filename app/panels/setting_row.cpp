@@ -7,7 +7,7 @@
 #include <QStyle>
 #include <algorithm>
 
-#include "app/core/equation_symbols.h"
+#include "app/frames/equation_symbols.h"
 #include "app/look/accessible.h"
 #include "app/look/text.h"
 #include "app/panels/follow_theme.h"

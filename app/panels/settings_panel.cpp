@@ -10,7 +10,7 @@
 #include <QScrollBar>
 #include <QVBoxLayout>
 
-#include "app/core/equation_symbols.h"
+#include "app/frames/equation_symbols.h"
 #include "app/look/text.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/setting_row.h"

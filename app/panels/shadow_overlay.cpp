@@ -2,7 +2,7 @@
 
 #include <QMenu>
 
-#include "app/core/derived_buffers.h"
+#include "app/frames/derived_buffers.h"
 #include "app/look/numbers.h"
 #include "app/look/text.h"
 #include "app/look/theme.h"

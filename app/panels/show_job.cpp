@@ -1,7 +1,7 @@
 #include "app/panels/show_job.h"
 
-#include "app/core/buffer_place.h"
-#include "app/core/large_frame.h"
+#include "app/frames/buffer_place.h"
+#include "app/frames/large_frame.h"
 #include "app/look/luminance.h"
 #include "app/panels/condition_bar.h"
 #include "app/panels/shadow_overlay.h"

@@ -2,7 +2,7 @@
 #include <memory>
 #include <optional>
 
-#include "app/core/other_source.h"
+#include "app/frames/other_source.h"
 #include "app/jobs/background_job.h"
 #include "app/look/window_look.h"
 #include "app/panels/overlays.h"

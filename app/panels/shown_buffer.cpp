@@ -4,7 +4,7 @@
 #include <cmath>
 #include <map>
 
-#include "app/core/large_frame.h"
+#include "app/frames/large_frame.h"
 #include "app/jobs/free_in_background.h"
 #include "app/look/luminance.h"
 #include "app/look/numbers.h"

@@ -2,7 +2,7 @@
 #include <QAbstractButton>
 #include <functional>
 
-#include "app/core/stage_status.h"
+#include "app/frames/stage_status.h"
 #include "pipeline/compare/verdict.h"
 
 namespace app {

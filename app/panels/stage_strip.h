@@ -5,7 +5,7 @@
 #include <QWidget>
 
 #include "app/core/document.h"
-#include "app/core/stage_status.h"
+#include "app/frames/stage_status.h"
 
 namespace app {
 

@@ -2,7 +2,7 @@
 #include <QWidget>
 
 #include "app/core/step_track.h"
-#include "app/core/stepper.h"
+#include "app/frames/stepper.h"
 
 namespace app {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "app/core/document.h"
-#include "app/core/large_frame.h"
+#include "app/frames/large_frame.h"
 #include "app/look/text.h"
 #include "app/look/theme.h"
 #include "app/panels/follow_theme.h"

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/core/mix_model.h"
+#include "app/frames/mix_model.h"
 #include "app/look/number_format.h"
 #include "app/look/numbers.h"
 #include "app/look/text.h"

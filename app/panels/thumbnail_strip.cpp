@@ -6,7 +6,7 @@
 #include <QToolTip>
 #include <algorithm>
 
-#include "app/core/derived_buffers.h"
+#include "app/frames/derived_buffers.h"
 #include "app/look/accessible.h"
 #include "app/look/text.h"
 #include "app/look/theme.h"

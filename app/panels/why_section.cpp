@@ -6,7 +6,7 @@
 #include <QToolButton>
 #include <algorithm>
 
-#include "app/core/large_frame.h"
+#include "app/frames/large_frame.h"
 #include "app/look/icons.h"
 #include "app/look/number_format.h"
 #include "app/look/numbers.h"

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "app/core/large_frame.h"
+#include "app/frames/large_frame.h"
 #include "app/view3d/point_drawing.h"
 #include "app/view3d/scene_view.h"
 

@@ -3,9 +3,9 @@
 #include <QVBoxLayout>
 #include <utility>
 
-#include "app/core/equation_symbols.h"
-#include "app/core/large_frame.h"
-#include "app/core/pixel_inspection.h"
+#include "app/frames/equation_symbols.h"
+#include "app/frames/large_frame.h"
+#include "app/frames/pixel_inspection.h"
 #include "app/look/hidden_in_window.h"
 #include "app/look/text.h"
 #include "app/view3d/normal_arrows.h"

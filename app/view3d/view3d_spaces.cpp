@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "app/core/large_frame.h"
+#include "app/frames/large_frame.h"
 #include "app/look/text.h"
 #include "pipeline/plan/needs.h"
 

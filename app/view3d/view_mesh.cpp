@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "app/core/large_frame.h"
+#include "app/frames/large_frame.h"
 #include "app/view3d/handles.h"
 
 namespace app {

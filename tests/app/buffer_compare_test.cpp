@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/core/picture_file.h"
+#include "app/frames/picture_file.h"
 #include "app/look/luminance.h"
 #include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_channels.h"

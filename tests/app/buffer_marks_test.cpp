@@ -8,8 +8,8 @@
 #include <cmath>
 #include <limits>
 
-#include "app/core/pinned_pixels.h"
-#include "app/core/region_statistics.h"
+#include "app/frames/pinned_pixels.h"
+#include "app/frames/region_statistics.h"
 #include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_copies.h"
 #include "app/panels/buffer_flip.h"

@@ -1,5 +1,5 @@
 // Buffers that are made of a frame: on show, compared, kept.
-#include "app/core/derived_buffers.h"
+#include "app/frames/derived_buffers.h"
 
 #include <gtest/gtest.h>
 
@@ -10,10 +10,10 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "app/core/copied_value.h"
 #include "app/core/document_state.h"
-#include "app/core/mix_model.h"
 #include "app/core/own_file.h"
+#include "app/frames/copied_value.h"
+#include "app/frames/mix_model.h"
 #include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_compare.h"
 #include "app/panels/buffer_copies.h"

@@ -10,9 +10,9 @@
 #include <QToolButton>
 #include <algorithm>
 
-#include "app/core/derived_buffers.h"
-#include "app/core/equation_symbols.h"
-#include "app/core/mix_model.h"
+#include "app/frames/derived_buffers.h"
+#include "app/frames/equation_symbols.h"
+#include "app/frames/mix_model.h"
 #include "app/look/number_format.h"
 #include "app/panels/equation_section.h"
 #include "app/panels/fragments_section.h"

@@ -1,5 +1,5 @@
 // What is known about the picked pixel is found once, and beside the window where there are many polygons.
-#include "app/core/pixel_inspection.h"
+#include "app/frames/pixel_inspection.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <QTest>
 
 #include "app/core/document.h"
-#include "app/core/large_frame.h"
+#include "app/frames/large_frame.h"
 #include "tests/app/large_scene.h"
 
 namespace {

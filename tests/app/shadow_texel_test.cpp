@@ -1,4 +1,4 @@
-#include "app/core/shadow_texel.h"
+#include "app/frames/shadow_texel.h"
 
 #include <gtest/gtest.h>
 

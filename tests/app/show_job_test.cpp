@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "app/core/large_frame.h"
+#include "app/frames/large_frame.h"
 #include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_compare.h"
 #include "app/panels/buffer_range.h"

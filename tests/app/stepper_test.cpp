@@ -1,5 +1,5 @@
 // Stepping inside a frame without a window: the stepper, the document behind it, the track's numbers, the timeline.
-#include "app/core/stepper.h"
+#include "app/frames/stepper.h"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@
 #include <QToolButton>
 
 #include "app/core/document.h"
-#include "app/core/stage_status.h"
 #include "app/core/step_track.h"
+#include "app/frames/stage_status.h"
 #include "app/look/theme.h"
 #include "app/panels/stage_card.h"
 #include "app/panels/stage_strip.h"

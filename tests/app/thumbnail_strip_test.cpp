@@ -5,7 +5,7 @@
 #include <QSignalSpy>
 #include <QTest>
 
-#include "app/core/derived_buffers.h"
+#include "app/frames/derived_buffers.h"
 #include "app/panels/thumbnail.h"
 #include "tests/support/scenes.h"
 

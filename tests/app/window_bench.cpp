@@ -19,12 +19,12 @@
 #include <ctime>
 #include <vector>
 
-#include "app/core/pixel_inspection.h"
 #include "app/core/scene_opener.h"
 #include "app/desktop/layout_store.h"
 #include "app/desktop/main_window.h"
 #include "app/desktop/view_area.h"
 #include "app/desktop/window_main.h"
+#include "app/frames/pixel_inspection.h"
 #include "app/panels/buffer_canvas.h"
 #include "app/view3d/vtk_widget.h"
 #include "pipeline/core/memory.h"

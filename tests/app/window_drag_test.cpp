@@ -4,7 +4,7 @@
 #include <QTest>
 #include <map>
 
-#include "app/core/stage_status.h"
+#include "app/frames/stage_status.h"
 #include "app/panels/buffer_canvas.h"
 #include "app/panels/stage_card.h"
 #include "app/panels/stage_strip.h"

@@ -16,10 +16,10 @@
 #include <QTest>
 #include <QToolButton>
 
-#include "app/core/pixel_inspection.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/panel_dock.h"
 #include "app/desktop/view_area.h"
+#include "app/frames/pixel_inspection.h"
 #include "app/look/theme.h"
 #include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_view.h"

@@ -4,9 +4,9 @@
 #include <QTest>
 
 #include "app/core/file_watch.h"
-#include "app/core/stepper.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/view_area.h"
+#include "app/frames/stepper.h"
 #include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_view.h"
 #include "app/panels/error_list.h"

@@ -3,8 +3,8 @@
 #include <QTest>
 #include <algorithm>
 
-#include "app/core/stage_buffer.h"
 #include "app/desktop/view_area.h"
+#include "app/frames/stage_buffer.h"
 #include "app/panels/buffer_view.h"
 #include "app/panels/equation_section.h"
 #include "app/panels/fitting_font.h"

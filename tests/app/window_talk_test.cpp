@@ -11,7 +11,6 @@
 #include <array>
 #include <map>
 
-#include "app/core/derived_buffers.h"
 #include "app/desktop/ask_panel.h"
 #include "app/desktop/caption_line.h"
 #include "app/desktop/clean_view.h"
@@ -23,6 +22,7 @@
 #include "app/desktop/talk_keys.h"
 #include "app/desktop/view_area.h"
 #include "app/desktop/window_cues.h"
+#include "app/frames/derived_buffers.h"
 #include "app/look/theme.h"
 #include "app/panels/algorithm_view.h"
 #include "app/panels/buffer_canvas.h"

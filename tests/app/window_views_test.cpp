@@ -6,11 +6,11 @@
 #include <QSplitter>
 #include <QTest>
 
-#include "app/core/stage_buffer.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/even_splitter.h"
 #include "app/desktop/layout_store.h"
 #include "app/desktop/view_area.h"
+#include "app/frames/stage_buffer.h"
 #include "app/look/theme.h"
 #include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_compare.h"

@@ -26,7 +26,7 @@ const std::map<std::string, ClassSize>& largerThanMost() {
         {"app/core/document.h Document", {49, 14}},
         {"app/core/lesson_run.h LessonRun", {33, 8}},
         {"app/core/renderer_check.h RendererCheck", {31, 17}},
-        {"app/core/stepper.h Stepper", {42, 16}},
+        {"app/frames/stepper.h Stepper", {42, 16}},
         {"app/desktop/notes_window.h NotesWindow", {19, 19}},
         {"app/desktop/slide_dialog.h SlideDialog", {12, 19}},
         {"app/panels/buffer_header.h BufferHeader", {20, 16}},

@@ -1,5 +1,5 @@
 // The worker that computes frames, without Qt, so that the thread sanitizer sees every lock.
-#include "app/core/frame_worker.h"
+#include "app/frames/frame_worker.h"
 
 #include <gtest/gtest.h>
 

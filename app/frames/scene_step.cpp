@@ -1,6 +1,6 @@
-#include "app/core/scene_step.h"
+#include "app/frames/scene_step.h"
 
-#include "app/core/equation_symbols.h"
+#include "app/frames/equation_symbols.h"
 #include "app/look/text.h"
 
 namespace app {

@@ -1,7 +1,7 @@
-#include "app/core/frame_feed.h"
+#include "app/frames/frame_feed.h"
 
-#include "app/core/frame_worker.h"
-#include "app/core/stepper.h"
+#include "app/frames/frame_worker.h"
+#include "app/frames/stepper.h"
 #include "app/jobs/free_in_background.h"
 #include "app/jobs/work_list.h"
 

@@ -4,7 +4,7 @@
 #include <QString>
 #include <QStringList>
 
-#include "app/core/frame_check.h"
+#include "app/frames/frame_check.h"
 #include "pipeline/steps/steps.h"
 
 namespace app {

@@ -1,4 +1,4 @@
-#include "app/core/stepper.h"
+#include "app/frames/stepper.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "app/core/picture_file.h"
+#include "app/frames/picture_file.h"
 
 #include <fmt/format.h>
 

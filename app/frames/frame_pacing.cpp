@@ -1,4 +1,4 @@
-#include "app/core/frame_pacing.h"
+#include "app/frames/frame_pacing.h"
 
 namespace app {
 

@@ -1,4 +1,4 @@
-#include "app/core/frame_worker.h"
+#include "app/frames/frame_worker.h"
 
 #include <chrono>
 #include <new>

@@ -1,4 +1,4 @@
-#include "app/core/equation_symbols.h"
+#include "app/frames/equation_symbols.h"
 
 #include <QRegularExpression>
 #include <QStringList>

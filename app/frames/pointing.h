@@ -6,8 +6,8 @@
 
 #include <glm/glm.hpp>
 
-#include "app/core/pinned_pixels.h"
-#include "app/core/scene_step.h"
+#include "app/frames/pinned_pixels.h"
+#include "app/frames/scene_step.h"
 #include "lessons/state/selection.h"
 #include "pipeline/scene/scene.h"
 

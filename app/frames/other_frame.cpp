@@ -1,4 +1,4 @@
-#include "app/core/other_frame.h"
+#include "app/frames/other_frame.h"
 
 #include <QMetaObject>
 

@@ -2,7 +2,7 @@
 #include <QObject>
 #include <memory>
 
-#include "app/core/frame_worker.h"
+#include "app/frames/frame_worker.h"
 
 namespace app {
 

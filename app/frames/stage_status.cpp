@@ -1,4 +1,4 @@
-#include "app/core/stage_status.h"
+#include "app/frames/stage_status.h"
 
 #include <algorithm>
 

@@ -1,12 +1,12 @@
-#include "app/core/other_source.h"
+#include "app/frames/other_source.h"
 
 #include <algorithm>
 #include <array>
 #include <string_view>
 #include <utility>
 
-#include "app/core/equation_symbols.h"
-#include "app/core/stage_buffer.h"
+#include "app/frames/equation_symbols.h"
+#include "app/frames/stage_buffer.h"
 #include "app/look/shown_name.h"
 #include "app/look/text.h"
 #include "pipeline/formats/built_in_scenes.h"

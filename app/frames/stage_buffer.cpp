@@ -1,4 +1,4 @@
-#include "app/core/stage_buffer.h"
+#include "app/frames/stage_buffer.h"
 
 #include <algorithm>
 

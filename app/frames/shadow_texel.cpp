@@ -1,4 +1,4 @@
-#include "app/core/shadow_texel.h"
+#include "app/frames/shadow_texel.h"
 
 #include "pipeline/run/frame_data.h"
 #include "pipeline/stages/interpolate.h"

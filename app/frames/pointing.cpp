@@ -1,4 +1,4 @@
-#include "app/core/pointing.h"
+#include "app/frames/pointing.h"
 
 namespace app {
 

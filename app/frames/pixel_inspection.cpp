@@ -1,8 +1,8 @@
-#include "app/core/pixel_inspection.h"
+#include "app/frames/pixel_inspection.h"
 
-#include "app/core/frame_feed.h"
-#include "app/core/large_frame.h"
-#include "app/core/pointing.h"
+#include "app/frames/frame_feed.h"
+#include "app/frames/large_frame.h"
+#include "app/frames/pointing.h"
 #include "app/jobs/work_list.h"
 
 namespace app {

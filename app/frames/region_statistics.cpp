@@ -1,4 +1,4 @@
-#include "app/core/region_statistics.h"
+#include "app/frames/region_statistics.h"
 
 #include <QStringList>
 #include <algorithm>

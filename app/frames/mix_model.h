@@ -3,7 +3,7 @@
 #include <QString>
 #include <set>
 
-#include "app/core/scene_step.h"
+#include "app/frames/scene_step.h"
 #include "pipeline/inspect/term_mix.h"
 
 namespace app {

@@ -1,4 +1,4 @@
-#include "app/core/derived_job.h"
+#include "app/frames/derived_job.h"
 
 #include "app/look/text.h"
 

@@ -1,4 +1,4 @@
-#include "app/core/pinned_pixels.h"
+#include "app/frames/pinned_pixels.h"
 
 #include <algorithm>
 

@@ -4,9 +4,9 @@
 #include <memory>
 #include <optional>
 
-#include "app/core/frame_check.h"
-#include "app/core/frame_pacing.h"
-#include "app/core/scene_step.h"
+#include "app/frames/frame_check.h"
+#include "app/frames/frame_pacing.h"
+#include "app/frames/scene_step.h"
 #include "pipeline/run/frame.h"
 
 namespace app {

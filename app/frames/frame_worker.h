@@ -5,7 +5,7 @@
 #include <mutex>
 #include <stop_token>
 
-#include "app/core/frame_check.h"
+#include "app/frames/frame_check.h"
 #include "app/jobs/latest_worker.h"
 
 namespace app {

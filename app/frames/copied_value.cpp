@@ -1,4 +1,4 @@
-#include "app/core/copied_value.h"
+#include "app/frames/copied_value.h"
 
 #include <QStringList>
 #include <array>

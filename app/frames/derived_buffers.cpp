@@ -1,7 +1,7 @@
-#include "app/core/derived_buffers.h"
+#include "app/frames/derived_buffers.h"
 
-#include "app/core/frame_feed.h"
-#include "app/core/mix_model.h"
+#include "app/frames/frame_feed.h"
+#include "app/frames/mix_model.h"
 #include "app/look/text.h"
 
 namespace app {

@@ -1,7 +1,7 @@
-#include "app/core/difference_job.h"
+#include "app/frames/difference_job.h"
 
-#include "app/core/buffer_place.h"
-#include "app/core/large_frame.h"
+#include "app/frames/buffer_place.h"
+#include "app/frames/large_frame.h"
 
 namespace app {
 namespace {

@@ -1,4 +1,4 @@
-#include "app/core/mix_model.h"
+#include "app/frames/mix_model.h"
 
 #include "app/look/text.h"
 

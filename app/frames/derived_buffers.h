@@ -2,8 +2,8 @@
 #include <map>
 #include <vector>
 
-#include "app/core/derived_job.h"
-#include "app/core/scene_step.h"
+#include "app/frames/derived_job.h"
+#include "app/frames/scene_step.h"
 
 namespace app {
 
