@@ -4,7 +4,7 @@
 #include <QFileInfo>
 #include <algorithm>
 
-#include "app/core/document_state.h"
+#include "app/document/document_state.h"
 #include "app/jobs/write_file.h"
 #include "app/look/shown_name.h"
 #include "app/look/text.h"

@@ -2,7 +2,7 @@
 
 #include <QLocale>
 
-#include "app/core/export_plan.h"
+#include "app/document/export_plan.h"
 #include "app/look/text.h"
 
 namespace app {

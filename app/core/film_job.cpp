@@ -1,6 +1,6 @@
 #include "app/core/film_job.h"
 
-#include "app/core/export_plan.h"
+#include "app/document/export_plan.h"
 #include "app/jobs/memory_notice.h"
 #include "app/look/text.h"
 #include "pipeline/run/runner.h"

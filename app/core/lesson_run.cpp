@@ -2,8 +2,8 @@
 
 #include <cassert>
 
-#include "app/core/document_state.h"
-#include "app/core/hand.h"
+#include "app/document/document_state.h"
+#include "app/document/hand.h"
 #include "app/look/text.h"
 #include "lessons/state/state_scene.h"
 #include "pipeline/run/runner.h"

@@ -1,8 +1,8 @@
 #pragma once
 #include <QElapsedTimer>
 
-#include "app/core/document.h"
 #include "app/core/lesson_results.h"
+#include "app/document/document.h"
 #include "app/jobs/background_job.h"
 #include "lessons/attempt.h"
 #include "lessons/expression/changed_frames.h"

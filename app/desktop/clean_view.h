@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "app/core/cue_model.h"
-#include "app/core/document.h"
+#include "app/document/document.h"
 
 class QLabel;
 

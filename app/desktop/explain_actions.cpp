@@ -3,8 +3,8 @@
 #include <QApplication>
 #include <QClipboard>
 
-#include "app/core/document.h"
 #include "app/desktop/view_area.h"
+#include "app/document/document.h"
 #include "app/panels/buffer_copies.h"
 #include "app/panels/buffer_view.h"
 #include "app/panels/condition_bar.h"

@@ -1,6 +1,6 @@
 #include "app/desktop/failure_reports.h"
 
-#include "app/core/document.h"
+#include "app/document/document.h"
 #include "app/jobs/memory_notice.h"
 #include "app/look/shown_name.h"
 #include "app/look/text.h"

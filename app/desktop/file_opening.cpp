@@ -6,13 +6,13 @@
 #include <QMimeData>
 #include <algorithm>
 
-#include "app/core/document.h"
-#include "app/core/recent_files.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/scene_files.h"
 #include "app/desktop/window_cues.h"
 #include "app/desktop/window_lessons.h"
 #include "app/desktop/window_renderer.h"
+#include "app/document/document.h"
+#include "app/document/recent_files.h"
 #include "app/look/text.h"
 #include "app/panels/cue_panel.h"
 #include "app/panels/start_page.h"

@@ -4,9 +4,6 @@
 #include <QStackedWidget>
 #include <QToolBar>
 
-#include "app/core/freed_memory.h"
-#include "app/core/scene_opener.h"
-#include "app/core/session_file.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/explain_actions.h"
 #include "app/desktop/exports.h"
@@ -39,6 +36,9 @@
 #include "app/desktop/window_lessons.h"
 #include "app/desktop/window_renderer.h"
 #include "app/desktop/window_title.h"
+#include "app/document/freed_memory.h"
+#include "app/document/scene_opener.h"
+#include "app/document/session_file.h"
 #include "app/frames/pixel_inspection.h"
 #include "app/panels/cue_panel.h"
 #include "app/panels/error_list.h"

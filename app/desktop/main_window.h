@@ -2,7 +2,7 @@
 #include <QMainWindow>
 #include <functional>
 
-#include "app/core/document.h"
+#include "app/document/document.h"
 
 namespace app {
 

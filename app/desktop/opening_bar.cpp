@@ -3,7 +3,7 @@
 #include <QProgressBar>
 #include <QPushButton>
 
-#include "app/core/scene_opener.h"
+#include "app/document/scene_opener.h"
 
 namespace app {
 

@@ -8,13 +8,13 @@
 #include <QPushButton>
 #include <QRandomGenerator>
 
-#include "app/core/document.h"
-#include "app/core/recent_files.h"
 #include "app/core/start_order.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/file_opening.h"
 #include "app/desktop/scene_files.h"
 #include "app/desktop/window_lessons.h"
+#include "app/document/document.h"
+#include "app/document/recent_files.h"
 #include "app/look/text.h"
 #include "app/panels/lesson_shelf.h"
 #include "app/panels/save_dialog.h"

@@ -5,7 +5,7 @@
 #include <QToolBar>
 #include <algorithm>
 
-#include "app/core/document.h"
+#include "app/document/document.h"
 #include "app/look/icons.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/settings_panel.h"

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "app/core/document.h"
+#include "app/document/document.h"
 
 namespace app {
 

@@ -12,9 +12,9 @@
 #include <QUrl>
 #include <cmath>
 
-#include "app/core/file_watch.h"
-#include "app/core/session_file.h"
 #include "app/desktop/layout_store.h"
+#include "app/document/file_watch.h"
+#include "app/document/session_file.h"
 #include "app/look/number_format.h"
 #include "app/look/numbers.h"
 #include "app/panels/elided_label.h"

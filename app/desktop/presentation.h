@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "app/core/cue_model.h"
-#include "app/core/document.h"
+#include "app/document/document.h"
 #include "app/look/theme.h"
 
 class QAction;

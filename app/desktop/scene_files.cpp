@@ -3,15 +3,15 @@
 #include <QDir>
 #include <QFileInfo>
 
-#include "app/core/file_watch.h"
-#include "app/core/own_file.h"
-#include "app/core/recent_files.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/keep_changes.h"
 #include "app/desktop/presentation.h"
 #include "app/desktop/shown_state.h"
 #include "app/desktop/view_area.h"
 #include "app/desktop/window_layout.h"
+#include "app/document/file_watch.h"
+#include "app/document/own_file.h"
+#include "app/document/recent_files.h"
 #include "app/look/shown_name.h"
 #include "app/look/text.h"
 #include "app/panels/error_list.h"

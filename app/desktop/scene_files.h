@@ -3,9 +3,9 @@
 #include <filesystem>
 #include <functional>
 
-#include "app/core/document.h"
-#include "app/core/document_state.h"
-#include "app/core/scene_opener.h"
+#include "app/document/document.h"
+#include "app/document/document_state.h"
+#include "app/document/scene_opener.h"
 
 namespace app {
 

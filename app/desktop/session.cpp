@@ -1,6 +1,6 @@
 #include "app/desktop/session.h"
 
-#include "app/core/document.h"
+#include "app/document/document.h"
 
 namespace app {
 

@@ -3,7 +3,7 @@
 #include <QTimer>
 #include <functional>
 
-#include "app/core/session_file.h"
+#include "app/document/session_file.h"
 
 namespace app {
 

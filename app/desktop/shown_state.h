@@ -2,7 +2,7 @@
 #include <QObject>
 #include <filesystem>
 
-#include "app/core/document.h"
+#include "app/document/document.h"
 #include "lessons/state/window_state.h"
 
 namespace app {

@@ -3,7 +3,7 @@
 #include <map>
 #include <string>
 
-#include "app/core/document.h"
+#include "app/document/document.h"
 #include "app/jobs/background_job.h"
 #include "app/panels/wipe.h"
 #include "app/view3d/offscreen.h"

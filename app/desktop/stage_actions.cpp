@@ -1,10 +1,10 @@
 #include "app/desktop/stage_actions.h"
 
-#include "app/core/document.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/exports.h"
 #include "app/desktop/pixel_field.h"
 #include "app/desktop/view_area.h"
+#include "app/document/document.h"
 #include "app/panels/buffer_overlays.h"
 #include "app/panels/buffer_view.h"
 #include "app/panels/contract_list.h"

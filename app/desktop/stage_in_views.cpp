@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/core/document.h"
 #include "app/desktop/view_grid.h"
+#include "app/document/document.h"
 #include "app/frames/stage_buffer.h"
 #include "app/panels/buffer_view.h"
 

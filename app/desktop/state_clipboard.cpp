@@ -4,10 +4,10 @@
 #include <QClipboard>
 #include <QMimeData>
 
-#include "app/core/document_state.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/scene_files.h"
 #include "app/desktop/shown_state.h"
+#include "app/document/document_state.h"
 #include "app/look/text.h"
 #include "app/panels/buffer_view.h"
 #include "app/panels/error_list.h"

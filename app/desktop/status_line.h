@@ -1,7 +1,7 @@
 #pragma once
 #include <QStatusBar>
 
-#include "app/core/document.h"
+#include "app/document/document.h"
 
 class QLabel;
 class QPushButton;

@@ -1,6 +1,6 @@
 #pragma once
-#include "app/core/document.h"
 #include "app/desktop/actions.h"
+#include "app/document/document.h"
 #include "app/panels/timeline.h"
 
 namespace app {

@@ -3,7 +3,7 @@
 #include <QLabel>
 #include <QVBoxLayout>
 
-#include "app/core/document.h"
+#include "app/document/document.h"
 #include "app/look/text.h"
 #include "app/panels/algorithm_panel.h"
 #include "app/panels/algorithm_view.h"

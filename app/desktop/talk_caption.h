@@ -2,8 +2,8 @@
 #include <QTimer>
 
 #include "app/core/cue_model.h"
-#include "app/core/document.h"
 #include "app/desktop/caption_line.h"
+#include "app/document/document.h"
 
 namespace app {
 

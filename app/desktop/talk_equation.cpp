@@ -3,7 +3,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 
-#include "app/core/document.h"
+#include "app/document/document.h"
 #include "app/frames/pixel_inspection.h"
 #include "app/look/number_format.h"
 #include "app/panels/follow_theme.h"

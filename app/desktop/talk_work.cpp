@@ -3,9 +3,9 @@
 #include <QVBoxLayout>
 #include <utility>
 
-#include "app/core/scene_opener.h"
 #include "app/desktop/opening_bar.h"
 #include "app/desktop/work_bar.h"
+#include "app/document/scene_opener.h"
 #include "app/jobs/work_list.h"
 
 namespace app {

@@ -2,7 +2,6 @@
 
 #include <QApplication>
 
-#include "app/core/document.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/key_sheet.h"
 #include "app/desktop/manual_window.h"
@@ -11,6 +10,7 @@
 #include "app/desktop/show_apart.h"
 #include "app/desktop/window_layout.h"
 #include "app/desktop/window_lessons.h"
+#include "app/document/document.h"
 #include "app/panels/bug_panel.h"
 #include "app/panels/check_panel.h"
 #include "app/panels/study_panel.h"

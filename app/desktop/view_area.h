@@ -1,13 +1,13 @@
 #pragma once
 #include <QWidget>
 
-#include "app/core/document.h"
 #include "app/desktop/active_view.h"
 #include "app/desktop/stage_in_views.h"
 #include "app/desktop/view_edits.h"
 #include "app/desktop/view_grid.h"
 #include "app/desktop/view_links.h"
 #include "app/desktop/view_menu.h"
+#include "app/document/document.h"
 #include "lessons/state/window_state.h"
 
 class QLabel;

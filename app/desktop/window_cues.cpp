@@ -5,8 +5,6 @@
 #include <QMainWindow>
 #include <algorithm>
 
-#include "app/core/document.h"
-#include "app/core/recent_files.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/keep_changes.h"
 #include "app/desktop/layout_store.h"
@@ -16,6 +14,8 @@
 #include "app/desktop/shown_state.h"
 #include "app/desktop/view_area.h"
 #include "app/desktop/window_layout.h"
+#include "app/document/document.h"
+#include "app/document/recent_files.h"
 #include "app/look/shown_name.h"
 #include "app/look/text.h"
 #include "app/panels/cue_panel.h"

@@ -7,11 +7,11 @@
 #include <QComboBox>
 #include <QKeyEvent>
 
-#include "app/core/document.h"
-#include "app/core/scene_opener.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/scene_files.h"
 #include "app/desktop/window_layout.h"
+#include "app/document/document.h"
+#include "app/document/scene_opener.h"
 
 namespace app {
 namespace {

@@ -8,13 +8,13 @@
 #include <cmath>
 #include <utility>
 
-#include "app/core/document.h"
 #include "app/desktop/layout_store.h"
 #include "app/desktop/panel_docks.h"
 #include "app/desktop/presentation.h"
 #include "app/desktop/status_line.h"
 #include "app/desktop/view_area.h"
 #include "app/desktop/window_centre.h"
+#include "app/document/document.h"
 #include "app/look/theme.h"
 #include "app/panels/buffer_view.h"
 #include "app/panels/scene_tree.h"

@@ -6,9 +6,6 @@
 #include <QToolBar>
 #include <algorithm>
 
-#include "app/core/hand.h"
-#include "app/core/recent_files.h"
-#include "app/core/scene_opener.h"
 #include "app/core/start_order.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/edge_tab.h"
@@ -17,6 +14,9 @@
 #include "app/desktop/shown_state.h"
 #include "app/desktop/view_area.h"
 #include "app/desktop/window_centre.h"
+#include "app/document/hand.h"
+#include "app/document/recent_files.h"
+#include "app/document/scene_opener.h"
 #include "app/look/shown_name.h"
 #include "app/look/text.h"
 #include "app/look/theme.h"

@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <optional>
 
-#include "app/core/scene_aside.h"
 #include "app/desktop/window_layout.h"
+#include "app/document/stashed_scene.h"
 #include "lessons/lesson.h"
 
 class QToolBar;
@@ -66,7 +66,7 @@ private:
     EdgeTab* m_inspectorTab;
     // What the window was before the lesson that is open; nothing outside of a lesson.
     struct Before {
-        std::optional<SceneAside> scene = {};  // nothing: the start page
+        std::optional<StashedScene> scene = {};  // nothing: the start page
         std::optional<lessons::WindowState> state = {};
         lessons::WindowState looks = {};  // stage, steps and views, also of a window without a scene
         QList<PanelId> panels = {};       // that were on show

@@ -2,10 +2,10 @@
 
 #include <QSettings>
 
-#include "app/core/session_file.h"
 #include "app/desktop/layout_store.h"
 #include "app/desktop/main_window.h"
 #include "app/desktop/window_cues.h"
+#include "app/document/session_file.h"
 #include "app/jobs/application.h"
 #include "app/look/numbers.h"
 #include "app/look/text.h"

@@ -6,15 +6,15 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/core/document.h"
-#include "app/core/recent_files.h"
-#include "app/core/renderer_check.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/panel_docks.h"
 #include "app/desktop/scene_files.h"
 #include "app/desktop/view_area.h"
 #include "app/desktop/window_layout.h"
 #include "app/desktop/window_lessons.h"
+#include "app/document/document.h"
+#include "app/document/recent_files.h"
+#include "app/document/renderer_check.h"
 #include "app/look/shown_name.h"
 #include "app/look/text.h"
 #include "app/panels/buffer_compare.h"

@@ -3,10 +3,10 @@
 #include <QLabel>
 #include <QUndoStack>
 
-#include "app/core/document.h"
 #include "app/desktop/scene_files.h"
 #include "app/desktop/window_layout.h"
 #include "app/desktop/window_lessons.h"
+#include "app/document/document.h"
 #include "app/look/shown_name.h"
 
 namespace app {

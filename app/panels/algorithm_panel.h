@@ -1,7 +1,7 @@
 #pragma once
 #include <QWidget>
 
-#include "app/core/document.h"
+#include "app/document/document.h"
 #include "pipeline/steps/algorithm.h"
 
 class QComboBox;

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/core/hand.h"
+#include "app/document/hand.h"
 #include "app/look/text.h"
 #include "app/panels/answer_body.h"
 #include "app/panels/follow_theme.h"

@@ -1,7 +1,7 @@
 #pragma once
 #include <QToolButton>
 
-#include "app/core/document.h"
+#include "app/document/document.h"
 
 class QLineEdit;
 class QTreeWidget;

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "app/core/changed_settings.h"
-#include "app/core/renderer_check.h"
+#include "app/document/changed_settings.h"
+#include "app/document/renderer_check.h"
 #include "app/frames/derived_buffers.h"
 #include "app/look/text.h"
 #include "app/panels/buffer_canvas.h"

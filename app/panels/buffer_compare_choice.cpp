@@ -2,7 +2,7 @@
 
 #include <QKeyEvent>
 
-#include "app/core/renderer_check.h"
+#include "app/document/renderer_check.h"
 #include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_compare.h"
 #include "app/panels/buffer_header.h"

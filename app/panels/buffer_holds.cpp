@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/core/hand.h"
+#include "app/document/hand.h"
 #include "app/look/text.h"
 #include "app/look/theme.h"
 #include "app/panels/buffer_canvas.h"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "app/core/renderer_check.h"
+#include "app/document/renderer_check.h"
 #include "app/look/theme.h"
 #include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_header.h"

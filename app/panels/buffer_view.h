@@ -1,7 +1,7 @@
 #pragma once
 #include <QWidget>
 
-#include "app/core/document.h"
+#include "app/document/document.h"
 #include "app/panels/buffer_features.h"
 #include "app/panels/focus_watch.h"
 

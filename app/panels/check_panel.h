@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "app/core/check_job.h"
-#include "app/core/document.h"
+#include "app/document/document.h"
 #include "app/panels/check_cases.h"
 
 class QLabel;

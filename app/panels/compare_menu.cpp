@@ -3,7 +3,7 @@
 #include <QFileDialog>
 #include <QMenu>
 
-#include "app/core/renderer_check.h"
+#include "app/document/renderer_check.h"
 #include "app/frames/derived_buffers.h"
 #include "app/panels/buffer_compare.h"
 

@@ -2,7 +2,7 @@
 #include <QWidget>
 #include <optional>
 
-#include "app/core/document.h"
+#include "app/document/document.h"
 #include "app/jobs/background_job.h"
 #include "lessons/expression/condition_stop.h"
 

@@ -2,8 +2,8 @@
 #include <QFrame>
 #include <memory>
 
-#include "app/core/document.h"
-#include "app/core/renderer_check.h"
+#include "app/document/document.h"
+#include "app/document/renderer_check.h"
 #include "app/jobs/background_job.h"
 #include "pipeline/contracts/contract.h"
 

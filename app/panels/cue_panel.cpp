@@ -14,7 +14,7 @@
 #include <QStyledItemDelegate>
 #include <QToolButton>
 
-#include "app/core/session_file.h"
+#include "app/document/session_file.h"
 #include "app/look/icons.h"
 #include "app/look/shown_name.h"
 #include "app/look/text.h"

@@ -2,7 +2,7 @@
 #include <QWidget>
 
 #include "app/core/cue_model.h"
-#include "app/core/document.h"
+#include "app/document/document.h"
 
 class QLabel;
 class QLineEdit;

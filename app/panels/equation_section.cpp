@@ -5,7 +5,7 @@
 #include <QToolButton>
 #include <algorithm>
 
-#include "app/core/changed_settings.h"
+#include "app/document/changed_settings.h"
 #include "app/frames/equation_symbols.h"
 #include "app/look/number_format.h"
 #include "app/look/text.h"

@@ -1,7 +1,7 @@
 #pragma once
-#include "app/core/changed_settings.h"
-#include "app/core/document.h"
-#include "app/core/export_plan.h"
+#include "app/document/changed_settings.h"
+#include "app/document/document.h"
+#include "app/document/export_plan.h"
 #include "app/panels/job_dialog.h"
 
 class QCheckBox;

@@ -1,7 +1,7 @@
 #pragma once
 #include <QTreeWidget>
 
-#include "app/core/export_plan.h"
+#include "app/document/export_plan.h"
 
 namespace app {
 

@@ -2,8 +2,8 @@
 #include <QWidget>
 #include <array>
 
-#include "app/core/document.h"
 #include "app/core/figure_order.h"
+#include "app/document/document.h"
 
 class QCheckBox;
 class QComboBox;

@@ -8,7 +8,7 @@
 #include <QLineEdit>
 #include <QSpinBox>
 
-#include "app/core/export_plan.h"
+#include "app/document/export_plan.h"
 #include "app/look/text.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/on_screen.h"

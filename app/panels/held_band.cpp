@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "app/core/hand.h"
+#include "app/document/hand.h"
 #include "app/frames/derived_buffers.h"
 #include "app/look/text.h"
 #include "app/panels/buffer_view.h"

@@ -3,8 +3,8 @@
 #include <QScrollBar>
 #include <algorithm>
 
-#include "app/core/document.h"
-#include "app/core/hand.h"
+#include "app/document/document.h"
+#include "app/document/hand.h"
 #include "app/look/text.h"
 #include "app/panels/follow_theme.h"
 

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "app/core/hand.h"
+#include "app/document/hand.h"
 #include "app/look/text.h"
 #include "app/look/theme.h"
 #include "app/panels/buffer_canvas.h"

@@ -2,7 +2,7 @@
 #include <QWidget>
 #include <optional>
 
-#include "app/core/document.h"
+#include "app/document/document.h"
 #include "app/frames/pixel_inspection.h"
 
 class QLabel;

@@ -1,6 +1,6 @@
 #include "app/panels/other_side.h"
 
-#include "app/core/renderer_check.h"
+#include "app/document/renderer_check.h"
 #include "app/frames/derived_buffers.h"
 #include "app/frames/picture_file.h"
 #include "app/look/text.h"

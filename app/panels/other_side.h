@@ -2,7 +2,7 @@
 #include <QObject>
 #include <optional>
 
-#include "app/core/document.h"
+#include "app/document/document.h"
 #include "app/frames/derived_job.h"
 #include "app/frames/other_frame.h"
 #include "app/frames/other_source.h"

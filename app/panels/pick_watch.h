@@ -1,7 +1,7 @@
 #pragma once
 #include <functional>
 
-#include "app/core/document.h"
+#include "app/document/document.h"
 #include "lessons/question.h"
 
 namespace app {

@@ -6,7 +6,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "app/core/document.h"
+#include "app/document/document.h"
 #include "app/look/accessible.h"
 #include "app/look/numbers.h"
 #include "app/look/text.h"

@@ -1,7 +1,7 @@
 #pragma once
 #include <QWidget>
 
-#include "app/core/renderer_check.h"
+#include "app/document/renderer_check.h"
 #include "pipeline/compare/convention_choices.h"
 
 class QGridLayout;

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/core/document.h"
+#include "app/document/document.h"
 #include "app/look/text.h"
 #include "pipeline/compare/compare_text.h"
 #include "pipeline/compare/worst_pixels.h"

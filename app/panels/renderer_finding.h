@@ -2,7 +2,7 @@
 #include <QObject>
 #include <memory>
 
-#include "app/core/renderer_check.h"
+#include "app/document/renderer_check.h"
 
 namespace app {
 

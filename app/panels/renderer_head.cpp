@@ -7,7 +7,7 @@
 #include <QPushButton>
 #include <QToolButton>
 
-#include "app/core/document.h"
+#include "app/document/document.h"
 #include "app/look/icons.h"
 #include "app/look/text.h"
 #include "app/panels/follow_theme.h"

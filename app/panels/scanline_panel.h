@@ -1,7 +1,7 @@
 #pragma once
 #include <QWidget>
 
-#include "app/core/document.h"
+#include "app/document/document.h"
 #include "app/jobs/background_job.h"
 #include "pipeline/inspect/scanline.h"
 

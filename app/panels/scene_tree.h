@@ -1,8 +1,8 @@
 #pragma once
 #include <QListWidget>
 
-#include "app/core/document.h"
-#include "app/core/scene_outline.h"
+#include "app/document/document.h"
+#include "app/document/scene_outline.h"
 
 namespace app {
 

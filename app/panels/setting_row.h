@@ -2,7 +2,7 @@
 #include <QWidget>
 #include <functional>
 
-#include "app/core/document.h"
+#include "app/document/document.h"
 
 class QGridLayout;
 class QLabel;

@@ -2,8 +2,8 @@
 #include <QTabBar>
 #include <QWidget>
 
-#include "app/core/document.h"
-#include "app/core/scene_outline.h"
+#include "app/document/document.h"
+#include "app/document/scene_outline.h"
 
 class QLabel;
 class QPushButton;

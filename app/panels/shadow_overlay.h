@@ -3,7 +3,7 @@
 #include <QObject>
 #include <optional>
 
-#include "app/core/document.h"
+#include "app/document/document.h"
 #include "pipeline/study/shadow_verdict.h"
 
 class QMenu;

@@ -6,7 +6,7 @@
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
-#include "app/core/renderer_check.h"
+#include "app/document/renderer_check.h"
 #include "app/look/numbers.h"
 #include "app/look/text.h"
 #include "app/panels/buffer_compare.h"

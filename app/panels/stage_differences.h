@@ -2,7 +2,7 @@
 #include <QFrame>
 #include <deque>
 
-#include "app/core/document.h"
+#include "app/document/document.h"
 #include "app/jobs/background_job.h"
 #include "pipeline/inspect/compare.h"
 

@@ -3,7 +3,7 @@
 #include <QHBoxLayout>
 #include <QPainter>
 
-#include "app/core/renderer_check.h"
+#include "app/document/renderer_check.h"
 #include "app/look/text.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/stage_card.h"

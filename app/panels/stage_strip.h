@@ -4,7 +4,7 @@
 #include <QTimer>
 #include <QWidget>
 
-#include "app/core/document.h"
+#include "app/document/document.h"
 #include "app/frames/stage_status.h"
 
 namespace app {

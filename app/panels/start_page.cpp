@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/core/recent_files.h"
+#include "app/document/recent_files.h"
 #include "app/look/shown_name.h"
 #include "app/panels/drop_field.h"
 #include "app/panels/follow_theme.h"

@@ -3,7 +3,7 @@
 #include <QPainter>
 #include <algorithm>
 
-#include "app/core/document.h"
+#include "app/document/document.h"
 #include "app/frames/large_frame.h"
 #include "app/look/text.h"
 #include "app/look/theme.h"

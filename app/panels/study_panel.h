@@ -1,8 +1,8 @@
 #pragma once
 #include <QWidget>
 
-#include "app/core/document.h"
 #include "app/core/study_images.h"
+#include "app/document/document.h"
 #include "pipeline/study/analysis.h"
 
 class QLabel;

@@ -2,8 +2,8 @@
 #include <QWidget>
 #include <memory>
 
-#include "app/core/document.h"
 #include "app/core/study_job.h"
+#include "app/document/document.h"
 
 class QLabel;
 class QProgressBar;

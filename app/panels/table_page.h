@@ -2,8 +2,8 @@
 #include <QTableView>
 #include <QWidget>
 
-#include "app/core/document.h"
 #include "app/core/table_model.h"
+#include "app/document/document.h"
 
 class QLabel;
 

@@ -4,7 +4,7 @@
 #include <QWidget>
 #include <vector>
 
-#include "app/core/document.h"
+#include "app/document/document.h"
 #include "app/jobs/background_job.h"
 
 namespace app {

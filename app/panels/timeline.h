@@ -3,7 +3,7 @@
 
 #include <QWidget>
 
-#include "app/core/document.h"
+#include "app/document/document.h"
 
 class QAction;
 class QComboBox;

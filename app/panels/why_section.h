@@ -2,7 +2,7 @@
 #include <QWidget>
 #include <vector>
 
-#include "app/core/document.h"
+#include "app/document/document.h"
 #include "pipeline/inspect/pixel_report.h"
 
 class QGridLayout;

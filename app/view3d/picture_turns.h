@@ -2,7 +2,7 @@
 #include <QElapsedTimer>
 #include <QTimer>
 
-#include "app/core/document.h"
+#include "app/document/document.h"
 #include "app/view3d/scene_view.h"
 
 namespace app {

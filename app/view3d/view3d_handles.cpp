@@ -2,7 +2,7 @@
 
 #include <QScopedValueRollback>
 
-#include "app/core/hand.h"
+#include "app/document/hand.h"
 #include "app/look/text.h"
 
 namespace app {

@@ -1,7 +1,7 @@
 #pragma once
 #include <QObject>
 
-#include "app/core/document.h"
+#include "app/document/document.h"
 #include "app/view3d/scene_view.h"
 
 namespace app {

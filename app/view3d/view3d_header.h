@@ -2,7 +2,7 @@
 #include <QWidget>
 #include <vector>
 
-#include "app/core/document.h"
+#include "app/document/document.h"
 #include "app/view3d/light_frustum.h"
 #include "app/view3d/scene_view.h"
 

@@ -2,7 +2,7 @@
 #include <QWidget>
 #include <memory>
 
-#include "app/core/document.h"
+#include "app/document/document.h"
 #include "app/jobs/background_job.h"
 #include "app/view3d/scene_view.h"
 #include "lessons/state/window_state.h"

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "app/core/document.h"
+#include "app/document/document.h"
 #include "app/jobs/background_job.h"
 #include "app/view3d/scene_view.h"
 

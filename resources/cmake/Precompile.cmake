@@ -87,7 +87,7 @@ if(SHADESCOPE_TESTS)
   if(SHADESCOPE_WINDOW)
     # Not <QTest>: its flags name the folder.
     precompiled(precompiled_window_tests
-      HEADERS <condition_variable> <filesystem> <set> <thread> ${qt_headers} <gtest/gtest.h> [["app/core/document.h"]]
+      HEADERS <condition_variable> <filesystem> <set> <thread> ${qt_headers} <gtest/gtest.h> [["app/document/document.h"]]
       OPTIONS test_options Qt6::Widgets GTest::gtest
       USED_BY widget_tests view3d_tests lesson_panel_tests window_tests)
     tests_compiled_together(widget_tests view3d_tests window_tests)

@@ -10,8 +10,8 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "app/core/document_state.h"
-#include "app/core/own_file.h"
+#include "app/document/document_state.h"
+#include "app/document/own_file.h"
 #include "app/frames/copied_value.h"
 #include "app/frames/mix_model.h"
 #include "app/panels/buffer_canvas.h"

@@ -1,5 +1,5 @@
 // The document without a window: what it holds, what it refuses, what it undoes.
-#include "app/core/document.h"
+#include "app/document/document.h"
 
 #include <gtest/gtest.h>
 

@@ -20,9 +20,9 @@
 #include <QTimer>
 #include <QToolTip>
 
-#include "app/core/scene_opener.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/main_window.h"
+#include "app/document/scene_opener.h"
 #include "app/panels/cue_panel.h"
 #include "app/panels/error_list.h"
 #include "app/panels/lesson_panel.h"

@@ -5,9 +5,9 @@
 #include <QTest>
 #include <QToolButton>
 
-#include "app/core/hand.h"
 #include "app/desktop/panel_dock.h"
 #include "app/desktop/view_area.h"
+#include "app/document/hand.h"
 #include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_header.h"
 #include "app/panels/buffer_holds.h"

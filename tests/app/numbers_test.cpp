@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "app/core/scene_outline.h"
+#include "app/document/scene_outline.h"
 #include "app/look/number_format.h"
 #include "app/panels/buffer_image.h"
 #include "app/panels/elided_label.h"

@@ -6,7 +6,7 @@
 #include <QSignalSpy>
 #include <QTest>
 
-#include "app/core/document.h"
+#include "app/document/document.h"
 #include "app/frames/large_frame.h"
 #include "tests/app/large_scene.h"
 

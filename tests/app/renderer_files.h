@@ -6,8 +6,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "app/core/document.h"
-#include "app/core/renderer_check.h"
+#include "app/document/document.h"
+#include "app/document/renderer_check.h"
 #include "pipeline/defects/defect_table.h"
 #include "pipeline/export/npy_file.h"
 #include "pipeline/formats/built_in_scenes.h"

@@ -4,7 +4,7 @@
 #include <QSignalSpy>
 #include <QTest>
 
-#include "app/core/document.h"
+#include "app/document/document.h"
 #include "app/view3d/view3d_panel.h"
 #include "tests/support/scenes.h"
 

@@ -8,8 +8,8 @@
 #include <QTest>
 #include <QToolButton>
 
-#include "app/core/document.h"
 #include "app/core/step_track.h"
+#include "app/document/document.h"
 #include "app/frames/stage_status.h"
 #include "app/look/theme.h"
 #include "app/panels/stage_card.h"

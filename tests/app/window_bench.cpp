@@ -19,11 +19,11 @@
 #include <ctime>
 #include <vector>
 
-#include "app/core/scene_opener.h"
 #include "app/desktop/layout_store.h"
 #include "app/desktop/main_window.h"
 #include "app/desktop/view_area.h"
 #include "app/desktop/window_main.h"
+#include "app/document/scene_opener.h"
 #include "app/frames/pixel_inspection.h"
 #include "app/panels/buffer_canvas.h"
 #include "app/view3d/vtk_widget.h"

@@ -11,10 +11,10 @@
 #include <QTimer>
 #include <deque>
 
-#include "app/core/recent_files.h"
-#include "app/core/session_file.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/view_area.h"
+#include "app/document/recent_files.h"
+#include "app/document/session_file.h"
 #include "app/panels/buffer_view.h"
 #include "app/panels/check_panel.h"
 #include "app/panels/cue_panel.h"

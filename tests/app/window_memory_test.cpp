@@ -11,7 +11,7 @@
 #include <malloc.h>
 #endif
 
-#include "app/core/freed_memory.h"
+#include "app/document/freed_memory.h"
 #include "app/view3d/scene_view.h"
 #include "pipeline/core/memory.h"
 #include "pipeline/formats/built_in_scenes.h"

@@ -5,9 +5,6 @@
 #include <QTest>
 #include <cmath>
 
-#include "app/core/recent_files.h"
-#include "app/core/scene_opener.h"
-#include "app/core/session_file.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/clean_view.h"
 #include "app/desktop/opening_bar.h"
@@ -16,6 +13,9 @@
 #include "app/desktop/talk_work.h"
 #include "app/desktop/view_area.h"
 #include "app/desktop/work_bar.h"
+#include "app/document/recent_files.h"
+#include "app/document/scene_opener.h"
+#include "app/document/session_file.h"
 #include "app/panels/buffer_canvas.h"
 #include "app/panels/cue_panel.h"
 #include "app/panels/error_list.h"

@@ -3,9 +3,9 @@
 #include <QLabel>
 #include <QTest>
 
-#include "app/core/file_watch.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/view_area.h"
+#include "app/document/file_watch.h"
 #include "app/frames/stepper.h"
 #include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_view.h"

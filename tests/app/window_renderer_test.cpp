@@ -4,8 +4,8 @@
 #include <QTest>
 #include <QTreeWidget>
 
-#include "app/core/recent_files.h"
 #include "app/desktop/view_area.h"
+#include "app/document/recent_files.h"
 #include "app/panels/buffer_compare.h"
 #include "app/panels/buffer_view.h"
 #include "app/panels/error_list.h"

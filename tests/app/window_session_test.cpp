@@ -5,11 +5,11 @@
 #include <QSplitter>
 #include <QTest>
 
-#include "app/core/recent_files.h"
-#include "app/core/scene_opener.h"
-#include "app/core/session_file.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/view_area.h"
+#include "app/document/recent_files.h"
+#include "app/document/scene_opener.h"
+#include "app/document/session_file.h"
 #include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_overlays.h"
 #include "app/panels/buffer_range.h"

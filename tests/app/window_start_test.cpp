@@ -12,13 +12,13 @@
 #include <algorithm>
 
 #include "app/core/cue_model.h"
-#include "app/core/recent_files.h"
 #include "app/core/start_order.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/command_palette.h"
 #include "app/desktop/panel_docks.h"
 #include "app/desktop/panel_table.h"
 #include "app/desktop/presentation.h"
+#include "app/document/recent_files.h"
 #include "app/look/theme.h"
 #include "app/panels/lesson_panel.h"
 #include "app/panels/segmented.h"

@@ -7,12 +7,12 @@
 #include <QTimer>
 #include <cstdio>
 
-#include "app/core/scene_opener.h"
 #include "app/desktop/clean_view.h"
 #include "app/desktop/main_window.h"
 #include "app/desktop/presentation.h"
 #include "app/desktop/window_cues.h"
 #include "app/desktop/window_main.h"
+#include "app/document/scene_opener.h"
 #include "app/look/theme.h"
 
 namespace {

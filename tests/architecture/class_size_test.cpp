@@ -23,9 +23,9 @@ constexpr ClassSize kMost{30, 15};
 const std::map<std::string, ClassSize>& largerThanMost() {
     static const std::map<std::string, ClassSize> table{
         {"app/core/cue_model.h CueModel", {45, 10}},
-        {"app/core/document.h Document", {49, 14}},
+        {"app/document/document.h Document", {49, 14}},
         {"app/core/lesson_run.h LessonRun", {33, 8}},
-        {"app/core/renderer_check.h RendererCheck", {31, 17}},
+        {"app/document/renderer_check.h RendererCheck", {31, 17}},
         {"app/frames/stepper.h Stepper", {42, 16}},
         {"app/desktop/notes_window.h NotesWindow", {19, 19}},
         {"app/desktop/slide_dialog.h SlideDialog", {12, 19}},

@@ -62,16 +62,16 @@ TEST(Architecture, IncludesPointOneWay) {
               "pipeline/export/npy.cpp:1:");
     expectOne(includesPointingBack({{"lessons/state/cue_list.h", {"#include \"lessons/lesson.h\""}}}),
               "lessons/state/cue_list.h:1:");
-    expectOne(includesPointingBack({{"app/core/document.h", {"// ", "#include \"app/panels/plan_panel.h\""}}}),
-              "app/core/document.h:2:");
-    expectOne(includesPointingBack({{"app/cli/export.cpp", {"#include \"app/core/document.h\""}}}),
+    expectOne(includesPointingBack({{"app/document/document.h", {"// ", "#include \"app/panels/plan_panel.h\""}}}),
+              "app/document/document.h:2:");
+    expectOne(includesPointingBack({{"app/cli/export.cpp", {"#include \"app/document/document.h\""}}}),
               "app/cli/export.cpp:1:");
     expectOne(includesPointingBack({{"app/web/core/core.cpp", {"#include \"app/cli/cli.h\""}}}),
               "app/web/core/core.cpp:1:");
     expectOne(includesPointingBack({{"lessons/lesson.cpp", {"#include \"tests/unit/scenes.h\""}}}),
               "lessons/lesson.cpp:1:");
     expectKept(includesPointingBack({{"app/panels/plan_panel.h",
-                                      {"#include \"app/core/document.h\"", "#include \"lessons/lesson.h\"",
+                                      {"#include \"app/document/document.h\"", "#include \"lessons/lesson.h\"",
                                        "#include \"pipeline/export/npy.h\"", "#include \"pipeline/plan/plan.h\""}}}));
     expectKept(includesPointingBack(project()));
 }
@@ -167,9 +167,9 @@ TEST(Architecture, FilesAreShort) {
     const auto file = [](std::string path, std::size_t lines) {
         return SourceTree{{std::move(path), std::vector<std::string>(lines)}};
     };
-    expectOne(longFiles(file("app/core/document.cpp", 401)), "app/core/document.cpp:401:");
+    expectOne(longFiles(file("app/document/document.cpp", 401)), "app/document/document.cpp:401:");
     expectOne(longFiles(file("pipeline/stages/cull.cpp", 201)), "pipeline/stages/cull.cpp:201:");
-    expectKept(longFiles(file("app/core/document.cpp", 400)));
+    expectKept(longFiles(file("app/document/document.cpp", 400)));
     expectKept(longFiles(file("lessons/pyramid/lesson.md", 1000)));
     expectKept(longFiles(project()));
 }

@@ -1,9 +1,9 @@
-#include "app/core/hand.h"
+#include "app/document/hand.h"
 
 #include <algorithm>
 #include <utility>
 
-#include "app/core/document.h"
+#include "app/document/document.h"
 #include "app/look/text.h"
 
 namespace app {

@@ -1,7 +1,7 @@
 #pragma once
 #include <filesystem>
 
-#include "app/core/document.h"
+#include "app/document/document.h"
 #include "lessons/state/window_state.h"
 
 namespace app {

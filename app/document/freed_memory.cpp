@@ -1,8 +1,8 @@
-#include "app/core/freed_memory.h"
+#include "app/document/freed_memory.h"
 
 #include <QThreadPool>
 
-#include "app/core/document.h"
+#include "app/document/document.h"
 #include "pipeline/core/memory.h"
 
 namespace app {

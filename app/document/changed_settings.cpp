@@ -1,8 +1,8 @@
-#include "app/core/changed_settings.h"
+#include "app/document/changed_settings.h"
 
 #include <QFileInfo>
 
-#include "app/core/export_plan.h"
+#include "app/document/export_plan.h"
 #include "app/look/text.h"
 #include "pipeline/formats/scene_reader.h"
 

@@ -1,12 +1,12 @@
 #pragma once
-#include "app/core/document.h"
+#include "app/document/document.h"
 
 namespace app {
 
 // A document's scene with its file and its undo steps, put aside while another scene is shown.
-class SceneAside {
+class StashedScene {
 public:
-    explicit SceneAside(const Document& document)  // it must have a scene
+    explicit StashedScene(const Document& document)  // it must have a scene
         : m_scene(document.sharedScene()), m_kept(document.kept()), m_steps(document.history().steps()) {}
     void putBack(Document& document) const {
         document.setScene(*m_scene, m_kept);

@@ -1,4 +1,4 @@
-#include "app/core/scene_outline.h"
+#include "app/document/scene_outline.h"
 
 #include <algorithm>
 #include <iterator>

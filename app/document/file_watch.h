@@ -4,7 +4,7 @@
 #include <QObject>
 #include <QTimer>
 
-#include "app/core/document.h"
+#include "app/document/document.h"
 
 namespace app {
 

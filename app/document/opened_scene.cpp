@@ -1,4 +1,4 @@
-#include "app/core/opened_scene.h"
+#include "app/document/opened_scene.h"
 
 #include <QFileInfo>
 #include <tuple>

@@ -1,4 +1,4 @@
-#include "app/core/document_state.h"
+#include "app/document/document_state.h"
 
 #include "app/frames/derived_buffers.h"
 #include "app/frames/mix_model.h"

@@ -1,4 +1,4 @@
-#include "app/core/renderer_files.h"
+#include "app/document/renderer_files.h"
 
 #include <QDateTime>
 #include <QDir>

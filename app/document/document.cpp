@@ -1,12 +1,12 @@
-#include "app/core/document.h"
+#include "app/document/document.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include <QFileInfo>
 
-#include "app/core/hand.h"
-#include "app/core/renderer_check.h"
+#include "app/document/hand.h"
+#include "app/document/renderer_check.h"
 #include "app/frames/derived_buffers.h"
 #include "app/frames/mix_model.h"
 #include "app/frames/pixel_inspection.h"

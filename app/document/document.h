@@ -3,8 +3,8 @@
 #include <QString>
 #include <memory>
 
-#include "app/core/opened_scene.h"
-#include "app/core/scene_history.h"
+#include "app/document/opened_scene.h"
+#include "app/document/scene_history.h"
 #include "app/frames/frame_feed.h"
 #include "app/frames/pointing.h"
 #include "app/frames/stepper.h"

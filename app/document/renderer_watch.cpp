@@ -1,9 +1,9 @@
-#include "app/core/renderer_watch.h"
+#include "app/document/renderer_watch.h"
 
 #include <QDir>
 #include <utility>
 
-#include "app/core/renderer_files.h"
+#include "app/document/renderer_files.h"
 
 namespace app {
 namespace {

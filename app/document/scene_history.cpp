@@ -1,4 +1,4 @@
-#include "app/core/scene_history.h"
+#include "app/document/scene_history.h"
 
 #include <algorithm>
 

@@ -2,7 +2,7 @@
 #include <QObject>
 #include <chrono>
 
-#include "app/core/opened_scene.h"
+#include "app/document/opened_scene.h"
 #include "app/jobs/background_job.h"
 
 namespace app {

@@ -1,4 +1,4 @@
-#include "app/core/session_file.h"
+#include "app/document/session_file.h"
 
 #include <QCoreApplication>
 #include <QDir>

@@ -1,4 +1,4 @@
-#include "app/core/export_plan.h"
+#include "app/document/export_plan.h"
 
 #include <QRegularExpression>
 

@@ -1,9 +1,9 @@
-#include "app/core/own_file.h"
+#include "app/document/own_file.h"
 
 #include <QFile>
 #include <QFileInfo>
 
-#include "app/core/document.h"
+#include "app/document/document.h"
 #include "app/look/text.h"
 #include "pipeline/formats/built_in_scenes.h"
 #include "pipeline/formats/toml_writer.h"

@@ -1,7 +1,7 @@
 #pragma once
 #include <QStringList>
 
-#include "app/core/document.h"
+#include "app/document/document.h"
 
 namespace app {
 

@@ -1,4 +1,4 @@
-#include "app/core/renderer_check.h"
+#include "app/document/renderer_check.h"
 
 #include <QFileInfo>
 #include <QTime>

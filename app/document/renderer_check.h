@@ -6,8 +6,8 @@
 #include <memory>
 #include <optional>
 
-#include "app/core/renderer_files.h"
-#include "app/core/renderer_watch.h"
+#include "app/document/renderer_files.h"
+#include "app/document/renderer_watch.h"
 #include "app/frames/scene_step.h"
 #include "app/jobs/background_job.h"
 #include "pipeline/compare/convention_choices.h"

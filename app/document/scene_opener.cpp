@@ -1,4 +1,4 @@
-#include "app/core/scene_opener.h"
+#include "app/document/scene_opener.h"
 
 #include <QScopedValueRollback>
 

@@ -1,10 +1,10 @@
-#include "app/core/file_watch.h"
+#include "app/document/file_watch.h"
 
 #include <QFileInfo>
 #include <QSettings>
 #include <utility>
 
-#include "app/core/own_file.h"
+#include "app/document/own_file.h"
 
 namespace app {
 
