@@ -4,8 +4,8 @@
 
 #include <vector>
 
+#include "app/drawing3d/view_content.h"
 #include "app/look/theme.h"
-#include "app/view3d/view_content.h"
 #include "app/view3d/vtk_data.h"
 
 class vtkActor;

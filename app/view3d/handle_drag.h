@@ -2,8 +2,8 @@
 #include <optional>
 #include <span>
 
-#include "app/view3d/drawing.h"
-#include "app/view3d/handles.h"
+#include "app/drawing3d/drawing.h"
+#include "app/drawing3d/handles.h"
 
 namespace app {
 

@@ -9,7 +9,7 @@
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 
-#include "app/view3d/space_drawing.h"
+#include "app/drawing3d/space_drawing.h"
 #include "app/view3d/vtk_data.h"
 
 namespace app {

@@ -1,10 +1,10 @@
 #pragma once
 #include <memory>
 
-#include "app/view3d/drawing.h"
+#include "app/drawing3d/drawing.h"
+#include "app/drawing3d/view_content.h"
+#include "app/drawing3d/view_options.h"
 #include "app/view3d/glass.h"
-#include "app/view3d/view_content.h"
-#include "app/view3d/view_options.h"
 #include "app/view3d/world_layer.h"
 
 namespace app {

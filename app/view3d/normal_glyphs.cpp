@@ -8,7 +8,7 @@
 
 #include <utility>
 
-#include "app/view3d/normal_arrows.h"
+#include "app/drawing3d/normal_arrows.h"
 #include "app/view3d/vtk_data.h"
 #include "app/view3d/world_layer.h"
 

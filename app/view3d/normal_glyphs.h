@@ -4,9 +4,9 @@
 #include <optional>
 #include <vector>
 
-#include "app/view3d/drawing.h"
-#include "app/view3d/view_content.h"
-#include "app/view3d/view_options.h"
+#include "app/drawing3d/drawing.h"
+#include "app/drawing3d/view_content.h"
+#include "app/drawing3d/view_options.h"
 
 class vtkActor;
 class vtkGlyph3DMapper;

@@ -10,12 +10,12 @@
 #include <future>
 #include <thread>
 
+#include "app/drawing3d/overlay.h"
+#include "app/drawing3d/point_drawing.h"
 #include "app/jobs/write_file.h"
 #include "app/look/numbers.h"
 #include "app/look/window_look.h"
 #include "app/view3d/headless_window.h"
-#include "app/view3d/overlay.h"
-#include "app/view3d/point_drawing.h"
 #include "app/view3d/vtk_turn.h"
 #include "app/view3d/world_scene.h"
 

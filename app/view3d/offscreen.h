@@ -8,9 +8,9 @@
 
 #include <QImage>
 
-#include "app/view3d/view_content.h"
-#include "app/view3d/view_options.h"
-#include "app/view3d/world_drawing.h"
+#include "app/drawing3d/view_content.h"
+#include "app/drawing3d/view_options.h"
+#include "app/drawing3d/world_drawing.h"
 #include "pipeline/core/result.h"
 #include "pipeline/run/frame.h"
 

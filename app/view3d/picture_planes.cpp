@@ -8,9 +8,9 @@
 
 #include <utility>
 
-#include "app/view3d/space_drawing.h"
+#include "app/drawing3d/space_drawing.h"
+#include "app/drawing3d/world_drawing.h"
 #include "app/view3d/vtk_data.h"
-#include "app/view3d/world_drawing.h"
 
 namespace app {
 

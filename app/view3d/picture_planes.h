@@ -1,9 +1,9 @@
 #pragma once
 #include <vector>
 
-#include "app/view3d/drawing.h"
-#include "app/view3d/view_content.h"
-#include "app/view3d/view_options.h"
+#include "app/drawing3d/drawing.h"
+#include "app/drawing3d/view_content.h"
+#include "app/drawing3d/view_options.h"
 #include "app/view3d/world_layer.h"
 
 class vtkTexture;

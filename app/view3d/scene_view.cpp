@@ -3,11 +3,11 @@
 #include <QLabel>
 #include <QPainter>
 
+#include "app/drawing3d/overlay.h"
+#include "app/drawing3d/point_drawing.h"
 #include "app/look/accessible.h"
 #include "app/look/text.h"
 #include "app/look/theme.h"
-#include "app/view3d/overlay.h"
-#include "app/view3d/point_drawing.h"
 #include "app/view3d/space_picture.h"
 
 namespace app {

@@ -2,8 +2,8 @@
 
 #include <utility>
 
+#include "app/drawing3d/point_drawing.h"
 #include "app/frames/large_frame.h"
-#include "app/view3d/point_drawing.h"
 #include "app/view3d/scene_view.h"
 
 namespace app {

@@ -4,7 +4,7 @@
 #include <memory>
 #include <optional>
 
-#include "app/view3d/space_content.h"
+#include "app/drawing3d/space_content.h"
 
 namespace app {
 

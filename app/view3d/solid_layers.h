@@ -1,5 +1,5 @@
 #pragma once
-#include "app/view3d/drawing.h"
+#include "app/drawing3d/drawing.h"
 #include "app/view3d/world_layer.h"
 
 namespace app {

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
-#include "app/view3d/normal_arrows.h"
-#include "app/view3d/overlay.h"
-#include "app/view3d/point_drawing.h"
-#include "app/view3d/space_content.h"
-#include "app/view3d/world_drawing.h"
+#include "app/drawing3d/normal_arrows.h"
+#include "app/drawing3d/overlay.h"
+#include "app/drawing3d/point_drawing.h"
+#include "app/drawing3d/space_content.h"
+#include "app/drawing3d/world_drawing.h"
 #include "pipeline/plan/needs.h"
 #include "pipeline/run/runner.h"
 #include "pipeline/steps/steps.h"

@@ -6,12 +6,12 @@
 #include <QToolButton>
 #include <algorithm>
 
+#include "app/drawing3d/normal_arrows.h"
 #include "app/look/icons.h"
 #include "app/look/numbers.h"
 #include "app/look/press_watch.h"
 #include "app/look/text.h"
 #include "app/look/theme.h"
-#include "app/view3d/normal_arrows.h"
 #include "app/view3d/view3d_spaces.h"
 #include "app/view3d/view_settings.h"
 

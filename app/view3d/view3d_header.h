@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "app/document/document.h"
-#include "app/view3d/light_frustum.h"
+#include "app/drawing3d/light_frustum.h"
 #include "app/view3d/scene_view.h"
 
 class QAction;

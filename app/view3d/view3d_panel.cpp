@@ -3,12 +3,12 @@
 #include <QVBoxLayout>
 #include <utility>
 
+#include "app/drawing3d/normal_arrows.h"
 #include "app/frames/equation_symbols.h"
 #include "app/frames/large_frame.h"
 #include "app/frames/pixel_inspection.h"
 #include "app/look/hidden_in_window.h"
 #include "app/look/text.h"
-#include "app/view3d/normal_arrows.h"
 #include "app/view3d/picture_turns.h"
 #include "app/view3d/view3d_handles.h"
 #include "app/view3d/view3d_header.h"

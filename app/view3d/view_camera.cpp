@@ -3,7 +3,7 @@
 #include <QStyle>
 #include <QWidget>
 
-#include "app/view3d/point_drawing.h"
+#include "app/drawing3d/point_drawing.h"
 #include "app/view3d/scene_view.h"
 
 namespace app {

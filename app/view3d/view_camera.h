@@ -4,9 +4,9 @@
 #include <functional>
 #include <map>
 
-#include "app/view3d/view_options.h"
-#include "app/view3d/view_space.h"
-#include "app/view3d/world_drawing.h"
+#include "app/drawing3d/view_options.h"
+#include "app/drawing3d/view_space.h"
+#include "app/drawing3d/world_drawing.h"
 
 class QWidget;
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <QWidget>
 
-#include "app/view3d/overlay.h"
+#include "app/drawing3d/overlay.h"
 
 namespace app {
 

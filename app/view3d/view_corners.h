@@ -3,8 +3,8 @@
 #include <QRectF>
 #include <vector>
 
-#include "app/view3d/orbit_camera.h"
-#include "app/view3d/view_content.h"
+#include "app/drawing3d/orbit_camera.h"
+#include "app/drawing3d/view_content.h"
 
 namespace app {
 

@@ -3,7 +3,7 @@
 #include <QPointF>
 #include <optional>
 
-#include "app/view3d/view_content.h"
+#include "app/drawing3d/view_content.h"
 
 class QKeyEvent;
 class QMouseEvent;

@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
-#include "app/view3d/view_options.h"
-#include "app/view3d/view_space.h"
+#include "app/drawing3d/view_options.h"
+#include "app/drawing3d/view_space.h"
 
 class QCheckBox;
 class QComboBox;

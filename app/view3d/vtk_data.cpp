@@ -13,7 +13,7 @@
 #include <vtkTypeInt32Array.h>
 #include <vtkUnsignedCharArray.h>
 
-#include "app/view3d/normal_arrows.h"
+#include "app/drawing3d/normal_arrows.h"
 
 namespace app {
 

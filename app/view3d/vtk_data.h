@@ -6,9 +6,9 @@
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 
-#include "app/view3d/drawing.h"
-#include "app/view3d/view_content.h"
-#include "app/view3d/view_options.h"
+#include "app/drawing3d/drawing.h"
+#include "app/drawing3d/view_content.h"
+#include "app/drawing3d/view_options.h"
 
 class vtkImageData;
 

@@ -5,9 +5,9 @@
 #include <stop_token>
 #include <vector>
 
-#include "app/view3d/drawing.h"
-#include "app/view3d/view_content.h"
-#include "app/view3d/view_options.h"
+#include "app/drawing3d/drawing.h"
+#include "app/drawing3d/view_content.h"
+#include "app/drawing3d/view_options.h"
 
 class QSurface;
 

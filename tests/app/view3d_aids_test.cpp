@@ -5,13 +5,13 @@
 #include <cmath>
 #include <span>
 
-#include "app/view3d/aids_drawing.h"
-#include "app/view3d/label_places.h"
-#include "app/view3d/point_drawing.h"
-#include "app/view3d/space_content.h"
-#include "app/view3d/space_drawing.h"
-#include "app/view3d/view_content.h"
-#include "app/view3d/world_drawing.h"
+#include "app/drawing3d/aids_drawing.h"
+#include "app/drawing3d/label_places.h"
+#include "app/drawing3d/point_drawing.h"
+#include "app/drawing3d/space_content.h"
+#include "app/drawing3d/space_drawing.h"
+#include "app/drawing3d/view_content.h"
+#include "app/drawing3d/world_drawing.h"
 #include "tests/app/view3d_fixture.h"
 #include "tests/support/scenes.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/view3d/arrow_shape.h"
+#include "app/drawing3d/arrow_shape.h"
 
 namespace {
 

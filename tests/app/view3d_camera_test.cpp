@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "app/view3d/orbit_camera.h"
+#include "app/drawing3d/orbit_camera.h"
 #include "tests/support/scenes.h"
 
 namespace {

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/view3d/label_places.h"
-#include "app/view3d/normal_arrows.h"
-#include "app/view3d/obstacles.h"
-#include "app/view3d/overlay.h"
-#include "app/view3d/point_drawing.h"
-#include "app/view3d/view_content.h"
-#include "app/view3d/world_drawing.h"
+#include "app/drawing3d/label_places.h"
+#include "app/drawing3d/normal_arrows.h"
+#include "app/drawing3d/obstacles.h"
+#include "app/drawing3d/overlay.h"
+#include "app/drawing3d/point_drawing.h"
+#include "app/drawing3d/view_content.h"
+#include "app/drawing3d/world_drawing.h"
 #include "tests/app/view3d_fixture.h"
 #include "tests/support/scenes.h"
 

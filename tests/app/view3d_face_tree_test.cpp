@@ -3,7 +3,7 @@
 
 #include <random>
 
-#include "app/view3d/space_content.h"
+#include "app/drawing3d/space_content.h"
 
 namespace {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "app/view3d/view_content.h"
+#include "app/drawing3d/view_content.h"
 #include "tests/support/scenes.h"
 
 // What the tests of the 3D view's content begin with.

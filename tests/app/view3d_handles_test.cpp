@@ -2,9 +2,9 @@
 
 #include <cmath>
 
+#include "app/drawing3d/space_content.h"
+#include "app/drawing3d/world_drawing.h"
 #include "app/view3d/handle_drag.h"
-#include "app/view3d/space_content.h"
-#include "app/view3d/world_drawing.h"
 #include "pipeline/scene/view.h"
 #include "tests/app/view3d_fixture.h"
 #include "tests/support/scenes.h"

@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/drawing3d/label_words.h"
+#include "app/drawing3d/obstacles.h"
+#include "app/drawing3d/overlay.h"
 #include "app/look/theme.h"
-#include "app/view3d/label_words.h"
-#include "app/view3d/obstacles.h"
-#include "app/view3d/overlay.h"
 
 // Three marks at the border beside each other, one behind the legend, and letters: every text inside the view, and
 // none on another one, a mark or the legend.

@@ -9,9 +9,9 @@
 #include <iterator>
 #include <utility>
 
+#include "app/drawing3d/normal_arrows.h"
+#include "app/drawing3d/space_content.h"
 #include "app/look/theme.h"
-#include "app/view3d/normal_arrows.h"
-#include "app/view3d/space_content.h"
 #include "app/view3d/view_settings.h"
 #include "tests/app/shown_view3d.h"
 #include "tests/app/view3d_fixture.h"

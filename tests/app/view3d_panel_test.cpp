@@ -6,8 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "app/drawing3d/overlay.h"
 #include "app/look/theme.h"
-#include "app/view3d/overlay.h"
 #include "app/view3d/view_corner.h"
 #include "tests/app/shown_view3d.h"
 #include "tests/app/view3d_fixture.h"

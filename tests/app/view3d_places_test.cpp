@@ -3,10 +3,10 @@
 
 #include <cmath>
 
-#include "app/view3d/label_places.h"
-#include "app/view3d/obstacles.h"
-#include "app/view3d/point_drawing.h"
-#include "app/view3d/world_drawing.h"
+#include "app/drawing3d/label_places.h"
+#include "app/drawing3d/obstacles.h"
+#include "app/drawing3d/point_drawing.h"
+#include "app/drawing3d/world_drawing.h"
 #include "tests/app/view3d_fixture.h"
 
 namespace {

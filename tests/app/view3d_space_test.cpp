@@ -4,13 +4,13 @@
 
 #include <cmath>
 
-#include "app/view3d/lobe_drawing.h"
-#include "app/view3d/normal_arrows.h"
-#include "app/view3d/overlay.h"
-#include "app/view3d/point_drawing.h"
-#include "app/view3d/space_content.h"
-#include "app/view3d/space_drawing.h"
-#include "app/view3d/world_drawing.h"
+#include "app/drawing3d/lobe_drawing.h"
+#include "app/drawing3d/normal_arrows.h"
+#include "app/drawing3d/overlay.h"
+#include "app/drawing3d/point_drawing.h"
+#include "app/drawing3d/space_content.h"
+#include "app/drawing3d/space_drawing.h"
+#include "app/drawing3d/world_drawing.h"
 #include "tests/app/view3d_fixture.h"
 #include "tests/support/scenes.h"
 
