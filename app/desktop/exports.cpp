@@ -11,7 +11,7 @@
 #include "app/panels/export_dialog.h"
 #include "app/panels/figure_dialog.h"
 #include "app/panels/film_dialog.h"
-#include "app/view3d/offscreen.h"
+#include "app/vtk/offscreen.h"
 #include "lessons/state/cue_list.h"
 
 namespace app {

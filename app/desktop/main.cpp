@@ -19,7 +19,7 @@
 #ifdef SHADESCOPE_WINDOW
 #include "app/desktop/cue_picture.h"
 #include "app/desktop/window_main.h"
-#include "app/view3d/offscreen.h"
+#include "app/vtk/offscreen.h"
 #endif
 
 namespace {

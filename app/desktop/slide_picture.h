@@ -6,7 +6,7 @@
 #include "app/document/document.h"
 #include "app/jobs/background_job.h"
 #include "app/panels/wipe.h"
-#include "app/view3d/offscreen.h"
+#include "app/vtk/offscreen.h"
 #include "lessons/derived_buffer.h"
 #include "lessons/state/window_state.h"
 

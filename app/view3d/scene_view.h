@@ -4,14 +4,14 @@
 #include <optional>
 #include <vector>
 
-#include "app/view3d/offscreen.h"
 #include "app/view3d/shown_space.h"
 #include "app/view3d/view_camera.h"
 #include "app/view3d/view_corners.h"
 #include "app/view3d/view_handles.h"
 #include "app/view3d/view_input.h"
 #include "app/view3d/view_progress.h"
-#include "app/view3d/vtk_widget.h"
+#include "app/vtk/offscreen.h"
+#include "app/vtk/vtk_widget.h"
 
 class QLabel;
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "app/view3d/offscreen.h"
+#include "app/vtk/offscreen.h"
 #include "lessons/state/window_state.h"
 
 namespace app {

@@ -6,7 +6,7 @@
 #include "app/look/theme.h"
 #include "app/look/working_bar.h"
 #include "app/view3d/scene_view.h"
-#include "app/view3d/vtk_widget.h"
+#include "app/vtk/vtk_widget.h"
 
 namespace app {
 

@@ -1,7 +1,7 @@
 // What a 3D view shows is drawn beside the window, which goes on meanwhile.
 #include <mutex>
 
-#include "app/view3d/vtk_turn.h"
+#include "app/vtk/vtk_mutex.h"
 #include "tests/app/large_scene.h"
 #include "tests/app/shown_view3d.h"
 
@@ -31,7 +31,7 @@ TEST_F(View3dBeside, TheWindowDoesNotWaitForAPicture) {
     auto* working = view.findChild<QWidget*>("working");
     const auto before = vtk.shown();
     {
-        const std::lock_guard turnOfVtk(app::vtkTurn());
+        const std::lock_guard turnOfVtk(app::vtkMutex());
         turn();
         document.pointing().pick(glm::ivec2{268, 281});
         ASSERT_TRUE(QTest::qWaitFor([&] { return working->isVisible(); }, 5000)) << "it says that it is at work";
@@ -50,7 +50,7 @@ TEST_F(View3dBeside, TheFirstPictureIsNotStopped) {
     other.resize(400, 300);
     const auto& drawing = *other.findChild<app::VtkWidget*>();
     {
-        const std::lock_guard turnOfVtk(app::vtkTurn());
+        const std::lock_guard turnOfVtk(app::vtkMutex());
         other.show();
         QTest::qWait(600);  // other work is listed by then, and cancel() stops it; a first picture is not listed
         EXPECT_FALSE(drawing.shown());
@@ -63,7 +63,7 @@ TEST_F(View3dBeside, OfManyChangesMeanwhileTheNewestAloneIsDrawn) {
     int drawn = 0;
     QObject::connect(&view, &SceneView::drawn, [&] { ++drawn; });
     {
-        const std::lock_guard turnOfVtk(app::vtkTurn());
+        const std::lock_guard turnOfVtk(app::vtkMutex());
         for (int i = 0; i < 10; ++i) {
             turn();
             QTest::qWait(5);

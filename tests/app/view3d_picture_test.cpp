@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "app/look/theme.h"
-#include "app/view3d/offscreen.h"
+#include "app/vtk/offscreen.h"
 #include "tests/app/view3d_fixture.h"
 #include "tests/support/files.h"
 #include "tests/support/scenes.h"

@@ -26,7 +26,7 @@
 #include "app/document/scene_opener.h"
 #include "app/frames/pixel_inspection.h"
 #include "app/panels/buffer_canvas.h"
-#include "app/view3d/vtk_widget.h"
+#include "app/vtk/vtk_widget.h"
 #include "pipeline/core/memory.h"
 #include "pipeline/formats/built_in_scenes.h"
 

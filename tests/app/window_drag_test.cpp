@@ -9,7 +9,7 @@
 #include "app/panels/stage_card.h"
 #include "app/panels/stage_strip.h"
 #include "app/panels/value_slider.h"
-#include "app/view3d/vtk_widget.h"
+#include "app/vtk/vtk_widget.h"
 #include "tests/app/quiet.h"
 #include "tests/app/window_fixture.h"
 

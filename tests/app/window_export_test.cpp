@@ -17,7 +17,7 @@
 #include "app/panels/buffer_view.h"
 #include "app/panels/export_dialog.h"
 #include "app/panels/figure_dialog.h"
-#include "app/view3d/offscreen.h"
+#include "app/vtk/offscreen.h"
 #include "tests/app/quiet.h"
 #include "tests/app/window_fixture.h"
 

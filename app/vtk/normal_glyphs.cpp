@@ -1,4 +1,4 @@
-#include "app/view3d/normal_glyphs.h"
+#include "app/vtk/normal_glyphs.h"
 
 #include <vtkActor.h>
 #include <vtkGlyph3DMapper.h>
@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "app/drawing3d/normal_arrows.h"
-#include "app/view3d/vtk_data.h"
-#include "app/view3d/world_layer.h"
+#include "app/vtk/vtk_data.h"
+#include "app/vtk/world_layer.h"
 
 namespace app {
 

@@ -1,4 +1,4 @@
-#include "app/view3d/mesh_layers.h"
+#include "app/vtk/mesh_layers.h"
 
 #include <vtkActor.h>
 #include <vtkPolyDataMapper.h>
@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/view3d/vtk_data.h"
+#include "app/vtk/vtk_data.h"
 
 namespace app {
 

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "app/jobs/background_job.h"
-#include "app/view3d/vtk_renderer.h"
+#include "app/vtk/vtk_renderer.h"
 
 namespace app {
 

@@ -1,4 +1,4 @@
-#include "app/view3d/headless_window.h"
+#include "app/vtk/headless_window.h"
 
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <array>
 
-#include "app/view3d/egl_render_window.h"
+#include "app/vtk/egl_render_window.h"
 
 namespace app {
 

@@ -1,4 +1,4 @@
-#include "app/view3d/mark_layers.h"
+#include "app/vtk/mark_layers.h"
 
 #include <qopengl.h>
 #include <vtkActor.h>
@@ -10,7 +10,7 @@
 #include <vtkRenderer.h>
 
 #include "app/drawing3d/space_drawing.h"
-#include "app/view3d/vtk_data.h"
+#include "app/vtk/vtk_data.h"
 
 namespace app {
 

@@ -1,4 +1,4 @@
-#include "app/view3d/egl_render_window.h"
+#include "app/vtk/egl_render_window.h"
 
 #include <vtkObjectFactory.h>
 

@@ -6,7 +6,7 @@
 
 #include "app/drawing3d/view_content.h"
 #include "app/look/theme.h"
-#include "app/view3d/vtk_data.h"
+#include "app/vtk/vtk_data.h"
 
 class vtkActor;
 class vtkPolyDataMapper;
@@ -15,10 +15,10 @@ class vtkRenderer;
 namespace app {
 
 // The translucent faces of a mesh, blended over what is opaque.
-class Glass {
+class TranslucentFaces {
 public:
-    Glass();
-    ~Glass();
+    TranslucentFaces();
+    ~TranslucentFaces();
     void addTo(vtkRenderer& renderer);  // after all that is opaque
 
     // mesh: null shows none. strength: as that of facesData.

@@ -1,4 +1,4 @@
-#include "app/view3d/vtk_renderer.h"
+#include "app/vtk/vtk_renderer.h"
 
 #include <vtkCallbackCommand.h>
 #include <vtkCommand.h>
@@ -12,9 +12,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/view3d/egl_render_window.h"
-#include "app/view3d/vtk_turn.h"
-#include "app/view3d/world_scene.h"
+#include "app/vtk/egl_render_window.h"
+#include "app/vtk/vtk_mutex.h"
+#include "app/vtk/world_scene.h"
 
 namespace app {
 
@@ -57,7 +57,7 @@ VtkRenderer::VtkRenderer(QSurface& surface) : m_impl(std::make_unique<Impl>(surf
     if (!impl.context.create() || impl.context.isOpenGLES() || impl.context.format().version() < qMakePair(3, 2) ||
         !impl.context.makeCurrent(&surface))
         return;
-    const std::lock_guard turn(vtkTurn());
+    const std::lock_guard turn(vtkMutex());
     // Under Wayland Qt makes its contexts by EGL.
     const bool isEgl = impl.context.nativeInterface<QNativeInterface::QEGLContext>() != nullptr;
     vtkSmartPointer<vtkGenericOpenGLRenderWindow> window;
@@ -99,7 +99,7 @@ VtkRenderer::VtkRenderer(QSurface& surface) : m_impl(std::make_unique<Impl>(surf
 VtkRenderer::~VtkRenderer() {
     Impl& impl = *m_impl;
     if (!impl.window) return;
-    const std::lock_guard turn(vtkTurn());
+    const std::lock_guard turn(vtkMutex());
     impl.context.makeCurrent(&impl.surface);
     impl.window->ReleaseGraphicsResources(impl.window);
     impl.scene.reset();
@@ -124,7 +124,7 @@ void VtkRenderer::set(const ViewSnapshot& snapshot) {
 
 VtkRenderer::Result VtkRenderer::render(const ViewSnapshot& snapshot, const std::stop_token& stop) {
     Impl& impl = *m_impl;
-    const std::lock_guard turn(vtkTurn());
+    const std::lock_guard turn(vtkMutex());
     if (stop.stop_requested() || !impl.context.makeCurrent(&impl.surface)) return {};
     const bool isWhole = !snapshot.moves || impl.wholeMilliseconds < kWholeMilliseconds;
     const bool isCoarse = !isWhole && snapshot.content && snapshot.content->mesh->coarse;

@@ -1,4 +1,4 @@
-#include "app/view3d/offscreen.h"
+#include "app/vtk/offscreen.h"
 
 #include <QBuffer>
 #include <QFile>
@@ -15,9 +15,9 @@
 #include "app/jobs/write_file.h"
 #include "app/look/numbers.h"
 #include "app/look/window_look.h"
-#include "app/view3d/headless_window.h"
-#include "app/view3d/vtk_turn.h"
-#include "app/view3d/world_scene.h"
+#include "app/vtk/headless_window.h"
+#include "app/vtk/vtk_mutex.h"
+#include "app/vtk/world_scene.h"
 
 namespace app {
 
@@ -90,7 +90,7 @@ public:
 
     // Tile by tile, the other views taking their turns in between. Null where it was given up.
     QImage renderShot(const OrbitCamera& camera, const ViewShot& shot, const ShotProgress& progress) {
-        std::unique_lock turn(vtkTurn());
+        std::unique_lock turn(vtkMutex());
         m_scene.setContent(m_content, shot.hasGround ? groundLines(*m_content) : std::vector<InkedLine>{});
         const ViewFrame view{camera, m_size, Theme::current().scale()};
         const Drawing drawing = (shot.isPoint ? drawPoint : drawWorld)(*m_content, m_options, view);
@@ -200,7 +200,7 @@ pipeline::Result<QImage> renderView(const ViewContent& content, const ViewOption
 
 pipeline::Result<QImage> renderView(const SpacePicture& picture, const ShotProgress& progress) {
     const ViewShot& shot = picture.shot;
-    std::unique_lock turn(vtkTurn());
+    std::unique_lock turn(vtkMutex());
     const auto window = HeadlessWindow::create(tileOf(shot));
     if (!window) return window.errors();
     ViewRenderer renderer(*window, picture.content, picture.options, shot.size, shot.pixelRatio);
@@ -230,7 +230,7 @@ pipeline::Result<std::vector<std::filesystem::path>> writeViews(const pipeline::
                                                                 const std::filesystem::path& folder) {
     const FontSystem fonts;
     if (!fonts.ready()) return pipeline::Error{{}, "no font system for the letters of the views", {}};
-    const std::lock_guard turn(vtkTurn());
+    const std::lock_guard turn(vtkMutex());
     const auto window = HeadlessWindow::create(kSize);
     if (!window) return window.errors();
     const auto content = std::make_shared<const ViewContent>(contentOf(frame, pixel));

@@ -1,4 +1,4 @@
-#include "app/view3d/vtk_data.h"
+#include "app/vtk/vtk_data.h"
 
 #include <algorithm>
 #include <cmath>
@@ -101,7 +101,7 @@ vtkSmartPointer<vtkPolyData> facesData(const ViewMesh& mesh, Detail detail, Face
     rgb.reserve(std::min(count, mesh.positions.size()));
     corners.reserve(3 * count);
     const auto add = [&](const Face& face, const std::array<std::uint32_t, 3>& vertices) {
-        if (face.alpha < 1 && shown == FacesShown::Shaded) return;  // Glass has those
+        if (face.alpha < 1 && shown == FacesShown::Shaded) return;  // TranslucentFaces has those
         for (std::size_t i = 0; i < 3; ++i) {
             Placed& at = placed[vertices[i]];
             const Color8 color = mixed(colorAt(face, i), ground, strength);

@@ -1,6 +1,6 @@
 #pragma once
 #include "app/drawing3d/drawing.h"
-#include "app/view3d/world_layer.h"
+#include "app/vtk/world_layer.h"
 
 namespace app {
 

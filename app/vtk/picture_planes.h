@@ -4,7 +4,7 @@
 #include "app/drawing3d/drawing.h"
 #include "app/drawing3d/view_content.h"
 #include "app/drawing3d/view_options.h"
-#include "app/view3d/world_layer.h"
+#include "app/vtk/world_layer.h"
 
 class vtkTexture;
 

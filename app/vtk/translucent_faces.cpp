@@ -1,4 +1,4 @@
-#include "app/view3d/glass.h"
+#include "app/vtk/translucent_faces.h"
 
 #include <vtkActor.h>
 #include <vtkCellArray.h>
@@ -15,7 +15,7 @@
 
 namespace app {
 
-Glass::Glass()
+TranslucentFaces::TranslucentFaces()
     : m_mapper(vtkSmartPointer<vtkPolyDataMapper>::New()),
       m_actor(vtkSmartPointer<vtkActor>::New()),
       m_data(vtkSmartPointer<vtkPolyData>::New()) {
@@ -27,11 +27,11 @@ Glass::Glass()
     m_actor->ForceOpaqueOn();
 }
 
-Glass::~Glass() = default;
+TranslucentFaces::~TranslucentFaces() = default;
 
-void Glass::addTo(vtkRenderer& renderer) { renderer.AddActor(m_actor); }
+void TranslucentFaces::addTo(vtkRenderer& renderer) { renderer.AddActor(m_actor); }
 
-void Glass::set(const ViewMesh* mesh, Detail detail, double strength, const ThemeColors& colors) {
+void TranslucentFaces::set(const ViewMesh* mesh, Detail detail, double strength, const ThemeColors& colors) {
     m_middles.clear();
     m_data = vtkSmartPointer<vtkPolyData>::New();
     auto points = vtkSmartPointer<vtkPoints>::New();
@@ -63,11 +63,11 @@ void Glass::set(const ViewMesh* mesh, Detail detail, double strength, const Them
     sort();
 }
 
-void Glass::look(Vec3d forward) {
+void TranslucentFaces::look(Vec3d forward) {
     if (std::exchange(m_forward, forward) != forward) sort();
 }
 
-void Glass::sort() {
+void TranslucentFaces::sort() {
     if (m_middles.empty()) return;
     std::vector<std::pair<double, vtkIdType>> order;
     order.reserve(m_middles.size());

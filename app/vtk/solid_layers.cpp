@@ -1,11 +1,11 @@
-#include "app/view3d/solid_layers.h"
+#include "app/vtk/solid_layers.h"
 
 #include <vtkActor.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 
-#include "app/view3d/vtk_data.h"
+#include "app/vtk/vtk_data.h"
 
 namespace app {
 

@@ -1,4 +1,4 @@
-#include "app/view3d/vtk_widget.h"
+#include "app/vtk/vtk_widget.h"
 
 #include <QOpenGLContext>
 #include <QPainter>

@@ -1,4 +1,4 @@
-#include "app/view3d/world_scene.h"
+#include "app/vtk/world_scene.h"
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
@@ -9,7 +9,7 @@
 #include <cmath>
 #include <utility>
 
-#include "app/view3d/vtk_data.h"
+#include "app/vtk/vtk_data.h"
 
 namespace app {
 

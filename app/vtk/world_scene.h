@@ -4,11 +4,11 @@
 #include <memory>
 #include <vector>
 
-#include "app/view3d/mark_layers.h"
-#include "app/view3d/mesh_layers.h"
-#include "app/view3d/normal_glyphs.h"
-#include "app/view3d/picture_planes.h"
-#include "app/view3d/solid_layers.h"
+#include "app/vtk/mark_layers.h"
+#include "app/vtk/mesh_layers.h"
+#include "app/vtk/normal_glyphs.h"
+#include "app/vtk/picture_planes.h"
+#include "app/vtk/solid_layers.h"
 
 class vtkOpenGLRenderWindow;
 

@@ -4,8 +4,8 @@
 #include "app/drawing3d/drawing.h"
 #include "app/drawing3d/view_content.h"
 #include "app/drawing3d/view_options.h"
-#include "app/view3d/glass.h"
-#include "app/view3d/world_layer.h"
+#include "app/vtk/translucent_faces.h"
+#include "app/vtk/world_layer.h"
 
 namespace app {
 
@@ -29,7 +29,7 @@ private:
     bool showsCoarse() const { return m_isCoarse && m_content && m_content->mesh->coarse; }
 
     WorldLayer m_faces, m_coarseFaces, m_edges;
-    Glass m_glass;  // the translucent faces
+    TranslucentFaces m_glass;  // the translucent faces
     std::shared_ptr<const ViewContent> m_content;
     FacesShown m_shown = ViewOptions().faces;
     ThemeColors m_colors;

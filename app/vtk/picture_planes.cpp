@@ -1,4 +1,4 @@
-#include "app/view3d/picture_planes.h"
+#include "app/vtk/picture_planes.h"
 
 #include <vtkActor.h>
 #include <vtkImageData.h>
@@ -10,7 +10,7 @@
 
 #include "app/drawing3d/space_drawing.h"
 #include "app/drawing3d/world_drawing.h"
-#include "app/view3d/vtk_data.h"
+#include "app/vtk/vtk_data.h"
 
 namespace app {
 

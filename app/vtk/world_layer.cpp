@@ -1,4 +1,4 @@
-#include "app/view3d/world_layer.h"
+#include "app/vtk/world_layer.h"
 
 #include <vtkActor.h>
 #include <vtkPolyData.h>
