@@ -1,7 +1,7 @@
 #pragma once
 #include <QObject>
 
-#include "app/panels/focus_watch.h"
+#include "app/widgets/focus_watch.h"
 #include "lessons/state/view_tree.h"
 
 namespace app {

@@ -18,7 +18,7 @@
 #include "app/desktop/talk_work.h"
 #include "app/desktop/view_area.h"
 #include "app/look/text.h"
-#include "app/panels/follow_theme.h"
+#include "app/widgets/follow_theme.h"
 #include "lessons/talk_html.h"
 
 namespace app {

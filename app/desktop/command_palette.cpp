@@ -11,7 +11,7 @@
 #include <QStyledItemDelegate>
 
 #include "app/look/word_match.h"
-#include "app/panels/follow_theme.h"
+#include "app/widgets/follow_theme.h"
 
 namespace app {
 namespace {

@@ -2,7 +2,7 @@
 #include <functional>
 #include <vector>
 
-#include "app/desktop/popover.h"
+#include "app/widgets/popover.h"
 
 class QLabel;
 class QLineEdit;

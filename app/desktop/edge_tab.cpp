@@ -2,7 +2,7 @@
 
 #include <QPainter>
 
-#include "app/panels/follow_theme.h"
+#include "app/widgets/follow_theme.h"
 
 namespace app {
 

@@ -4,7 +4,7 @@
 #include "app/jobs/memory_notice.h"
 #include "app/look/shown_name.h"
 #include "app/look/text.h"
-#include "app/panels/error_list.h"
+#include "app/widgets/error_list.h"
 
 namespace app {
 

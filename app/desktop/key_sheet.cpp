@@ -11,7 +11,7 @@
 #include "app/desktop/actions.h"
 #include "app/desktop/panel_table.h"
 #include "app/look/word_match.h"
-#include "app/panels/follow_theme.h"
+#include "app/widgets/follow_theme.h"
 
 namespace app {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "app/desktop/popover.h"
+#include "app/widgets/popover.h"
 
 class QLineEdit;
 class QScrollArea;

@@ -10,7 +10,7 @@
 #include "app/desktop/status_line.h"
 #include "app/desktop/view_area.h"
 #include "app/desktop/window_layout.h"
-#include "app/panels/save_dialog.h"
+#include "app/widgets/save_dialog.h"
 
 namespace app {
 

@@ -16,7 +16,6 @@
 #include "app/desktop/opening_menus.h"
 #include "app/desktop/palette_commands.h"
 #include "app/desktop/panel_docks.h"
-#include "app/desktop/popover.h"
 #include "app/desktop/presentation.h"
 #include "app/desktop/scene_files.h"
 #include "app/desktop/session.h"
@@ -41,12 +40,13 @@
 #include "app/document/session_file.h"
 #include "app/frames/pixel_inspection.h"
 #include "app/panels/cue_panel.h"
-#include "app/panels/error_list.h"
-#include "app/panels/follow_theme.h"
 #include "app/panels/lesson_panel.h"
 #include "app/panels/start_page.h"
-#include "app/panels/tab_order.h"
 #include "app/panels/timeline.h"
+#include "app/widgets/error_list.h"
+#include "app/widgets/follow_theme.h"
+#include "app/widgets/popover.h"
+#include "app/widgets/tab_order.h"
 
 namespace app {
 namespace {

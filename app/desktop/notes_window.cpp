@@ -12,10 +12,10 @@
 #include "app/look/text.h"
 #include "app/look/theme.h"
 #include "app/look/window_look.h"
-#include "app/panels/elided_label.h"
-#include "app/panels/follow_theme.h"
 #include "app/panels/state_picture.h"
-#include "app/panels/surface.h"
+#include "app/widgets/elided_label.h"
+#include "app/widgets/follow_theme.h"
+#include "app/widgets/surface.h"
 #include "lessons/state/state_scene.h"
 
 namespace app {

@@ -8,8 +8,8 @@
 
 #include "app/desktop/panel_table.h"
 #include "app/look/icons.h"
-#include "app/panels/follow_theme.h"
-#include "app/panels/tab_order.h"
+#include "app/widgets/follow_theme.h"
+#include "app/widgets/tab_order.h"
 
 namespace app {
 

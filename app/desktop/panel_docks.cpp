@@ -7,8 +7,8 @@
 
 #include "app/document/document.h"
 #include "app/look/icons.h"
-#include "app/panels/follow_theme.h"
 #include "app/panels/settings_panel.h"
+#include "app/widgets/follow_theme.h"
 
 namespace app {
 

@@ -3,9 +3,9 @@
 #include <QGridLayout>
 #include <algorithm>
 
-#include "app/panels/follow_theme.h"
-#include "app/panels/number_field.h"
 #include "app/panels/setting_row.h"
+#include "app/widgets/follow_theme.h"
+#include "app/widgets/number_field.h"
 
 namespace app {
 

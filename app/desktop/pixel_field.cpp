@@ -5,7 +5,7 @@
 #include <QRegularExpression>
 #include <QVBoxLayout>
 
-#include "app/panels/follow_theme.h"
+#include "app/widgets/follow_theme.h"
 
 namespace app {
 

@@ -3,7 +3,7 @@
 
 #include <glm/glm.hpp>
 
-#include "app/desktop/popover.h"
+#include "app/widgets/popover.h"
 
 class QLabel;
 class QLineEdit;

@@ -17,10 +17,10 @@
 #include "app/document/session_file.h"
 #include "app/look/number_format.h"
 #include "app/look/numbers.h"
-#include "app/panels/elided_label.h"
-#include "app/panels/follow_theme.h"
-#include "app/panels/on_screen.h"
-#include "app/panels/segmented.h"
+#include "app/widgets/elided_label.h"
+#include "app/widgets/follow_theme.h"
+#include "app/widgets/on_screen.h"
+#include "app/widgets/segmented.h"
 
 namespace app {
 namespace {

@@ -11,7 +11,7 @@
 #include "app/desktop/notes_window.h"
 #include "app/desktop/talk_keys.h"
 #include "app/look/theme.h"
-#include "app/panels/follow_theme.h"
+#include "app/widgets/follow_theme.h"
 
 namespace app {
 

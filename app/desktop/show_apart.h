@@ -2,7 +2,7 @@
 #include <QShortcut>
 #include <QWidget>
 
-#include "app/panels/on_screen.h"
+#include "app/widgets/on_screen.h"
 
 namespace app {
 

@@ -3,7 +3,7 @@
 #include "app/desktop/view_area.h"
 #include "app/desktop/window_layout.h"
 #include "app/document/document_state.h"
-#include "app/panels/error_list.h"
+#include "app/widgets/error_list.h"
 #include "lessons/state/state_scene.h"
 
 namespace app {

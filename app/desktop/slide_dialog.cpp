@@ -22,10 +22,10 @@
 #include "app/panels/buffer_compare.h"
 #include "app/panels/buffer_painter.h"
 #include "app/panels/buffer_view.h"
-#include "app/panels/follow_theme.h"
-#include "app/panels/on_screen.h"
-#include "app/panels/save_dialog.h"
 #include "app/view3d/view3d_panel.h"
+#include "app/widgets/follow_theme.h"
+#include "app/widgets/on_screen.h"
+#include "app/widgets/save_dialog.h"
 
 namespace app {
 namespace {

@@ -10,7 +10,7 @@
 #include "app/document/document_state.h"
 #include "app/look/text.h"
 #include "app/panels/buffer_view.h"
-#include "app/panels/error_list.h"
+#include "app/widgets/error_list.h"
 #include "lessons/state/cue_list.h"
 #include "pipeline/formats/toml_writer.h"
 

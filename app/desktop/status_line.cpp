@@ -6,12 +6,12 @@
 #include <QLabel>
 #include <QPushButton>
 
-#include "app/desktop/opening_bar.h"
-#include "app/desktop/work_bar.h"
 #include "app/frames/stage_status.h"
 #include "app/look/text.h"
-#include "app/panels/elided_label.h"
-#include "app/panels/follow_theme.h"
+#include "app/widgets/elided_label.h"
+#include "app/widgets/follow_theme.h"
+#include "app/widgets/opening_bar.h"
+#include "app/widgets/work_bar.h"
 #include "pipeline/run/frame_remarks.h"
 #include "pipeline/scene/settings_table.h"
 

@@ -7,8 +7,8 @@
 #include "app/look/text.h"
 #include "app/panels/algorithm_panel.h"
 #include "app/panels/algorithm_view.h"
-#include "app/panels/follow_theme.h"
 #include "app/panels/step_tables.h"
+#include "app/widgets/follow_theme.h"
 #include "lessons/talk_words.h"
 
 namespace app {

@@ -6,8 +6,8 @@
 #include "app/document/document.h"
 #include "app/frames/pixel_inspection.h"
 #include "app/look/number_format.h"
-#include "app/panels/follow_theme.h"
 #include "app/panels/math_view.h"
+#include "app/widgets/follow_theme.h"
 #include "lessons/talk_words.h"
 
 namespace app {

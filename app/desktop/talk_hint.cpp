@@ -1,6 +1,6 @@
 #include "app/desktop/talk_hint.h"
 
-#include "app/panels/follow_theme.h"
+#include "app/widgets/follow_theme.h"
 
 namespace app {
 namespace {

@@ -3,10 +3,10 @@
 #include <QVBoxLayout>
 #include <utility>
 
-#include "app/desktop/opening_bar.h"
-#include "app/desktop/work_bar.h"
 #include "app/document/scene_opener.h"
 #include "app/jobs/work_list.h"
+#include "app/widgets/opening_bar.h"
+#include "app/widgets/work_bar.h"
 
 namespace app {
 namespace {

@@ -5,9 +5,9 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include "app/panels/elided_label.h"
-#include "app/panels/follow_theme.h"
 #include "app/panels/stage_strip.h"
+#include "app/widgets/elided_label.h"
+#include "app/widgets/follow_theme.h"
 
 namespace app {
 

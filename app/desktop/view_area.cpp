@@ -6,9 +6,9 @@
 
 #include "app/panels/buffer_holds.h"
 #include "app/panels/buffer_view.h"
-#include "app/panels/follow_theme.h"
 #include "app/panels/thumbnail_strip.h"
 #include "app/view3d/view3d_panel.h"
+#include "app/widgets/follow_theme.h"
 
 namespace app {
 

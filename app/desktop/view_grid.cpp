@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "app/desktop/even_splitter.h"
-#include "app/panels/follow_theme.h"
+#include "app/widgets/follow_theme.h"
 
 namespace app {
 

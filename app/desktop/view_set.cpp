@@ -9,9 +9,9 @@
 #include "app/panels/buffer_header.h"
 #include "app/panels/buffer_range.h"
 #include "app/panels/buffer_view.h"
-#include "app/panels/follow_theme.h"
 #include "app/panels/range_foot.h"
 #include "app/view3d/view3d_panel.h"
+#include "app/widgets/follow_theme.h"
 
 namespace app {
 

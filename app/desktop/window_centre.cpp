@@ -6,9 +6,9 @@
 
 #include "app/desktop/view_area.h"
 #include "app/look/theme.h"
-#include "app/panels/error_list.h"
-#include "app/panels/follow_theme.h"
 #include "app/panels/start_page.h"
+#include "app/widgets/error_list.h"
+#include "app/widgets/follow_theme.h"
 
 namespace app {
 

@@ -19,9 +19,9 @@
 #include "app/look/shown_name.h"
 #include "app/look/text.h"
 #include "app/panels/cue_panel.h"
-#include "app/panels/error_list.h"
 #include "app/panels/lesson_panel.h"
-#include "app/panels/save_dialog.h"
+#include "app/widgets/error_list.h"
+#include "app/widgets/save_dialog.h"
 
 namespace app {
 

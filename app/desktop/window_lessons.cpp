@@ -20,11 +20,11 @@
 #include "app/look/shown_name.h"
 #include "app/look/text.h"
 #include "app/look/theme.h"
-#include "app/panels/error_list.h"
-#include "app/panels/follow_theme.h"
 #include "app/panels/lesson_panel.h"
 #include "app/panels/stage_strip.h"
 #include "app/panels/start_page.h"
+#include "app/widgets/error_list.h"
+#include "app/widgets/follow_theme.h"
 #include "lessons/library.h"
 
 namespace app {

@@ -17,9 +17,9 @@
 #include "app/look/icons.h"
 #include "app/look/text.h"
 #include "app/panels/algorithm_view.h"
-#include "app/panels/elided_label.h"
-#include "app/panels/follow_theme.h"
 #include "app/panels/step_tables.h"
+#include "app/widgets/elided_label.h"
+#include "app/widgets/follow_theme.h"
 
 namespace app {
 

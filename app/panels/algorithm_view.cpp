@@ -11,8 +11,8 @@
 #include "app/look/text.h"
 #include "app/look/theme.h"
 #include "app/panels/code_words.h"
-#include "app/panels/folded_text.h"
-#include "app/panels/follow_theme.h"
+#include "app/widgets/folded_text.h"
+#include "app/widgets/follow_theme.h"
 #include "lessons/talk_words.h"
 
 namespace app {

@@ -5,8 +5,8 @@
 
 #include "app/look/text.h"
 #include "app/panels/answer_body.h"
-#include "app/panels/follow_theme.h"
 #include "app/panels/prose_view.h"
+#include "app/widgets/follow_theme.h"
 
 namespace app {
 

@@ -6,8 +6,8 @@
 #include "app/look/accessible.h"
 #include "app/look/text.h"
 #include "app/panels/answer_body.h"
-#include "app/panels/follow_theme.h"
 #include "app/panels/pick_watch.h"
+#include "app/widgets/follow_theme.h"
 
 namespace app {
 

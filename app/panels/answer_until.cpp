@@ -7,8 +7,8 @@
 #include "app/document/hand.h"
 #include "app/look/text.h"
 #include "app/panels/answer_body.h"
-#include "app/panels/follow_theme.h"
 #include "app/panels/setting_row.h"
+#include "app/widgets/follow_theme.h"
 
 namespace app {
 

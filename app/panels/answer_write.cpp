@@ -9,7 +9,7 @@
 #include "app/jobs/background_job.h"
 #include "app/look/text.h"
 #include "app/panels/answer_body.h"
-#include "app/panels/follow_theme.h"
+#include "app/widgets/follow_theme.h"
 #include "lessons/live_page.h"
 #include "pipeline/export/staging.h"
 

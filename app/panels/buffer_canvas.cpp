@@ -2,7 +2,7 @@
 
 #include "app/look/accessible.h"
 #include "app/panels/canvas_flip.h"
-#include "app/panels/follow_theme.h"
+#include "app/widgets/follow_theme.h"
 
 namespace app {
 namespace {

@@ -9,9 +9,9 @@
 #include "app/look/luminance.h"
 #include "app/look/numbers.h"
 #include "app/look/text.h"
-#include "app/panels/elided_label.h"
-#include "app/panels/follow_theme.h"
 #include "app/panels/shown_buffer.h"
+#include "app/widgets/elided_label.h"
+#include "app/widgets/follow_theme.h"
 
 namespace app {
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <QWidget>
 
-#include "app/panels/buffer_chooser.h"
+#include "app/widgets/buffer_chooser.h"
 
 class QAction;
 class QLabel;

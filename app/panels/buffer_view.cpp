@@ -28,11 +28,11 @@
 #include "app/panels/buffer_zoom.h"
 #include "app/panels/compare_bar.h"
 #include "app/panels/condition_bar.h"
-#include "app/panels/follow_theme.h"
 #include "app/panels/held_band.h"
 #include "app/panels/held_files.h"
 #include "app/panels/range_foot.h"
 #include "app/panels/shadow_overlay.h"
+#include "app/widgets/follow_theme.h"
 
 namespace app {
 

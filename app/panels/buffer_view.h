@@ -3,7 +3,7 @@
 
 #include "app/document/document.h"
 #include "app/panels/buffer_features.h"
-#include "app/panels/focus_watch.h"
+#include "app/widgets/focus_watch.h"
 
 class QStackedLayout;
 

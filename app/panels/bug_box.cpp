@@ -3,8 +3,8 @@
 #include <QPainter>
 
 #include "app/look/text.h"
-#include "app/panels/follow_theme.h"
-#include "app/panels/standing_row.h"
+#include "app/widgets/follow_theme.h"
+#include "app/widgets/standing_row.h"
 #include "lessons/wrong_picture.h"
 
 namespace app {

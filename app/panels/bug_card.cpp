@@ -16,9 +16,9 @@
 #include "app/look/text.h"
 #include "app/panels/bug_parts.h"
 #include "app/panels/bug_round.h"
-#include "app/panels/follow_theme.h"
-#include "app/panels/kept_in_sight.h"
-#include "app/panels/surface.h"
+#include "app/widgets/follow_theme.h"
+#include "app/widgets/kept_in_sight.h"
+#include "app/widgets/surface.h"
 
 namespace app {
 

@@ -8,7 +8,7 @@
 
 #include "app/look/text.h"
 #include "app/look/theme.h"
-#include "app/panels/follow_theme.h"
+#include "app/widgets/follow_theme.h"
 #include "lessons/wrong_picture.h"
 #include "pipeline/formats/built_in_scenes.h"
 #include "pipeline/formats/scene_reader.h"

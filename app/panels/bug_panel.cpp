@@ -11,8 +11,8 @@
 #include "app/panels/bug_own.h"
 #include "app/panels/bug_parts.h"
 #include "app/panels/bug_pictures.h"
-#include "app/panels/follow_theme.h"
-#include "app/panels/surface.h"
+#include "app/widgets/follow_theme.h"
+#include "app/widgets/surface.h"
 
 namespace app {
 

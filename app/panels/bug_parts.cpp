@@ -8,8 +8,8 @@
 
 #include "app/look/text.h"
 #include "app/panels/bug_round.h"
-#include "app/panels/follow_theme.h"
 #include "app/panels/math_view.h"
+#include "app/widgets/follow_theme.h"
 #include "pipeline/inspect/pixel_report.h"
 
 namespace app {

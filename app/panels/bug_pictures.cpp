@@ -9,9 +9,9 @@
 #include "app/look/text.h"
 #include "app/panels/buffer_canvas.h"
 #include "app/panels/bug_round.h"
-#include "app/panels/follow_theme.h"
 #include "app/panels/shown_buffer.h"
-#include "app/panels/surface.h"
+#include "app/widgets/follow_theme.h"
+#include "app/widgets/surface.h"
 #include "pipeline/inspect/compare.h"
 
 namespace app {

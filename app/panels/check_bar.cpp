@@ -7,9 +7,9 @@
 #include <algorithm>
 
 #include "app/look/theme.h"
-#include "app/panels/elided_label.h"
-#include "app/panels/fitting_choice.h"
-#include "app/panels/follow_theme.h"
+#include "app/widgets/elided_label.h"
+#include "app/widgets/fitting_choice.h"
+#include "app/widgets/follow_theme.h"
 
 namespace app {
 

@@ -8,8 +8,8 @@
 #include <array>
 
 #include "app/look/text.h"
-#include "app/panels/airy_cells.h"
-#include "app/panels/follow_theme.h"
+#include "app/widgets/follow_theme.h"
+#include "app/widgets/padded_cells.h"
 
 namespace app {
 
@@ -38,7 +38,7 @@ CheckCases::CheckCases(QWidget* parent) : QTableWidget(0, kColumns, parent) {
     setShowGrid(false);
     setWordWrap(false);
     setTabKeyNavigation(false);
-    setItemDelegate(new AiryCells(this));
+    setItemDelegate(new PaddedCells(this));
     setHorizontalScrollMode(ScrollPerPixel);
     verticalHeader()->hide();
     verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);

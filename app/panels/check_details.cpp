@@ -5,7 +5,7 @@
 #include <QPushButton>
 
 #include "app/look/text.h"
-#include "app/panels/follow_theme.h"
+#include "app/widgets/follow_theme.h"
 
 namespace app {
 

@@ -8,9 +8,9 @@
 
 #include "app/look/text.h"
 #include "app/panels/check_plot.h"
-#include "app/panels/elided_label.h"
-#include "app/panels/follow_theme.h"
-#include "app/panels/value_slider.h"
+#include "app/widgets/elided_label.h"
+#include "app/widgets/follow_theme.h"
+#include "app/widgets/value_slider.h"
 #include "pipeline/core/text.h"
 
 namespace app {

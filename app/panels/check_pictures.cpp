@@ -6,8 +6,8 @@
 
 #include "app/core/scene_gallery.h"
 #include "app/look/text.h"
-#include "app/panels/follow_theme.h"
 #include "app/panels/study_pictures.h"
+#include "app/widgets/follow_theme.h"
 
 namespace app {
 

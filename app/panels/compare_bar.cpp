@@ -9,8 +9,8 @@
 #include "app/look/accessible.h"
 #include "app/look/icons.h"
 #include "app/look/text.h"
-#include "app/panels/follow_theme.h"
-#include "app/panels/segmented.h"
+#include "app/widgets/follow_theme.h"
+#include "app/widgets/segmented.h"
 
 namespace app {
 

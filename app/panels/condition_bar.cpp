@@ -12,8 +12,8 @@
 #include "app/look/icons.h"
 #include "app/look/numbers.h"
 #include "app/look/text.h"
-#include "app/panels/elided_label.h"
-#include "app/panels/follow_theme.h"
+#include "app/widgets/elided_label.h"
+#include "app/widgets/follow_theme.h"
 
 namespace app {
 

@@ -11,8 +11,8 @@
 
 #include "app/look/numbers.h"
 #include "app/look/text.h"
-#include "app/panels/follow_theme.h"
-#include "app/panels/standing_row.h"
+#include "app/widgets/follow_theme.h"
+#include "app/widgets/standing_row.h"
 
 namespace app {
 

@@ -18,7 +18,7 @@
 #include "app/look/icons.h"
 #include "app/look/shown_name.h"
 #include "app/look/text.h"
-#include "app/panels/follow_theme.h"
+#include "app/widgets/follow_theme.h"
 
 namespace app {
 namespace {

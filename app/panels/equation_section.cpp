@@ -9,9 +9,9 @@
 #include "app/frames/equation_symbols.h"
 #include "app/look/number_format.h"
 #include "app/look/text.h"
-#include "app/panels/follow_theme.h"
 #include "app/panels/math_view.h"
-#include "app/panels/segmented.h"
+#include "app/widgets/follow_theme.h"
+#include "app/widgets/segmented.h"
 
 namespace app {
 

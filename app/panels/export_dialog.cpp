@@ -16,9 +16,9 @@
 #include "app/look/text.h"
 #include "app/panels/export_formats.h"
 #include "app/panels/export_list.h"
-#include "app/panels/follow_theme.h"
-#include "app/panels/on_screen.h"
-#include "app/panels/wrapping_check_box.h"
+#include "app/widgets/follow_theme.h"
+#include "app/widgets/on_screen.h"
+#include "app/widgets/wrapping_check_box.h"
 #include "pipeline/plan/needs.h"
 #include "pipeline/scene/framing.h"
 

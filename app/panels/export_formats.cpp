@@ -7,8 +7,8 @@
 #include <QVBoxLayout>
 
 #include "app/look/text.h"
-#include "app/panels/follow_theme.h"
-#include "app/panels/wrapping_check_box.h"
+#include "app/widgets/follow_theme.h"
+#include "app/widgets/wrapping_check_box.h"
 #include "pipeline/export/exporter.h"
 
 namespace app {

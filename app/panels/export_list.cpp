@@ -6,8 +6,8 @@
 #include <QKeyEvent>
 
 #include "app/look/text.h"
-#include "app/panels/airy_cells.h"
-#include "app/panels/follow_theme.h"
+#include "app/widgets/follow_theme.h"
+#include "app/widgets/padded_cells.h"
 
 namespace app {
 
@@ -29,7 +29,7 @@ ExportList::ExportList(QWidget* parent) : QTreeWidget(parent) {
     setRootIsDecorated(false);
     setIndentation(8);
     setSelectionMode(ExtendedSelection);
-    setItemDelegateForColumn(0, new AiryCells(this));  // between check boxes and names
+    setItemDelegateForColumn(0, new PaddedCells(this));  // between check boxes and names
     setFrameShape(QFrame::NoFrame);
     header()->setStretchLastSection(true);
     followTheme(this, [this] { setFont(Theme::current().mono(12)); });

@@ -13,10 +13,10 @@
 #include "app/look/text.h"
 #include "app/panels/figure_fields.h"
 #include "app/panels/figure_preview.h"
-#include "app/panels/follow_theme.h"
-#include "app/panels/on_screen.h"
-#include "app/panels/save_dialog.h"
-#include "app/panels/surface.h"
+#include "app/widgets/follow_theme.h"
+#include "app/widgets/on_screen.h"
+#include "app/widgets/save_dialog.h"
+#include "app/widgets/surface.h"
 
 namespace app {
 FigureDialog::FigureDialog(Document& document, const FigureOrder& first, QWidget* parent)
@@ -25,14 +25,14 @@ FigureDialog::FigureDialog(Document& document, const FigureOrder& first, QWidget
       m_changes(document),
       m_fields(new FigureFields(document, first, this)),
       m_preview(new FigurePreview(this)),
-      m_foot(new JobFoot("figure", tr("Save…"), this)) {
+      m_foot(new JobBar("figure", tr("Save…"), this)) {
     setObjectName("figureDialog");
     setWindowTitle(tr("Figure"));
     QPushButton* copies = m_foot->addButton("figureCopy", tr("Copy"));
     connect(copies, &QPushButton::clicked, this, &FigureDialog::copy);
-    connect(m_foot, &JobFoot::startAsked, this, &FigureDialog::choose);
-    connect(m_foot, &JobFoot::cancelAsked, this, &FigureDialog::reject);
-    connect(m_foot, &JobFoot::closeAsked, this, &FigureDialog::reject);
+    connect(m_foot, &JobBar::startAsked, this, &FigureDialog::choose);
+    connect(m_foot, &JobBar::cancelAsked, this, &FigureDialog::reject);
+    connect(m_foot, &JobBar::closeAsked, this, &FigureDialog::reject);
     for (const int key : {Qt::Key_Return, Qt::Key_Enter})
         connect(new QShortcut(QKeySequence(Qt::CTRL | Qt::Key(key)), this), &QShortcut::activated, this, [this] {
             if (parts().buffer && !m_writing.busy()) choose();

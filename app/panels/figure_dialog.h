@@ -5,7 +5,7 @@
 #include "app/core/figure_order.h"
 #include "app/document/changed_settings.h"
 #include "app/jobs/background_job.h"
-#include "app/panels/job_foot.h"
+#include "app/widgets/job_bar.h"
 
 namespace app {
 
@@ -45,7 +45,7 @@ private:
     ChangedSettings m_changes;
     FigureFields* m_fields;
     FigurePreview* m_preview;
-    JobFoot* m_foot;
+    JobBar* m_foot;
     QString m_file;  // saved last
     BackgroundJob m_writing;
 };

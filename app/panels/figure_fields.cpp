@@ -12,9 +12,9 @@
 #include <cmath>
 
 #include "app/look/text.h"
-#include "app/panels/buffer_chooser.h"
 #include "app/panels/figure_size_fields.h"
-#include "app/panels/follow_theme.h"
+#include "app/widgets/buffer_chooser.h"
+#include "app/widgets/follow_theme.h"
 
 namespace app {
 namespace {

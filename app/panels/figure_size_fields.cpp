@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <array>
 
-#include "app/panels/follow_theme.h"
-#include "app/panels/segmented.h"
+#include "app/widgets/follow_theme.h"
+#include "app/widgets/segmented.h"
 
 namespace app {
 namespace {

@@ -10,9 +10,9 @@
 
 #include "app/document/export_plan.h"
 #include "app/look/text.h"
-#include "app/panels/follow_theme.h"
-#include "app/panels/on_screen.h"
-#include "app/panels/save_dialog.h"
+#include "app/widgets/follow_theme.h"
+#include "app/widgets/on_screen.h"
+#include "app/widgets/save_dialog.h"
 
 namespace app {
 namespace {

@@ -2,7 +2,7 @@
 #include "app/core/film_job.h"
 #include "app/document/changed_settings.h"
 #include "app/document/document.h"
-#include "app/panels/job_dialog.h"
+#include "app/widgets/job_dialog.h"
 
 class QCheckBox;
 class QComboBox;

@@ -4,7 +4,7 @@
 #include <QFileInfo>
 
 #include "app/look/text.h"
-#include "app/panels/save_dialog.h"
+#include "app/widgets/save_dialog.h"
 #include "lessons/handout.h"
 
 namespace app {

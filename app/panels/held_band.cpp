@@ -8,7 +8,7 @@
 #include "app/frames/derived_buffers.h"
 #include "app/look/text.h"
 #include "app/panels/buffer_view.h"
-#include "app/panels/follow_theme.h"
+#include "app/widgets/follow_theme.h"
 
 namespace app {
 

@@ -6,7 +6,7 @@
 #include "app/document/document.h"
 #include "app/document/hand.h"
 #include "app/look/text.h"
-#include "app/panels/follow_theme.h"
+#include "app/widgets/follow_theme.h"
 
 namespace app {
 

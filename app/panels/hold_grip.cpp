@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "app/look/theme.h"
-#include "app/panels/follow_theme.h"
+#include "app/widgets/follow_theme.h"
 
 namespace app {
 

@@ -12,12 +12,12 @@
 #include "app/look/text.h"
 #include "app/look/working_bar.h"
 #include "app/panels/equation_section.h"
-#include "app/panels/follow_theme.h"
 #include "app/panels/fragments_section.h"
 #include "app/panels/layers_section.h"
-#include "app/panels/section.h"
 #include "app/panels/terms_section.h"
 #include "app/panels/why_section.h"
+#include "app/widgets/follow_theme.h"
+#include "app/widgets/section.h"
 #include "pipeline/formats/built_in_scenes.h"
 
 namespace app {

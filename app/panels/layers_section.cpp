@@ -5,7 +5,7 @@
 #include <QVBoxLayout>
 
 #include "app/look/numbers.h"
-#include "app/panels/follow_theme.h"
+#include "app/widgets/follow_theme.h"
 
 namespace app {
 

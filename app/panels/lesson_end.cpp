@@ -7,9 +7,9 @@
 #include <map>
 
 #include "app/look/text.h"
-#include "app/panels/follow_theme.h"
 #include "app/panels/prose_view.h"
 #include "app/panels/question_card.h"
+#include "app/widgets/follow_theme.h"
 #include "lessons/misconceptions.h"
 
 namespace app {

@@ -11,9 +11,9 @@
 #include "app/look/accessible.h"
 #include "app/look/icons.h"
 #include "app/look/text.h"
-#include "app/panels/elided_label.h"
-#include "app/panels/follow_theme.h"
 #include "app/panels/question_card.h"
+#include "app/widgets/elided_label.h"
+#include "app/widgets/follow_theme.h"
 
 namespace app {
 

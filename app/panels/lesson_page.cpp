@@ -4,9 +4,9 @@
 #include <utility>
 
 #include "app/look/text.h"
-#include "app/panels/follow_theme.h"
 #include "app/panels/prose_view.h"
 #include "app/panels/question_card.h"
+#include "app/widgets/follow_theme.h"
 
 namespace app {
 

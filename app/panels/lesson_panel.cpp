@@ -14,18 +14,18 @@
 #include <utility>
 
 #include "app/look/text.h"
-#include "app/panels/alt_keys.h"
-#include "app/panels/error_list.h"
-#include "app/panels/fitting_stack.h"
-#include "app/panels/follow_theme.h"
 #include "app/panels/handout_button.h"
-#include "app/panels/kept_in_sight.h"
 #include "app/panels/lesson_end.h"
 #include "app/panels/lesson_head.h"
 #include "app/panels/lesson_page.h"
 #include "app/panels/lesson_results_dialog.h"
 #include "app/panels/question_card.h"
-#include "app/panels/surface.h"
+#include "app/widgets/alt_keys.h"
+#include "app/widgets/error_list.h"
+#include "app/widgets/fitting_stack.h"
+#include "app/widgets/follow_theme.h"
+#include "app/widgets/kept_in_sight.h"
+#include "app/widgets/surface.h"
 
 namespace app {
 

@@ -9,8 +9,8 @@
 #include "app/core/lesson_run.h"
 #include "app/look/text.h"
 #include "app/look/theme.h"
-#include "app/panels/on_screen.h"
 #include "app/panels/question_card.h"
+#include "app/widgets/on_screen.h"
 #include "lessons/misconceptions.h"
 
 namespace app {

@@ -10,7 +10,7 @@
 
 #include "app/look/accessible.h"
 #include "app/look/text.h"
-#include "app/panels/follow_theme.h"
+#include "app/widgets/follow_theme.h"
 #include "pipeline/export/json.h"
 #include "pipeline/inspect/equation_text.h"
 

@@ -4,8 +4,8 @@
 #include <QPainter>
 #include <QVBoxLayout>
 
-#include "app/panels/follow_theme.h"
 #include "app/panels/prose_view.h"
+#include "app/widgets/follow_theme.h"
 
 namespace app {
 

@@ -12,7 +12,7 @@
 #include "app/look/accessible.h"
 #include "app/look/numbers.h"
 #include "app/look/text.h"
-#include "app/panels/follow_theme.h"
+#include "app/widgets/follow_theme.h"
 #include "pipeline/core/text.h"
 #include "pipeline/formats/text_scanner.h"
 

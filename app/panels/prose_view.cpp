@@ -10,7 +10,7 @@
 #include <cmath>
 
 #include "app/look/text.h"
-#include "app/panels/follow_theme.h"
+#include "app/widgets/follow_theme.h"
 #include "lessons/picture.h"
 
 namespace app {

@@ -9,10 +9,10 @@
 #include "app/look/numbers.h"
 #include "app/look/text.h"
 #include "app/panels/answer_body.h"
-#include "app/panels/fitting_stack.h"
-#include "app/panels/follow_theme.h"
 #include "app/panels/note_box.h"
 #include "app/panels/prose_view.h"
+#include "app/widgets/fitting_stack.h"
+#include "app/widgets/follow_theme.h"
 #include "lessons/results.h"
 
 namespace app {

@@ -6,8 +6,8 @@
 #include <algorithm>
 
 #include "app/look/text.h"
-#include "app/panels/follow_theme.h"
 #include "app/panels/legend_bar.h"
+#include "app/widgets/follow_theme.h"
 
 namespace app {
 

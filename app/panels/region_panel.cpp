@@ -11,8 +11,8 @@
 #include "app/frames/large_frame.h"
 #include "app/look/icons.h"
 #include "app/look/working_bar.h"
-#include "app/panels/follow_theme.h"
 #include "app/panels/shown_buffer.h"
+#include "app/widgets/follow_theme.h"
 
 namespace app {
 

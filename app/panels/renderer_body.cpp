@@ -10,14 +10,14 @@
 #include "app/look/accessible.h"
 #include "app/look/numbers.h"
 #include "app/look/text.h"
-#include "app/panels/follow_theme.h"
 #include "app/panels/renderer_conventions.h"
 #include "app/panels/renderer_error.h"
 #include "app/panels/renderer_finding.h"
 #include "app/panels/renderer_head.h"
 #include "app/panels/renderer_values.h"
-#include "app/panels/section.h"
-#include "app/panels/standing_row.h"
+#include "app/widgets/follow_theme.h"
+#include "app/widgets/section.h"
+#include "app/widgets/standing_row.h"
 #include "pipeline/compare/compare_text.h"
 
 namespace app {

@@ -8,7 +8,7 @@
 
 #include "app/look/accessible.h"
 #include "app/look/text.h"
-#include "app/panels/follow_theme.h"
+#include "app/widgets/follow_theme.h"
 
 namespace app {
 

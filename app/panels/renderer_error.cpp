@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "app/look/text.h"
-#include "app/panels/follow_theme.h"
+#include "app/widgets/follow_theme.h"
 
 namespace app {
 

@@ -10,9 +10,9 @@
 #include "app/document/document.h"
 #include "app/look/icons.h"
 #include "app/look/text.h"
-#include "app/panels/follow_theme.h"
 #include "app/panels/renderer_finding.h"
-#include "app/panels/standing_row.h"
+#include "app/widgets/follow_theme.h"
+#include "app/widgets/standing_row.h"
 #include "pipeline/compare/compare_text.h"
 
 namespace app {

@@ -6,9 +6,9 @@
 #include <QScrollArea>
 #include <QVBoxLayout>
 
-#include "app/panels/follow_theme.h"
 #include "app/panels/renderer_body.h"
 #include "app/panels/renderer_head.h"
+#include "app/widgets/follow_theme.h"
 
 namespace app {
 

@@ -8,10 +8,10 @@
 
 #include "app/jobs/write_file.h"
 #include "app/look/text.h"
-#include "app/panels/elided_label.h"
-#include "app/panels/follow_theme.h"
-#include "app/panels/save_dialog.h"
 #include "app/panels/scanline_plot_view.h"
+#include "app/widgets/elided_label.h"
+#include "app/widgets/follow_theme.h"
+#include "app/widgets/save_dialog.h"
 #include "pipeline/export/plot_file.h"
 
 namespace app {

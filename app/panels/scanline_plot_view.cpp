@@ -4,8 +4,8 @@
 #include <QPainter>
 
 #include "app/look/accessible.h"
-#include "app/panels/follow_theme.h"
-#include "app/panels/plot_painter.h"
+#include "app/widgets/follow_theme.h"
+#include "app/widgets/plot_painter.h"
 
 namespace app {
 

@@ -10,10 +10,10 @@
 #include "app/frames/equation_symbols.h"
 #include "app/look/accessible.h"
 #include "app/look/text.h"
-#include "app/panels/follow_theme.h"
-#include "app/panels/number_field.h"
-#include "app/panels/segmented.h"
-#include "app/panels/value_slider.h"
+#include "app/widgets/follow_theme.h"
+#include "app/widgets/number_field.h"
+#include "app/widgets/segmented.h"
+#include "app/widgets/value_slider.h"
 
 namespace app {
 

@@ -12,8 +12,8 @@
 
 #include "app/frames/equation_symbols.h"
 #include "app/look/text.h"
-#include "app/panels/follow_theme.h"
 #include "app/panels/setting_row.h"
+#include "app/widgets/follow_theme.h"
 
 namespace app {
 namespace {

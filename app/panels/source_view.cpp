@@ -9,8 +9,8 @@
 
 #include "app/look/shown_name.h"
 #include "app/look/text.h"
-#include "app/panels/follow_theme.h"
-#include "app/panels/on_screen.h"
+#include "app/widgets/follow_theme.h"
+#include "app/widgets/on_screen.h"
 #include "pipeline/formats/scene_folder.h"
 
 namespace app {

@@ -10,7 +10,7 @@
 #include "app/look/numbers.h"
 #include "app/look/text.h"
 #include "app/panels/buffer_compare.h"
-#include "app/panels/follow_theme.h"
+#include "app/widgets/follow_theme.h"
 
 namespace app {
 

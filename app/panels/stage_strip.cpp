@@ -5,8 +5,8 @@
 
 #include "app/document/renderer_check.h"
 #include "app/look/text.h"
-#include "app/panels/follow_theme.h"
 #include "app/panels/stage_card.h"
+#include "app/widgets/follow_theme.h"
 
 namespace app {
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/panels/follow_theme.h"
+#include "app/widgets/follow_theme.h"
 
 namespace app {
 namespace {

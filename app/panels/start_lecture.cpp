@@ -7,10 +7,10 @@
 
 #include "app/look/text.h"
 #include "app/look/word_match.h"
-#include "app/panels/follow_theme.h"
 #include "app/panels/start_card.h"
 #include "app/panels/start_lesson_row.h"
-#include "app/panels/surface.h"
+#include "app/widgets/follow_theme.h"
+#include "app/widgets/surface.h"
 
 namespace app {
 namespace {

@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <numeric>
 
-#include "app/panels/follow_theme.h"
 #include "app/panels/start_lesson_row.h"
-#include "app/panels/surface.h"
+#include "app/widgets/follow_theme.h"
+#include "app/widgets/surface.h"
 
 namespace app {
 

@@ -13,10 +13,10 @@
 #include "app/document/recent_files.h"
 #include "app/look/shown_name.h"
 #include "app/panels/drop_field.h"
-#include "app/panels/follow_theme.h"
-#include "app/panels/segmented.h"
 #include "app/panels/start_line.h"
-#include "app/panels/surface.h"
+#include "app/widgets/follow_theme.h"
+#include "app/widgets/segmented.h"
+#include "app/widgets/surface.h"
 #include "lessons/state/cue_list.h"
 
 namespace app {

@@ -13,11 +13,11 @@
 
 #include "app/look/icons.h"
 #include "app/look/text.h"
-#include "app/panels/follow_theme.h"
-#include "app/panels/segmented.h"
 #include "app/panels/start_card.h"
 #include "app/panels/start_lecture.h"
-#include "app/panels/surface.h"
+#include "app/widgets/follow_theme.h"
+#include "app/widgets/segmented.h"
+#include "app/widgets/surface.h"
 
 namespace app {
 namespace {

@@ -7,7 +7,7 @@
 #include <QPushButton>
 #include <algorithm>
 
-#include "app/panels/follow_theme.h"
+#include "app/widgets/follow_theme.h"
 
 namespace app {
 

@@ -9,8 +9,8 @@
 
 #include "app/look/accessible.h"
 #include "app/look/text.h"
-#include "app/panels/fitting_font.h"
-#include "app/panels/follow_theme.h"
+#include "app/widgets/fitting_font.h"
+#include "app/widgets/follow_theme.h"
 
 namespace app {
 

@@ -7,7 +7,7 @@
 #include "app/frames/large_frame.h"
 #include "app/look/text.h"
 #include "app/look/theme.h"
-#include "app/panels/follow_theme.h"
+#include "app/widgets/follow_theme.h"
 #include "pipeline/inspect/pixel_report.h"
 
 namespace app {

@@ -8,8 +8,8 @@
 
 #include "app/look/accessible.h"
 #include "app/look/text.h"
-#include "app/panels/elided_label.h"
-#include "app/panels/follow_theme.h"
+#include "app/widgets/elided_label.h"
+#include "app/widgets/follow_theme.h"
 #include "pipeline/export/study_text.h"
 #include "pipeline/study/analysis.h"
 

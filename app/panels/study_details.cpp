@@ -9,8 +9,8 @@
 
 #include "app/look/numbers.h"
 #include "app/look/text.h"
-#include "app/panels/airy_cells.h"
-#include "app/panels/follow_theme.h"
+#include "app/widgets/follow_theme.h"
+#include "app/widgets/padded_cells.h"
 #include "pipeline/study/analysis_text.h"
 
 namespace app {
@@ -84,7 +84,7 @@ StudyDetails::StudyDetails(QWidget* parent) : QWidget(parent) {
     m_errors->setEditTriggers(QTableWidget::NoEditTriggers);
     m_errors->setSelectionMode(QTableWidget::NoSelection);
     m_errors->setShowGrid(false);
-    m_errors->setItemDelegate(new AiryCells(m_errors));
+    m_errors->setItemDelegate(new PaddedCells(m_errors));
     m_errors->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     m_errors->setWordWrap(false);
     m_errors->verticalHeader()->hide();

@@ -12,9 +12,6 @@
 #include <algorithm>
 
 #include "app/look/text.h"
-#include "app/panels/folding_panes.h"
-#include "app/panels/follow_theme.h"
-#include "app/panels/on_screen.h"
 #include "app/panels/study_choice.h"
 #include "app/panels/study_details.h"
 #include "app/panels/study_foot.h"
@@ -25,7 +22,10 @@
 #include "app/panels/study_sweep.h"
 #include "app/panels/study_tabs.h"
 #include "app/panels/study_words.h"
-#include "app/panels/surface.h"
+#include "app/widgets/folding_panes.h"
+#include "app/widgets/follow_theme.h"
+#include "app/widgets/on_screen.h"
+#include "app/widgets/surface.h"
 #include "pipeline/export/study_files.h"
 #include "pipeline/export/study_json.h"
 #include "pipeline/formats/scene_folder.h"

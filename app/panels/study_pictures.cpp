@@ -8,8 +8,8 @@
 #include <cmath>
 
 #include "app/look/numbers.h"
-#include "app/panels/elided_label.h"
-#include "app/panels/follow_theme.h"
+#include "app/widgets/elided_label.h"
+#include "app/widgets/follow_theme.h"
 
 namespace app {
 

@@ -6,8 +6,8 @@
 #include <algorithm>
 
 #include "app/look/accessible.h"
-#include "app/panels/follow_theme.h"
-#include "app/panels/plot_painter.h"
+#include "app/widgets/follow_theme.h"
+#include "app/widgets/plot_painter.h"
 
 namespace app {
 

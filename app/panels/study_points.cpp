@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "app/look/text.h"
-#include "app/panels/airy_cells.h"
-#include "app/panels/follow_theme.h"
+#include "app/widgets/follow_theme.h"
+#include "app/widgets/padded_cells.h"
 #include "pipeline/export/study_text.h"
 #include "pipeline/study/analysis_text.h"
 
@@ -33,7 +33,7 @@ StudyPoints::StudyPoints(QWidget* parent) : QTableWidget(parent) {
     setSelectionMode(SingleSelection);
     setEditTriggers(NoEditTriggers);
     setShowGrid(false);
-    setItemDelegate(new AiryCells(this));
+    setItemDelegate(new PaddedCells(this));
     horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     setWordWrap(false);
     setHorizontalScrollMode(ScrollPerPixel);

@@ -10,8 +10,8 @@
 #include <thread>
 
 #include "app/look/text.h"
-#include "app/panels/elided_label.h"
-#include "app/panels/follow_theme.h"
+#include "app/widgets/elided_label.h"
+#include "app/widgets/follow_theme.h"
 #include "pipeline/core/text.h"
 
 namespace app {

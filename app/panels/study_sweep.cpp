@@ -9,7 +9,7 @@
 
 #include "app/look/accessible.h"
 #include "app/look/text.h"
-#include "app/panels/follow_theme.h"
+#include "app/widgets/follow_theme.h"
 #include "pipeline/core/text.h"
 
 namespace app {

@@ -3,11 +3,11 @@
 #include <QLayout>
 #include <QScrollArea>
 
-#include "app/panels/follow_theme.h"
 #include "app/panels/study_details.h"
 #include "app/panels/study_pictures.h"
 #include "app/panels/study_words.h"
-#include "app/panels/surface.h"
+#include "app/widgets/follow_theme.h"
+#include "app/widgets/surface.h"
 
 namespace app {
 

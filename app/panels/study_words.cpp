@@ -9,8 +9,8 @@
 
 #include "app/look/shown_name.h"
 #include "app/look/text.h"
-#include "app/panels/airy_cells.h"
-#include "app/panels/follow_theme.h"
+#include "app/widgets/follow_theme.h"
+#include "app/widgets/padded_cells.h"
 #include "pipeline/core/text.h"
 #include "pipeline/export/study_text.h"
 #include "pipeline/study/analysis_text.h"
@@ -45,7 +45,7 @@ StudyWords::StudyWords(QWidget* parent) : QWidget(parent) {
     m_orders->setEditTriggers(QTableWidget::NoEditTriggers);
     m_orders->setSelectionMode(QTableWidget::NoSelection);
     m_orders->setShowGrid(false);
-    m_orders->setItemDelegate(new AiryCells(m_orders));
+    m_orders->setItemDelegate(new PaddedCells(m_orders));
     m_orders->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     m_orders->verticalHeader()->hide();
     m_orders->horizontalHeader()->setHighlightSections(false);

@@ -12,8 +12,8 @@
 #include "app/look/number_format.h"
 #include "app/look/numbers.h"
 #include "app/look/text.h"
-#include "app/panels/airy_cells.h"
-#include "app/panels/follow_theme.h"
+#include "app/widgets/follow_theme.h"
+#include "app/widgets/padded_cells.h"
 
 namespace app {
 
@@ -62,7 +62,7 @@ void TablePage::build() {
     m_view = new QTableView(this);
     m_view->setTabKeyNavigation(false);  // else nothing leads out of it
     m_view->setModel(m_model);
-    m_view->setItemDelegate(new AiryCells(m_view));
+    m_view->setItemDelegate(new PaddedCells(m_view));
     m_view->setAccessibleName(tr("Table of %1").arg(toQString(name(m_table))));
     m_view->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_view->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);

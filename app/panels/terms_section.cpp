@@ -11,8 +11,8 @@
 #include "app/look/number_format.h"
 #include "app/look/numbers.h"
 #include "app/look/text.h"
-#include "app/panels/follow_theme.h"
 #include "app/panels/gain_bar.h"
+#include "app/widgets/follow_theme.h"
 #include "pipeline/stages/shading.h"
 
 namespace app {

@@ -11,8 +11,8 @@
 #include "app/look/text.h"
 #include "app/look/theme.h"
 #include "app/panels/buffer_painter.h"
-#include "app/panels/follow_theme.h"
 #include "app/panels/thumbnail.h"
+#include "app/widgets/follow_theme.h"
 #include "pipeline/plan/needs.h"
 
 namespace app {

@@ -10,10 +10,10 @@
 #include "app/look/icons.h"
 #include "app/look/numbers.h"
 #include "app/look/text.h"
-#include "app/panels/fitting_font.h"
-#include "app/panels/follow_theme.h"
-#include "app/panels/segmented.h"
 #include "app/panels/step_bar.h"
+#include "app/widgets/fitting_font.h"
+#include "app/widgets/follow_theme.h"
+#include "app/widgets/segmented.h"
 
 namespace app {
 namespace {

@@ -12,8 +12,8 @@
 #include "app/look/numbers.h"
 #include "app/look/shown_name.h"
 #include "app/look/text.h"
-#include "app/panels/follow_theme.h"
 #include "app/panels/source_view.h"
+#include "app/widgets/follow_theme.h"
 #include "pipeline/inspect/shadow_blocker.h"
 #include "pipeline/run/frame_data.h"
 

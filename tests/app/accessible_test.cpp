@@ -11,8 +11,8 @@
 #include "app/panels/buffer_canvas.h"
 #include "app/panels/gain_bar.h"
 #include "app/panels/math_view.h"
-#include "app/panels/segmented.h"
-#include "app/panels/value_slider.h"
+#include "app/widgets/segmented.h"
+#include "app/widgets/value_slider.h"
 
 namespace app {
 namespace {

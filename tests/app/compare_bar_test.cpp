@@ -8,7 +8,7 @@
 #include <algorithm>
 
 #include "app/look/theme.h"
-#include "app/panels/segmented.h"
+#include "app/widgets/segmented.h"
 
 namespace {
 

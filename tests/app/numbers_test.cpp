@@ -7,7 +7,7 @@
 #include "app/document/scene_outline.h"
 #include "app/look/number_format.h"
 #include "app/panels/buffer_image.h"
-#include "app/panels/elided_label.h"
+#include "app/widgets/elided_label.h"
 #include "tests/support/scenes.h"
 
 namespace {

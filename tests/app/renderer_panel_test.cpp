@@ -11,7 +11,7 @@
 
 #include "app/panels/stage_card.h"
 #include "app/panels/stage_strip.h"
-#include "app/panels/standing_row.h"
+#include "app/widgets/standing_row.h"
 #include "pipeline/compare/worst_pixels.h"
 #include "tests/app/renderer_files.h"
 

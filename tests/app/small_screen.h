@@ -6,7 +6,7 @@
 #include <initializer_list>
 
 #include "app/look/theme.h"
-#include "app/panels/folding_panes.h"
+#include "app/widgets/folding_panes.h"
 
 namespace test {
 

@@ -8,10 +8,10 @@
 #include <QTimer>
 #include <QWheelEvent>
 
-#include "app/panels/elided_label.h"
 #include "app/panels/palette_bar.h"
 #include "app/panels/shown_buffer.h"
-#include "app/panels/value_slider.h"
+#include "app/widgets/elided_label.h"
+#include "app/widgets/value_slider.h"
 #include "pipeline/run/runner.h"
 #include "tests/support/scenes.h"
 

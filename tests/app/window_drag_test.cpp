@@ -8,8 +8,8 @@
 #include "app/panels/buffer_canvas.h"
 #include "app/panels/stage_card.h"
 #include "app/panels/stage_strip.h"
-#include "app/panels/value_slider.h"
 #include "app/vtk/vtk_widget.h"
+#include "app/widgets/value_slider.h"
 #include "tests/app/quiet.h"
 #include "tests/app/window_fixture.h"
 

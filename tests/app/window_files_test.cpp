@@ -18,9 +18,9 @@
 #include "app/panels/buffer_view.h"
 #include "app/panels/check_panel.h"
 #include "app/panels/cue_panel.h"
-#include "app/panels/error_list.h"
 #include "app/panels/lesson_panel.h"
-#include "app/panels/save_dialog.h"
+#include "app/widgets/error_list.h"
+#include "app/widgets/save_dialog.h"
 #include "pipeline/formats/built_in_scenes.h"
 #include "tests/app/window_fixture.h"
 

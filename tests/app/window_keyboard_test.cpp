@@ -28,8 +28,8 @@
 #include "app/panels/math_view.h"
 #include "app/panels/start_page.h"
 #include "app/panels/step_bar.h"
-#include "app/panels/tab_order.h"
 #include "app/view3d/scene_view.h"
+#include "app/widgets/tab_order.h"
 #include "tests/app/quiet.h"
 #include "tests/app/window_fixture.h"
 

@@ -11,7 +11,7 @@
 #include "app/look/number_format.h"
 #include "app/look/theme.h"
 #include "app/panels/buffer_view.h"
-#include "app/panels/segmented.h"
+#include "app/widgets/segmented.h"
 #include "tests/app/window_fixture.h"
 
 namespace app {

@@ -9,7 +9,7 @@
 #include "app/frames/stepper.h"
 #include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_view.h"
-#include "app/panels/error_list.h"
+#include "app/widgets/error_list.h"
 #include "lessons/state/window_state.h"
 #include "tests/app/window_fixture.h"
 

@@ -14,8 +14,8 @@
 #include "app/panels/buffer_overlays.h"
 #include "app/panels/buffer_range.h"
 #include "app/panels/buffer_view.h"
-#include "app/panels/error_list.h"
 #include "app/view3d/view3d_panel.h"
+#include "app/widgets/error_list.h"
 #include "tests/app/quiet.h"
 #include "tests/app/window_fixture.h"
 

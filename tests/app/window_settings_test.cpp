@@ -8,11 +8,11 @@
 
 #include "app/look/theme.h"
 #include "app/panels/buffer_canvas.h"
-#include "app/panels/number_field.h"
 #include "app/panels/scene_tree.h"
-#include "app/panels/segmented.h"
 #include "app/panels/settings_panel.h"
-#include "app/panels/value_slider.h"
+#include "app/widgets/number_field.h"
+#include "app/widgets/segmented.h"
+#include "app/widgets/value_slider.h"
 #include "tests/app/quiet.h"
 #include "tests/app/window_fixture.h"
 

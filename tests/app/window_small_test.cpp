@@ -18,11 +18,11 @@
 #include "app/panels/export_dialog.h"
 #include "app/panels/figure_dialog.h"
 #include "app/panels/film_dialog.h"
-#include "app/panels/number_field.h"
 #include "app/panels/stage_card.h"
 #include "app/panels/stage_strip.h"
 #include "app/panels/start_page.h"
 #include "app/panels/step_bar.h"
+#include "app/widgets/number_field.h"
 #include "tests/app/window_fixture.h"
 
 namespace app {

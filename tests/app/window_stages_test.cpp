@@ -7,11 +7,11 @@
 #include "app/frames/stage_buffer.h"
 #include "app/panels/buffer_view.h"
 #include "app/panels/equation_section.h"
-#include "app/panels/fitting_font.h"
 #include "app/panels/stage_card.h"
 #include "app/panels/stage_strip.h"
 #include "app/view3d/scene_view.h"
 #include "app/view3d/view3d_panel.h"
+#include "app/widgets/fitting_font.h"
 #include "tests/app/window_fixture.h"
 
 namespace app {

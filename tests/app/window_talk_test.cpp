@@ -33,10 +33,10 @@
 #include "app/panels/condition_bar.h"
 #include "app/panels/cue_panel.h"
 #include "app/panels/math_view.h"
-#include "app/panels/segmented.h"
 #include "app/panels/thumbnail_strip.h"
-#include "app/panels/value_slider.h"
 #include "app/view3d/view3d_panel.h"
+#include "app/widgets/segmented.h"
+#include "app/widgets/value_slider.h"
 #include "tests/app/window_fixture.h"
 
 namespace app {

@@ -1,11 +1,11 @@
-#include "app/panels/fitting_choice.h"
+#include "app/widgets/fitting_choice.h"
 
 #include <QComboBox>
 #include <QVBoxLayout>
 
 #include "app/look/accessible.h"
-#include "app/panels/follow_theme.h"
-#include "app/panels/segmented.h"
+#include "app/widgets/follow_theme.h"
+#include "app/widgets/segmented.h"
 
 namespace app {
 

@@ -1,11 +1,11 @@
-#include "app/desktop/progress_line.h"
+#include "app/widgets/progress_line.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
 
-#include "app/panels/follow_theme.h"
+#include "app/widgets/follow_theme.h"
 
 namespace app {
 

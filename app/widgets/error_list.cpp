@@ -1,4 +1,4 @@
-#include "app/panels/error_list.h"
+#include "app/widgets/error_list.h"
 
 #include <algorithm>
 
@@ -17,7 +17,7 @@
 
 #include "app/look/icons.h"
 #include "app/look/text.h"
-#include "app/panels/follow_theme.h"
+#include "app/widgets/follow_theme.h"
 
 namespace app {
 

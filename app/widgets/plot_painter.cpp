@@ -1,4 +1,4 @@
-#include "app/panels/plot_painter.h"
+#include "app/widgets/plot_painter.h"
 
 #include <QPainter>
 #include <QPainterPath>

@@ -1,4 +1,4 @@
-#include "app/desktop/popover.h"
+#include "app/widgets/popover.h"
 
 #include <algorithm>
 

@@ -11,11 +11,11 @@ namespace app {
 
 // The bottom of a dialog that writes files: the equivalent command line, a progress bar, a sentence, and the buttons
 // that start, cancel, close and show the folder.
-class JobFoot : public QWidget {
+class JobBar : public QWidget {
     Q_OBJECT
 public:
     // name: begins the names of its controls, as "film" those of filmStart, filmCancel and filmMessage.
-    JobFoot(const QString& name, const QString& start, QWidget* parent);
+    JobBar(const QString& name, const QString& start, QWidget* parent);
 
     void setCommand(const QString& command);
     void setReady(bool ready, const QString& whyNot);  // to start; not while it runs

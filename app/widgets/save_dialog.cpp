@@ -1,4 +1,4 @@
-#include "app/panels/save_dialog.h"
+#include "app/widgets/save_dialog.h"
 
 #include <QFileDialog>
 #include <QFileInfo>

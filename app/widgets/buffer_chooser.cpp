@@ -1,4 +1,4 @@
-#include "app/panels/buffer_chooser.h"
+#include "app/widgets/buffer_chooser.h"
 
 #include <QHeaderView>
 #include <QKeyEvent>
@@ -12,7 +12,7 @@
 #include "app/look/icons.h"
 #include "app/look/text.h"
 #include "app/look/word_match.h"
-#include "app/panels/follow_theme.h"
+#include "app/widgets/follow_theme.h"
 #include "pipeline/plan/needs.h"
 
 namespace app {

@@ -2,7 +2,7 @@
 #include <QFrame>
 #include <QPointer>
 
-#include "app/panels/focus_watch.h"
+#include "app/widgets/focus_watch.h"
 
 namespace app {
 

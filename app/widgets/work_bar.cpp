@@ -1,4 +1,4 @@
-#include "app/desktop/work_bar.h"
+#include "app/widgets/work_bar.h"
 
 #include <QProgressBar>
 #include <QPushButton>

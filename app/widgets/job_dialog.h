@@ -4,8 +4,8 @@
 #include <functional>
 
 #include "app/look/text.h"
-#include "app/panels/job_foot.h"
-#include "app/panels/tab_order.h"
+#include "app/widgets/job_bar.h"
+#include "app/widgets/tab_order.h"
 #include "pipeline/core/result.h"
 
 class QHBoxLayout;
@@ -34,7 +34,7 @@ protected:
     QLineEdit& field() const { return *m_target; }
     // As typed, from the home folder on; "~" is that too.
     std::filesystem::path target() const;
-    JobFoot& foot() const { return *m_foot; }
+    JobBar& foot() const { return *m_foot; }
     bool isRunning() const { return m_job != nullptr; }
 
     // words(summary): what has been written, as a sentence.
@@ -58,7 +58,7 @@ protected:
 private:
     void finish(const QString& sentence, const std::filesystem::path& written);
 
-    JobFoot* m_foot;
+    JobBar* m_foot;
     QLineEdit* m_target = nullptr;
     QObject* m_job = nullptr;  // one writes at a time
     std::function<void()> m_cancel;

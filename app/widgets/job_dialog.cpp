@@ -1,4 +1,4 @@
-#include "app/panels/job_dialog.h"
+#include "app/widgets/job_dialog.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -9,12 +9,12 @@
 namespace app {
 
 JobDialog::JobDialog(const QString& name, const QString& start, QWidget* parent)
-    : QDialog(parent), m_foot(new JobFoot(name, start, this)) {
-    connect(m_foot, &JobFoot::startAsked, this, [this] {
+    : QDialog(parent), m_foot(new JobBar(name, start, this)) {
+    connect(m_foot, &JobBar::startAsked, this, [this] {
         if (!m_job) this->start();
     });
-    connect(m_foot, &JobFoot::cancelAsked, this, &JobDialog::reject);
-    connect(m_foot, &JobFoot::closeAsked, this, &JobDialog::reject);
+    connect(m_foot, &JobBar::cancelAsked, this, &JobDialog::reject);
+    connect(m_foot, &JobBar::closeAsked, this, &JobDialog::reject);
 }
 
 void JobDialog::reject() { m_job ? m_cancel() : QDialog::reject(); }

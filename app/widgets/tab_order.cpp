@@ -1,4 +1,4 @@
-#include "app/panels/tab_order.h"
+#include "app/widgets/tab_order.h"
 
 #include <algorithm>
 

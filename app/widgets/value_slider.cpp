@@ -1,4 +1,4 @@
-#include "app/panels/value_slider.h"
+#include "app/widgets/value_slider.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <QMouseEvent>
 #include <QPainter>
 
-#include "app/panels/follow_theme.h"
+#include "app/widgets/follow_theme.h"
 
 namespace app {
 

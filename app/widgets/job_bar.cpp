@@ -1,4 +1,4 @@
-#include "app/panels/job_foot.h"
+#include "app/widgets/job_bar.h"
 
 #include <QDesktopServices>
 #include <QHBoxLayout>
@@ -8,11 +8,11 @@
 #include <QPushButton>
 #include <QUrl>
 
-#include "app/panels/follow_theme.h"
+#include "app/widgets/follow_theme.h"
 
 namespace app {
 
-JobFoot::JobFoot(const QString& name, const QString& start, QWidget* parent)
+JobBar::JobBar(const QString& name, const QString& start, QWidget* parent)
     : QWidget(parent),
       m_command(new QLineEdit(this)),
       m_message(styled(new QLabel(this), {.wraps = true})),
@@ -34,7 +34,7 @@ JobFoot::JobFoot(const QString& name, const QString& start, QWidget* parent)
     m_start->setObjectName(name + "Start");
     m_start->setProperty("kind", "primary");
     m_start->setDefault(true);
-    connect(m_start, &QPushButton::clicked, this, &JobFoot::startAsked);
+    connect(m_start, &QPushButton::clicked, this, &JobBar::startAsked);
     connect(m_cancel, &QPushButton::clicked, this, [this] { m_running ? emit cancelAsked() : emit closeAsked(); });
     connect(m_showFolder, &QPushButton::clicked, this,
             [this] { QDesktopServices::openUrl(QUrl::fromLocalFile(m_folder)); });
@@ -59,7 +59,7 @@ JobFoot::JobFoot(const QString& name, const QString& start, QWidget* parent)
     });
 }
 
-QPushButton* JobFoot::addButton(const QString& objectName, const QString& text) {
+QPushButton* JobBar::addButton(const QString& objectName, const QString& text) {
     m_other = new QPushButton(text, this);
     m_other->setObjectName(objectName);
     m_other->setAutoDefault(false);
@@ -68,20 +68,20 @@ QPushButton* JobFoot::addButton(const QString& objectName, const QString& text) 
     return m_other;
 }
 
-void JobFoot::setCommand(const QString& command) {
+void JobBar::setCommand(const QString& command) {
     m_command->setText(command);
     m_command->setCursorPosition(0);
 }
 
-QString JobFoot::message() const { return m_message->text(); }
+QString JobBar::message() const { return m_message->text(); }
 
-void JobFoot::setReady(bool ready, const QString& whyNot) {
+void JobBar::setReady(bool ready, const QString& whyNot) {
     m_ready = ready;
     m_whyNot = whyNot;
     showButtons();
 }
 
-void JobFoot::begin() {
+void JobBar::begin() {
     m_running = true;
     m_message->clear();
     m_progress->setValue(0);
@@ -90,12 +90,12 @@ void JobFoot::begin() {
     showButtons();
 }
 
-void JobFoot::setProgress(double share, const QString& what) {
+void JobBar::setProgress(double share, const QString& what) {
     m_progress->setValue(int(share * 1000));
     m_message->setText(what);
 }
 
-void JobFoot::finish(const QString& sentence, const QString& folder) {
+void JobBar::finish(const QString& sentence, const QString& folder) {
     m_running = false;
     m_folder = folder;
     m_message->setText(sentence);
@@ -105,7 +105,7 @@ void JobFoot::finish(const QString& sentence, const QString& folder) {
     showButtons();
 }
 
-void JobFoot::showButtons() {
+void JobBar::showButtons() {
     for (QPushButton* button : {m_start, m_other}) {
         if (!button) continue;
         button->setEnabled(m_ready && !m_running);

@@ -1,4 +1,4 @@
-#include "app/panels/number_field.h"
+#include "app/widgets/number_field.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 #include <QMouseEvent>
 
 #include "app/look/text.h"
-#include "app/panels/follow_theme.h"
+#include "app/widgets/follow_theme.h"
 
 namespace app {
 

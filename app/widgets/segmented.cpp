@@ -1,9 +1,9 @@
-#include "app/panels/segmented.h"
+#include "app/widgets/segmented.h"
 
 #include <QHBoxLayout>
 #include <QPushButton>
 
-#include "app/panels/follow_theme.h"
+#include "app/widgets/follow_theme.h"
 
 namespace app {
 namespace {

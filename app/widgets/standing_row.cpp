@@ -1,11 +1,11 @@
-#include "app/panels/standing_row.h"
+#include "app/widgets/standing_row.h"
 
 #include <QKeyEvent>
 #include <QPainter>
 #include <QPainterPath>
 
 #include "app/look/text.h"
-#include "app/panels/follow_theme.h"
+#include "app/widgets/follow_theme.h"
 
 namespace app {
 

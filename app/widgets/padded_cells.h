@@ -8,7 +8,7 @@ namespace app {
 
 // A digit's width of air on either side: a number at the right of its column keeps off the words at
 // the left of the next. A style sheet's padding would hold for the selected row alone.
-class AiryCells : public QStyledItemDelegate {
+class PaddedCells : public QStyledItemDelegate {
 public:
     using QStyledItemDelegate::QStyledItemDelegate;
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "app/desktop/progress_line.h"
+#include "app/widgets/progress_line.h"
 
 namespace app {
 

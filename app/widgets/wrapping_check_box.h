@@ -4,7 +4,7 @@
 #include <QStyleOptionButton>
 #include <algorithm>
 
-#include "app/panels/folded_text.h"
+#include "app/widgets/folded_text.h"
 
 namespace app {
 

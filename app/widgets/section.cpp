@@ -1,11 +1,11 @@
-#include "app/panels/section.h"
+#include "app/widgets/section.h"
 
 #include <QHBoxLayout>
 #include <QPainter>
 
 #include "app/look/icons.h"
-#include "app/panels/elided_label.h"
-#include "app/panels/follow_theme.h"
+#include "app/widgets/elided_label.h"
+#include "app/widgets/follow_theme.h"
 
 namespace app {
 

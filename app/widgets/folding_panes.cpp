@@ -1,11 +1,11 @@
-#include "app/panels/folding_panes.h"
+#include "app/widgets/folding_panes.h"
 
 #include <QSplitter>
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "app/panels/follow_theme.h"
-#include "app/panels/segmented.h"
+#include "app/widgets/follow_theme.h"
+#include "app/widgets/segmented.h"
 
 namespace app {
 namespace {

@@ -1,4 +1,4 @@
-#include "app/desktop/opening_bar.h"
+#include "app/widgets/opening_bar.h"
 
 #include <QProgressBar>
 #include <QPushButton>
