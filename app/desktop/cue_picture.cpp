@@ -3,9 +3,9 @@
 #include <QPainter>
 #include <algorithm>
 
+#include "app/canvas/state_picture.h"
 #include "app/frames/other_source.h"
 #include "app/look/text.h"
-#include "app/panels/state_picture.h"
 #include "app/view3d/space_picture.h"
 
 namespace app {

@@ -1,12 +1,12 @@
 #include "app/desktop/exports.h"
 
+#include "app/canvas/buffer_canvas.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/shown_state.h"
 #include "app/desktop/slide_dialog.h"
 #include "app/desktop/view_area.h"
 #include "app/document/document.h"
 #include "app/look/text.h"
-#include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_view.h"
 #include "app/panels/export_dialog.h"
 #include "app/panels/figure_dialog.h"

@@ -8,11 +8,11 @@
 #include <QStyledItemDelegate>
 #include <QVBoxLayout>
 
+#include "app/canvas/state_picture.h"
 #include "app/look/shown_name.h"
 #include "app/look/text.h"
 #include "app/look/theme.h"
 #include "app/look/window_look.h"
-#include "app/panels/state_picture.h"
 #include "app/widgets/elided_label.h"
 #include "app/widgets/follow_theme.h"
 #include "app/widgets/surface.h"

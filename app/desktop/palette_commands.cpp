@@ -3,6 +3,7 @@
 #include <QMenu>
 #include <QPointer>
 
+#include "app/canvas/buffer_canvas.h"
 #include "app/core/start_order.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/command_palette.h"
@@ -16,7 +17,6 @@
 #include "app/desktop/window_lessons.h"
 #include "app/frames/equation_symbols.h"
 #include "app/look/text.h"
-#include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_compare.h"
 #include "app/panels/buffer_overlays.h"
 #include "app/panels/buffer_view.h"

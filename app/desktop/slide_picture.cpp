@@ -2,16 +2,16 @@
 
 #include <QPainter>
 
+#include "app/canvas/buffer_canvas.h"
+#include "app/canvas/state_picture.h"
 #include "app/desktop/view_area.h"
 #include "app/frames/derived_buffers.h"
 #include "app/frames/mix_model.h"
 #include "app/look/hidden_in_window.h"
 #include "app/look/text.h"
 #include "app/look/theme.h"
-#include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_compare.h"
 #include "app/panels/buffer_view.h"
-#include "app/panels/state_picture.h"
 #include "app/view3d/view3d_panel.h"
 #include "pipeline/export/png_file.h"
 #include "pipeline/formats/png_scene.h"

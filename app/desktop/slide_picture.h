@@ -3,9 +3,9 @@
 #include <map>
 #include <string>
 
+#include "app/canvas/wipe.h"
 #include "app/document/document.h"
 #include "app/jobs/background_job.h"
-#include "app/panels/wipe.h"
 #include "app/vtk/offscreen.h"
 #include "lessons/derived_buffer.h"
 #include "lessons/state/window_state.h"

@@ -3,9 +3,9 @@
 #include <QTimer>
 #include <utility>
 
+#include "app/canvas/buffer_canvas.h"
 #include "app/desktop/active_view.h"
 #include "app/desktop/view_grid.h"
-#include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_view.h"
 
 namespace app {

@@ -4,12 +4,12 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "app/canvas/range_bar.h"
 #include "app/look/hidden_in_window.h"
 #include "app/panels/buffer_features.h"
 #include "app/panels/buffer_header.h"
 #include "app/panels/buffer_range.h"
 #include "app/panels/buffer_view.h"
-#include "app/panels/range_foot.h"
 #include "app/view3d/view3d_panel.h"
 #include "app/widgets/follow_theme.h"
 
@@ -51,7 +51,7 @@ BufferView& ViewSet::buffer(int number) {
     frame(view, leaf);
     view->setBare(m_dress == ViewDress::Bare);
     if (m_dress == ViewDress::Bare)
-        connect(&view->features().range->foot(), &RangeFoot::shown, this, &ViewSet::alignPictures);
+        connect(&view->features().range->foot(), &RangeBar::shown, this, &ViewSet::alignPictures);
     emit made(leaf);
     return *view;
 }

@@ -2,8 +2,8 @@
 
 #include <QLabel>
 
+#include "app/canvas/buffer_canvas.h"
 #include "app/look/theme.h"
-#include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_compare.h"
 #include "app/panels/buffer_view.h"
 

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
+#include "app/canvas/buffer_canvas.h"
 #include "app/document/changed_settings.h"
 #include "app/document/renderer_check.h"
 #include "app/frames/derived_buffers.h"
 #include "app/look/text.h"
-#include "app/panels/buffer_canvas.h"
 #include "lessons/state/state_text.h"
 
 namespace app {

@@ -2,8 +2,8 @@
 
 #include <QKeyEvent>
 
+#include "app/canvas/buffer_canvas.h"
 #include "app/document/renderer_check.h"
-#include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_compare.h"
 #include "app/panels/buffer_header.h"
 #include "app/panels/buffer_overlays.h"

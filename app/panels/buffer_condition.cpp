@@ -3,12 +3,12 @@
 #include <QKeyEvent>
 #include <QMenu>
 
+#include "app/canvas/buffer_canvas.h"
+#include "app/canvas/condition_bar.h"
 #include "app/look/theme.h"
-#include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_header.h"
 #include "app/panels/buffer_overlays.h"
 #include "app/panels/buffer_view.h"
-#include "app/panels/condition_bar.h"
 
 namespace app {
 

@@ -2,7 +2,7 @@
 #include <QObject>
 #include <optional>
 
-#include "app/panels/show_job.h"
+#include "app/canvas/show_job.h"
 #include "lessons/state/window_state.h"
 
 class QKeyEvent;

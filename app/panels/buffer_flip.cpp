@@ -3,7 +3,7 @@
 #include <QKeyEvent>
 #include <QMenu>
 
-#include "app/panels/buffer_canvas.h"
+#include "app/canvas/buffer_canvas.h"
 #include "app/panels/buffer_header.h"
 #include "app/panels/buffer_view.h"
 

@@ -5,11 +5,11 @@
 #include <QMenu>
 #include <QToolButton>
 
+#include "app/canvas/shown_buffer.h"
 #include "app/look/icons.h"
 #include "app/look/luminance.h"
 #include "app/look/numbers.h"
 #include "app/look/text.h"
-#include "app/panels/shown_buffer.h"
 #include "app/widgets/elided_label.h"
 #include "app/widgets/follow_theme.h"
 

@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/canvas/buffer_canvas.h"
 #include "app/document/hand.h"
 #include "app/look/text.h"
 #include "app/look/theme.h"
-#include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_header.h"
 #include "app/panels/buffer_view.h"
 #include "app/panels/held_band.h"

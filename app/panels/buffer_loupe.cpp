@@ -2,10 +2,10 @@
 
 #include <QKeyEvent>
 
-#include "app/panels/buffer_canvas.h"
+#include "app/canvas/buffer_canvas.h"
+#include "app/canvas/loupe.h"
 #include "app/panels/buffer_header.h"
 #include "app/panels/buffer_view.h"
-#include "app/panels/loupe.h"
 
 namespace app {
 

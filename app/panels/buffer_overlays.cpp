@@ -2,12 +2,12 @@
 
 #include <algorithm>
 
+#include "app/canvas/buffer_canvas.h"
+#include "app/canvas/shadow_overlay.h"
 #include "app/document/renderer_check.h"
 #include "app/look/theme.h"
-#include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_header.h"
 #include "app/panels/buffer_view.h"
-#include "app/panels/shadow_overlay.h"
 
 namespace app {
 

@@ -2,7 +2,7 @@
 
 #include <QGestureEvent>
 
-#include "app/panels/buffer_canvas.h"
+#include "app/canvas/buffer_canvas.h"
 #include "app/panels/buffer_view.h"
 
 namespace app {

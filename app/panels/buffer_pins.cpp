@@ -7,9 +7,9 @@
 #include <QMenu>
 #include <algorithm>
 
+#include "app/canvas/buffer_canvas.h"
 #include "app/frames/pinned_pixels.h"
 #include "app/look/theme.h"
-#include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_header.h"
 #include "app/panels/buffer_readout.h"
 #include "app/panels/buffer_view.h"

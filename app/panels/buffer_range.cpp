@@ -4,19 +4,19 @@
 #include <cmath>
 #include <utility>
 
+#include "app/canvas/range_bar.h"
 #include "app/panels/buffer_channels.h"
 #include "app/panels/buffer_compare.h"
 #include "app/panels/buffer_view.h"
-#include "app/panels/range_foot.h"
 
 namespace app {
 
 RangeChoice::RangeChoice(BufferView& view, BufferCompare& compare, const ChannelChoice& channel)
-    : BufferFeature(view), m_compare(compare), m_foot(new RangeFoot(&view)) {
+    : BufferFeature(view), m_compare(compare), m_foot(new RangeBar(&view)) {
     m_foot->hide();
-    connect(m_foot, &RangeFoot::rangeChosen, this, &RangeChoice::set);
-    connect(m_foot, &RangeFoot::autofit, this, &RangeChoice::fit);
-    connect(m_foot, &RangeFoot::logarithmicChosen, this, &RangeChoice::setLogCounts);
+    connect(m_foot, &RangeBar::rangeChosen, this, &RangeChoice::set);
+    connect(m_foot, &RangeBar::autofit, this, &RangeChoice::fit);
+    connect(m_foot, &RangeBar::logarithmicChosen, this, &RangeChoice::setLogCounts);
     connect(&channel, &ChannelChoice::changed, this, [this] { kept().range.reset(); });  // it was of other values
     connect(&view.document(), &Document::sceneOpened, this, [this] { m_kept.clear(); });
 }

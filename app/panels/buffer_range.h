@@ -8,7 +8,7 @@ namespace app {
 
 class BufferCompare;
 class ChannelChoice;
-class RangeFoot;
+class RangeBar;
 
 // The range of values that the palette spans: the user's, or one that fits every frame. Kept for each buffer. The range of
 // a difference is the comparison's.
@@ -16,7 +16,7 @@ class RangeChoice : public BufferFeature {
 public:
     RangeChoice(BufferView& view, BufferCompare& compare, const ChannelChoice& channel);
 
-    RangeFoot& foot() { return *m_foot; }
+    RangeBar& foot() { return *m_foot; }
     void set(pipeline::PaletteRange range);
     void fit(bool keep);  // keep: to every frame from now on
     void setLogCounts(bool logarithmic);
@@ -36,7 +36,7 @@ private:
     std::optional<pipeline::PaletteRange>& keptRange();  // of the buffer on show, or of the difference
 
     BufferCompare& m_compare;
-    RangeFoot* m_foot;
+    RangeBar* m_foot;
     std::map<std::string, Kept> m_kept;  // by the buffer's name
     bool m_fitsOnce = false;             // keeps the range that fits the next picture
 };

@@ -3,8 +3,8 @@
 #include <QKeyEvent>
 #include <QMenu>
 
+#include "app/canvas/buffer_canvas.h"
 #include "app/frames/pinned_pixels.h"
-#include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_header.h"
 #include "app/panels/buffer_view.h"
 #include "app/panels/region_panel.h"

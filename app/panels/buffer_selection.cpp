@@ -1,7 +1,7 @@
 #include "app/panels/buffer_selection.h"
 
+#include "app/canvas/buffer_canvas.h"
 #include "app/frames/large_frame.h"
-#include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_view.h"
 
 namespace app {

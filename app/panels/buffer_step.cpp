@@ -4,11 +4,11 @@
 #include <QPushButton>
 #include <utility>
 
+#include "app/canvas/buffer_canvas.h"
+#include "app/canvas/projected_scene.h"
 #include "app/look/theme.h"
-#include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_captions.h"
 #include "app/panels/buffer_view.h"
-#include "app/panels/projected_scene.h"
 
 namespace app {
 namespace {

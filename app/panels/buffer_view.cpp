@@ -8,12 +8,15 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/canvas/buffer_canvas.h"
+#include "app/canvas/condition_bar.h"
+#include "app/canvas/range_bar.h"
+#include "app/canvas/shadow_overlay.h"
 #include "app/look/hidden_in_window.h"
 #include "app/look/number_format.h"
 #include "app/look/press_watch.h"
 #include "app/look/text.h"
 #include "app/look/working_bar.h"
-#include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_captions.h"
 #include "app/panels/buffer_channels.h"
 #include "app/panels/buffer_compare.h"
@@ -27,11 +30,8 @@
 #include "app/panels/buffer_source.h"
 #include "app/panels/buffer_zoom.h"
 #include "app/panels/compare_bar.h"
-#include "app/panels/condition_bar.h"
 #include "app/panels/held_band.h"
 #include "app/panels/held_files.h"
-#include "app/panels/range_foot.h"
-#include "app/panels/shadow_overlay.h"
 #include "app/widgets/follow_theme.h"
 
 namespace app {

@@ -5,11 +5,11 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "app/canvas/buffer_canvas.h"
+#include "app/canvas/shown_buffer.h"
 #include "app/look/accessible.h"
 #include "app/look/text.h"
-#include "app/panels/buffer_canvas.h"
 #include "app/panels/bug_round.h"
-#include "app/panels/shown_buffer.h"
 #include "app/widgets/follow_theme.h"
 #include "app/widgets/surface.h"
 #include "pipeline/inspect/compare.h"

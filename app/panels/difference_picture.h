@@ -2,8 +2,8 @@
 #include <QObject>
 #include <optional>
 
+#include "app/canvas/show_job.h"
 #include "app/frames/difference_job.h"
-#include "app/panels/show_job.h"
 
 namespace app {
 

@@ -1,9 +1,9 @@
 #include <algorithm>
 
+#include "app/canvas/buffer_canvas.h"
 #include "app/document/hand.h"
 #include "app/look/text.h"
 #include "app/look/theme.h"
-#include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_view.h"
 #include "app/panels/held_band.h"
 #include "app/panels/hold_places.h"

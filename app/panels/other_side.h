@@ -2,11 +2,11 @@
 #include <QObject>
 #include <optional>
 
+#include "app/canvas/show_job.h"
 #include "app/document/document.h"
 #include "app/frames/derived_job.h"
 #include "app/frames/other_frame.h"
 #include "app/frames/other_source.h"
-#include "app/panels/show_job.h"
 
 namespace app {
 

@@ -7,11 +7,11 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "app/canvas/shown_buffer.h"
 #include "app/frames/buffer_place.h"
 #include "app/frames/large_frame.h"
 #include "app/look/icons.h"
 #include "app/look/working_bar.h"
-#include "app/panels/shown_buffer.h"
 #include "app/widgets/follow_theme.h"
 
 namespace app {

@@ -2,8 +2,8 @@
 #include <QObject>
 #include <QTimer>
 
+#include "app/canvas/wipe.h"
 #include "app/panels/compare_bar.h"
-#include "app/panels/wipe.h"
 
 namespace app {
 

@@ -6,12 +6,12 @@
 #include <QToolTip>
 #include <algorithm>
 
+#include "app/canvas/buffer_painter.h"
+#include "app/canvas/thumbnail.h"
 #include "app/frames/derived_buffers.h"
 #include "app/look/accessible.h"
 #include "app/look/text.h"
 #include "app/look/theme.h"
-#include "app/panels/buffer_painter.h"
-#include "app/panels/thumbnail.h"
 #include "app/widgets/follow_theme.h"
 #include "pipeline/plan/needs.h"
 

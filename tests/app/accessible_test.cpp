@@ -8,7 +8,7 @@
 #include <QSignalSpy>
 #include <QTest>
 
-#include "app/panels/buffer_canvas.h"
+#include "app/canvas/buffer_canvas.h"
 #include "app/panels/gain_bar.h"
 #include "app/panels/math_view.h"
 #include "app/widgets/segmented.h"

@@ -12,9 +12,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/canvas/buffer_canvas.h"
 #include "app/frames/picture_file.h"
 #include "app/look/luminance.h"
-#include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_channels.h"
 #include "app/panels/buffer_view.h"
 #include "app/panels/stage_differences.h"

@@ -8,17 +8,17 @@
 #include <cmath>
 #include <limits>
 
+#include "app/canvas/buffer_canvas.h"
+#include "app/canvas/canvas_flip.h"
+#include "app/canvas/loupe.h"
 #include "app/frames/pinned_pixels.h"
 #include "app/frames/region_statistics.h"
-#include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_copies.h"
 #include "app/panels/buffer_flip.h"
 #include "app/panels/buffer_loupe.h"
 #include "app/panels/buffer_overlays.h"
 #include "app/panels/buffer_region.h"
 #include "app/panels/buffer_view.h"
-#include "app/panels/canvas_flip.h"
-#include "app/panels/loupe.h"
 #include "app/panels/region_panel.h"
 #include "tests/support/scenes.h"
 

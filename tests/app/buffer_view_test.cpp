@@ -13,8 +13,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/panels/buffer_canvas.h"
-#include "app/panels/condition_bar.h"
+#include "app/canvas/buffer_canvas.h"
+#include "app/canvas/condition_bar.h"
 #include "pipeline/buffers/palette.h"
 #include "tests/support/scenes.h"
 

@@ -15,7 +15,7 @@
 #include <QTest>
 #include <algorithm>
 
-#include "app/panels/buffer_canvas.h"
+#include "app/canvas/buffer_canvas.h"
 #include "app/panels/bug_box.h"
 #include "tests/app/quiet.h"
 #include "tests/support/scenes.h"

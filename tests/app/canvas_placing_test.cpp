@@ -1,4 +1,4 @@
-#include "app/panels/canvas_placing.h"
+#include "app/canvas/canvas_placing.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // A search for where a condition begins to hold, and what ends it.
-#include "app/panels/condition_bar.h"
+#include "app/canvas/condition_bar.h"
 
 #include <gtest/gtest.h>
 

@@ -10,16 +10,16 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "app/canvas/buffer_canvas.h"
+#include "app/canvas/condition_bar.h"
+#include "app/canvas/state_picture.h"
 #include "app/document/document_state.h"
 #include "app/document/own_file.h"
 #include "app/frames/copied_value.h"
 #include "app/frames/mix_model.h"
-#include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_compare.h"
 #include "app/panels/buffer_copies.h"
 #include "app/panels/buffer_view.h"
-#include "app/panels/condition_bar.h"
-#include "app/panels/state_picture.h"
 #include "pipeline/run/runner.h"
 #include "pipeline/scene/settings_table.h"
 #include "pipeline/scene/view.h"

@@ -5,10 +5,10 @@
 #include <QTest>
 #include <QToolButton>
 
+#include "app/canvas/buffer_canvas.h"
 #include "app/desktop/panel_dock.h"
 #include "app/desktop/view_area.h"
 #include "app/document/hand.h"
-#include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_header.h"
 #include "app/panels/buffer_holds.h"
 #include "app/panels/buffer_view.h"

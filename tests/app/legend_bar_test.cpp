@@ -1,4 +1,4 @@
-#include "app/panels/legend_bar.h"
+#include "app/canvas/legend_bar.h"
 
 #include <gtest/gtest.h>
 

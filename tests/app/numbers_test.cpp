@@ -4,9 +4,9 @@
 
 #include <cmath>
 
+#include "app/canvas/buffer_image.h"
 #include "app/document/scene_outline.h"
 #include "app/look/number_format.h"
-#include "app/panels/buffer_image.h"
 #include "app/widgets/elided_label.h"
 #include "tests/support/scenes.h"
 

@@ -1,4 +1,4 @@
-#include "app/panels/palette_bar.h"
+#include "app/canvas/palette_bar.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
-#include "app/panels/shadow_overlay.h"
+#include "app/canvas/shadow_overlay.h"
 
 #include <gtest/gtest.h>
 
 #include <QMenu>
 #include <QTest>
 
-#include "app/panels/buffer_canvas.h"
+#include "app/canvas/buffer_canvas.h"
 #include "app/panels/buffer_overlays.h"
 #include "app/panels/buffer_view.h"
 #include "pipeline/scene/settings_table.h"

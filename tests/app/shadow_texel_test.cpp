@@ -4,7 +4,7 @@
 
 #include <QTest>
 
-#include "app/panels/buffer_canvas.h"
+#include "app/canvas/buffer_canvas.h"
 #include "app/panels/buffer_view.h"
 #include "pipeline/run/frame_data.h"
 #include "tests/support/scenes.h"

@@ -1,5 +1,5 @@
 // What a view shows of many polygons is made and painted beside the window.
-#include "app/panels/show_job.h"
+#include "app/canvas/show_job.h"
 
 #include <gtest/gtest.h>
 
@@ -8,12 +8,12 @@
 #include <cmath>
 #include <numeric>
 
+#include "app/canvas/buffer_canvas.h"
+#include "app/canvas/canvas_base.h"
 #include "app/frames/large_frame.h"
-#include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_compare.h"
 #include "app/panels/buffer_range.h"
 #include "app/panels/buffer_view.h"
-#include "app/panels/canvas_base.h"
 #include "tests/app/large_scene.h"
 
 namespace {

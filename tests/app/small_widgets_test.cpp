@@ -8,8 +8,8 @@
 #include <QTimer>
 #include <QWheelEvent>
 
-#include "app/panels/palette_bar.h"
-#include "app/panels/shown_buffer.h"
+#include "app/canvas/palette_bar.h"
+#include "app/canvas/shown_buffer.h"
 #include "app/widgets/elided_label.h"
 #include "app/widgets/value_slider.h"
 #include "pipeline/run/runner.h"

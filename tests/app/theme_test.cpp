@@ -7,8 +7,8 @@
 #include <QRegularExpression>
 #include <algorithm>
 
+#include "app/canvas/buffer_painter.h"
 #include "app/look/style_sheet.h"
-#include "app/panels/buffer_painter.h"
 #include "tests/app/color_math.h"
 
 using app::Theme;

@@ -5,8 +5,8 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include "app/canvas/thumbnail.h"
 #include "app/frames/derived_buffers.h"
-#include "app/panels/thumbnail.h"
 #include "tests/support/scenes.h"
 
 namespace {

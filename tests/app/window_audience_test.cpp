@@ -4,14 +4,14 @@
 #include <QTest>
 #include <algorithm>
 
+#include "app/canvas/buffer_canvas.h"
+#include "app/canvas/range_bar.h"
 #include "app/core/cue_model.h"
 #include "app/desktop/clean_view.h"
 #include "app/desktop/notes_window.h"
 #include "app/desktop/presentation.h"
 #include "app/desktop/view_area.h"
-#include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_view.h"
-#include "app/panels/range_foot.h"
 #include "tests/app/window_fixture.h"
 
 namespace app {
@@ -32,9 +32,9 @@ TEST_F(WindowAudience, PicturesBesideAHistogramAreAlignedWithThoseAboveIt) {
     ASSERT_TRUE(waitForFrame());
     const auto views = view.views().shownBuffers();
     ASSERT_EQ(views.size(), 2u);
-    const auto feet = view.findChildren<RangeFoot*>();
+    const auto feet = view.findChildren<RangeBar*>();
     ASSERT_TRUE(QTest::qWaitFor(
-        [&] { return std::ranges::count_if(feet, [](const RangeFoot* foot) { return foot->isVisible(); }) == 1; },
+        [&] { return std::ranges::count_if(feet, [](const RangeBar* foot) { return foot->isVisible(); }) == 1; },
         10000));
     const auto bottomOf = [&](BufferView* one) {
         return one->canvas()->mapTo(&view, one->canvas()->rect().bottomLeft()).y();

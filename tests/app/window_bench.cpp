@@ -19,13 +19,13 @@
 #include <ctime>
 #include <vector>
 
+#include "app/canvas/buffer_canvas.h"
 #include "app/desktop/layout_store.h"
 #include "app/desktop/main_window.h"
 #include "app/desktop/view_area.h"
 #include "app/desktop/window_main.h"
 #include "app/document/scene_opener.h"
 #include "app/frames/pixel_inspection.h"
-#include "app/panels/buffer_canvas.h"
 #include "app/vtk/vtk_widget.h"
 #include "pipeline/core/memory.h"
 #include "pipeline/formats/built_in_scenes.h"

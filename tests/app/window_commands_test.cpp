@@ -12,6 +12,7 @@
 #include <QTimer>
 #include <algorithm>
 #include <map>
+#include "app/canvas/buffer_canvas.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/command_palette.h"
 #include "app/desktop/even_splitter.h"
@@ -20,7 +21,6 @@
 #include "app/desktop/panel_table.h"
 #include "app/desktop/view_area.h"
 #include "app/look/theme.h"
-#include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_compare.h"
 #include "app/panels/buffer_view.h"
 #include "app/panels/lesson_panel.h"

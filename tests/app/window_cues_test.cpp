@@ -6,6 +6,8 @@
 #include <QPointer>
 #include <QTest>
 
+#include "app/canvas/buffer_canvas.h"
+#include "app/canvas/condition_bar.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/caption_line.h"
 #include "app/desktop/clean_view.h"
@@ -14,9 +16,7 @@
 #include "app/desktop/presentation.h"
 #include "app/desktop/view_area.h"
 #include "app/look/theme.h"
-#include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_view.h"
-#include "app/panels/condition_bar.h"
 #include "app/panels/cue_panel.h"
 #include "app/panels/math_view.h"
 #include "tests/app/quiet.h"

@@ -4,8 +4,8 @@
 #include <QTest>
 #include <map>
 
+#include "app/canvas/buffer_canvas.h"
 #include "app/frames/stage_status.h"
-#include "app/panels/buffer_canvas.h"
 #include "app/panels/stage_card.h"
 #include "app/panels/stage_strip.h"
 #include "app/vtk/vtk_widget.h"

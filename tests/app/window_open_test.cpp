@@ -8,9 +8,9 @@
 #include <QTest>
 #include <set>
 
+#include "app/canvas/buffer_canvas.h"
 #include "app/core/start_order.h"
 #include "app/desktop/view_area.h"
-#include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_compare.h"
 #include "app/panels/buffer_view.h"
 #include "app/panels/stage_strip.h"

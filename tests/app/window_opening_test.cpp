@@ -5,6 +5,7 @@
 #include <QTest>
 #include <cmath>
 
+#include "app/canvas/buffer_canvas.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/clean_view.h"
 #include "app/desktop/presentation.h"
@@ -14,7 +15,6 @@
 #include "app/document/recent_files.h"
 #include "app/document/scene_opener.h"
 #include "app/document/session_file.h"
-#include "app/panels/buffer_canvas.h"
 #include "app/panels/cue_panel.h"
 #include "app/panels/start_page.h"
 #include "app/view3d/view3d_panel.h"

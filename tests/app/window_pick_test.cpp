@@ -4,8 +4,8 @@
 #include <QTest>
 #include <algorithm>
 
+#include "app/canvas/buffer_canvas.h"
 #include "app/look/theme.h"
-#include "app/panels/buffer_canvas.h"
 #include "app/panels/inspector_panel.h"
 #include "app/panels/scene_tree.h"
 #include "app/panels/tables_panel.h"

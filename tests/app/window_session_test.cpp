@@ -5,12 +5,12 @@
 #include <QSplitter>
 #include <QTest>
 
+#include "app/canvas/buffer_canvas.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/view_area.h"
 #include "app/document/recent_files.h"
 #include "app/document/scene_opener.h"
 #include "app/document/session_file.h"
-#include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_overlays.h"
 #include "app/panels/buffer_range.h"
 #include "app/panels/buffer_view.h"

@@ -6,8 +6,8 @@
 #include <QTabBar>
 #include <QTest>
 
+#include "app/canvas/buffer_canvas.h"
 #include "app/look/theme.h"
-#include "app/panels/buffer_canvas.h"
 #include "app/panels/scene_tree.h"
 #include "app/panels/settings_panel.h"
 #include "app/widgets/number_field.h"

@@ -12,12 +12,12 @@
 #include <algorithm>
 #include <set>
 
+#include "app/canvas/buffer_canvas.h"
 #include "app/desktop/slide_dialog.h"
 #include "app/desktop/slide_picture.h"
 #include "app/desktop/view_area.h"
 #include "app/document/document_state.h"
 #include "app/document/export_plan.h"
-#include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_compare.h"
 #include "app/panels/buffer_flip.h"
 #include "app/panels/buffer_view.h"

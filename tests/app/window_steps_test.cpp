@@ -4,9 +4,9 @@
 #include <QTest>
 #include <QToolButton>
 
+#include "app/canvas/buffer_canvas.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/view_area.h"
-#include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_view.h"
 #include "app/panels/stage_card.h"
 #include "app/panels/stage_strip.h"

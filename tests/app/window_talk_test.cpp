@@ -11,6 +11,8 @@
 #include <array>
 #include <map>
 
+#include "app/canvas/buffer_canvas.h"
+#include "app/canvas/condition_bar.h"
 #include "app/desktop/ask_panel.h"
 #include "app/desktop/caption_line.h"
 #include "app/desktop/clean_view.h"
@@ -25,12 +27,10 @@
 #include "app/frames/derived_buffers.h"
 #include "app/look/theme.h"
 #include "app/panels/algorithm_view.h"
-#include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_compare.h"
 #include "app/panels/buffer_page.h"
 #include "app/panels/buffer_view.h"
 #include "app/panels/compare_bar.h"
-#include "app/panels/condition_bar.h"
 #include "app/panels/cue_panel.h"
 #include "app/panels/math_view.h"
 #include "app/panels/thumbnail_strip.h"

@@ -6,13 +6,13 @@
 #include <QSplitter>
 #include <QTest>
 
+#include "app/canvas/buffer_canvas.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/even_splitter.h"
 #include "app/desktop/layout_store.h"
 #include "app/desktop/view_area.h"
 #include "app/frames/stage_buffer.h"
 #include "app/look/theme.h"
-#include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_compare.h"
 #include "app/panels/buffer_header.h"
 #include "app/panels/buffer_view.h"
