@@ -8,12 +8,12 @@
 
 #include "app/canvas/buffer_canvas.h"
 #include "app/document/hand.h"
+#include "app/holds/held_files.h"
 #include "app/look/text.h"
 #include "app/look/theme.h"
 #include "app/panels/buffer_header.h"
 #include "app/panels/buffer_view.h"
 #include "app/panels/held_band.h"
-#include "app/panels/held_files.h"
 
 namespace app {
 

@@ -12,6 +12,7 @@
 #include "app/canvas/condition_bar.h"
 #include "app/canvas/range_bar.h"
 #include "app/canvas/shadow_overlay.h"
+#include "app/holds/held_files.h"
 #include "app/look/hidden_in_window.h"
 #include "app/look/number_format.h"
 #include "app/look/press_watch.h"
@@ -31,7 +32,6 @@
 #include "app/panels/buffer_zoom.h"
 #include "app/panels/compare_bar.h"
 #include "app/panels/held_band.h"
-#include "app/panels/held_files.h"
 #include "app/widgets/follow_theme.h"
 
 namespace app {

@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include "app/panels/hold_grip.h"
-#include "app/panels/hold_marks.h"
+#include "app/holds/hold_grip.h"
+#include "app/holds/hold_marks.h"
 #include "pipeline/inspect/picture_vectors.h"
 
 namespace app {

@@ -201,7 +201,7 @@ Breaches markupInNewPlaces(const SourceTree& tree) {
         "app/panels/inspector_panel.cpp", "app/panels/setting_row.cpp",    "app/panels/settings_panel.cpp",
         "app/panels/buffer_captions.cpp", "app/desktop/status_line.cpp",   "app/panels/prose_view.cpp",
         "app/panels/prose_view.h",        "app/desktop/manual_window.cpp", "app/desktop/manual_window.h",
-        "app/desktop/clean_view.cpp",     "app/panels/held_files.cpp",     "app/panels/held_files.h"};
+        "app/desktop/clean_view.cpp",     "app/holds/held_files.cpp",      "app/holds/held_files.h"};
     static const std::regex markup(
         R"(Qt::(RichText|MarkdownText|AutoText)|\b(setHtml|insertHtml|fromHtml|setMarkdown|fromMarkdown)\b|\bQ(TextBrowser|StaticText)\b)");
     Breaches breaches;

@@ -1,4 +1,4 @@
-#include "app/panels/hold_grip.h"
+#include "app/holds/hold_grip.h"
 
 #include <QKeyEvent>
 #include <QLabel>

@@ -1,4 +1,4 @@
-#include "app/panels/held_files.h"
+#include "app/holds/held_files.h"
 
 #include <QScrollBar>
 #include <algorithm>

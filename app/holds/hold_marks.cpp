@@ -1,4 +1,4 @@
-#include "app/panels/hold_marks.h"
+#include "app/holds/hold_marks.h"
 
 #include <QPainter>
 #include <QPainterPath>
