@@ -4,6 +4,8 @@
 #include <QPointer>
 
 #include "app/canvas/buffer_canvas.h"
+#include "app/compare/buffer_compare.h"
+#include "app/compare/compare_menu.h"
 #include "app/core/start_order.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/command_palette.h"
@@ -17,10 +19,8 @@
 #include "app/desktop/window_lessons.h"
 #include "app/frames/equation_symbols.h"
 #include "app/look/text.h"
-#include "app/panels/buffer_compare.h"
 #include "app/panels/buffer_overlays.h"
 #include "app/panels/buffer_view.h"
-#include "app/panels/compare_menu.h"
 #include "app/panels/lesson_panel.h"
 #include "app/panels/lesson_shelf.h"
 #include "app/view3d/view3d_panel.h"

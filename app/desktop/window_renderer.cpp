@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/compare/buffer_compare.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/panel_docks.h"
 #include "app/desktop/scene_files.h"
@@ -17,7 +18,6 @@
 #include "app/document/renderer_check.h"
 #include "app/look/shown_name.h"
 #include "app/look/text.h"
-#include "app/panels/buffer_compare.h"
 #include "app/panels/buffer_overlays.h"
 #include "app/panels/buffer_view.h"
 #include "app/panels/lesson_panel.h"

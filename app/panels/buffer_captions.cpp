@@ -3,8 +3,8 @@
 #include <QLabel>
 
 #include "app/canvas/buffer_canvas.h"
+#include "app/compare/buffer_compare.h"
 #include "app/look/theme.h"
-#include "app/panels/buffer_compare.h"
 #include "app/panels/buffer_view.h"
 
 namespace app {

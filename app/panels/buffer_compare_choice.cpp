@@ -3,14 +3,14 @@
 #include <QKeyEvent>
 
 #include "app/canvas/buffer_canvas.h"
+#include "app/compare/buffer_compare.h"
+#include "app/compare/compare_bar.h"
+#include "app/compare/compare_menu.h"
+#include "app/compare/stage_differences.h"
 #include "app/document/renderer_check.h"
-#include "app/panels/buffer_compare.h"
 #include "app/panels/buffer_header.h"
 #include "app/panels/buffer_overlays.h"
 #include "app/panels/buffer_view.h"
-#include "app/panels/compare_bar.h"
-#include "app/panels/compare_menu.h"
-#include "app/panels/stage_differences.h"
 
 namespace app {
 

@@ -3,7 +3,7 @@
 #include <QLabel>
 
 #include "app/canvas/buffer_canvas.h"
-#include "app/panels/buffer_compare.h"
+#include "app/compare/buffer_compare.h"
 #include "app/panels/buffer_view.h"
 #include "app/widgets/follow_theme.h"
 

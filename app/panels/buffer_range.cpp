@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "app/canvas/range_bar.h"
+#include "app/compare/buffer_compare.h"
 #include "app/panels/buffer_channels.h"
-#include "app/panels/buffer_compare.h"
 #include "app/panels/buffer_view.h"
 
 namespace app {

@@ -5,10 +5,10 @@
 #include <cmath>
 
 #include "app/canvas/buffer_canvas.h"
+#include "app/compare/buffer_compare.h"
 #include "app/frames/copied_value.h"
 #include "app/frames/shadow_texel.h"
 #include "app/look/theme.h"
-#include "app/panels/buffer_compare.h"
 #include "app/panels/buffer_holds.h"
 #include "app/panels/buffer_step.h"
 #include "app/panels/buffer_view.h"

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
+#include "app/compare/buffer_compare.h"
 #include "app/frames/derived_buffers.h"
 #include "app/frames/mix_model.h"
 #include "app/look/hidden_in_window.h"
 #include "app/look/text.h"
-#include "app/panels/buffer_compare.h"
 #include "app/panels/buffer_condition.h"
 #include "app/panels/buffer_view.h"
 #include "pipeline/plan/needs.h"

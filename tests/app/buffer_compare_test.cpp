@@ -1,5 +1,5 @@
-#include "app/panels/buffer_compare.h"
-#include "app/panels/compare_menu.h"
+#include "app/compare/buffer_compare.h"
+#include "app/compare/compare_menu.h"
 
 #include <gtest/gtest.h>
 
@@ -13,11 +13,11 @@
 #include <cmath>
 
 #include "app/canvas/buffer_canvas.h"
+#include "app/compare/stage_differences.h"
 #include "app/frames/picture_file.h"
 #include "app/look/luminance.h"
 #include "app/panels/buffer_channels.h"
 #include "app/panels/buffer_view.h"
-#include "app/panels/stage_differences.h"
 #include "pipeline/export/exr_file.h"
 #include "pipeline/export/npy_file.h"
 #include "tests/support/scenes.h"

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <map>
 #include "app/canvas/buffer_canvas.h"
+#include "app/compare/buffer_compare.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/command_palette.h"
 #include "app/desktop/even_splitter.h"
@@ -21,7 +22,6 @@
 #include "app/desktop/panel_table.h"
 #include "app/desktop/view_area.h"
 #include "app/look/theme.h"
-#include "app/panels/buffer_compare.h"
 #include "app/panels/buffer_view.h"
 #include "app/panels/lesson_panel.h"
 #include "tests/app/quiet.h"

@@ -9,9 +9,9 @@
 #include <set>
 
 #include "app/canvas/buffer_canvas.h"
+#include "app/compare/buffer_compare.h"
 #include "app/core/start_order.h"
 #include "app/desktop/view_area.h"
-#include "app/panels/buffer_compare.h"
 #include "app/panels/buffer_view.h"
 #include "app/panels/stage_strip.h"
 #include "app/panels/start_card.h"

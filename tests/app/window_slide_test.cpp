@@ -13,12 +13,12 @@
 #include <set>
 
 #include "app/canvas/buffer_canvas.h"
+#include "app/compare/buffer_compare.h"
 #include "app/desktop/slide_dialog.h"
 #include "app/desktop/slide_picture.h"
 #include "app/desktop/view_area.h"
 #include "app/document/document_state.h"
 #include "app/document/export_plan.h"
-#include "app/panels/buffer_compare.h"
 #include "app/panels/buffer_flip.h"
 #include "app/panels/buffer_view.h"
 #include "app/panels/film_dialog.h"

@@ -12,12 +12,12 @@
 #include <functional>
 
 #include "app/canvas/buffer_canvas.h"
+#include "app/compare/buffer_compare.h"
 #include "app/desktop/main_window.h"
 #include "app/desktop/panel_dock.h"
 #include "app/desktop/view_area.h"
 #include "app/desktop/window_main.h"
 #include "app/document/scene_opener.h"
-#include "app/panels/buffer_compare.h"
 #include "app/panels/buffer_loupe.h"
 #include "app/panels/buffer_region.h"
 #include "app/panels/buffer_view.h"

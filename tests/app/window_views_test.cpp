@@ -7,13 +7,13 @@
 #include <QTest>
 
 #include "app/canvas/buffer_canvas.h"
+#include "app/compare/buffer_compare.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/even_splitter.h"
 #include "app/desktop/layout_store.h"
 #include "app/desktop/view_area.h"
 #include "app/frames/stage_buffer.h"
 #include "app/look/theme.h"
-#include "app/panels/buffer_compare.h"
 #include "app/panels/buffer_header.h"
 #include "app/panels/buffer_view.h"
 #include "app/view3d/view3d_panel.h"

@@ -1,4 +1,4 @@
-#include "app/panels/difference_picture.h"
+#include "app/compare/difference_picture.h"
 
 #include "app/look/numbers.h"
 #include "app/look/text.h"

@@ -1,4 +1,4 @@
-#include "app/panels/other_side.h"
+#include "app/compare/other_side.h"
 
 #include "app/document/renderer_check.h"
 #include "app/frames/derived_buffers.h"

@@ -1,4 +1,4 @@
-#include "app/panels/side_switch.h"
+#include "app/compare/side_switch.h"
 
 #include <utility>
 

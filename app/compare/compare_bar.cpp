@@ -1,4 +1,4 @@
-#include "app/panels/compare_bar.h"
+#include "app/compare/compare_bar.h"
 
 #include <QComboBox>
 #include <QHBoxLayout>

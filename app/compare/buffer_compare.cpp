@@ -1,4 +1,4 @@
-#include "app/panels/buffer_compare.h"
+#include "app/compare/buffer_compare.h"
 
 #include <algorithm>
 

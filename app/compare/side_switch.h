@@ -3,7 +3,7 @@
 #include <QTimer>
 
 #include "app/canvas/wipe.h"
-#include "app/panels/compare_bar.h"
+#include "app/compare/compare_bar.h"
 
 namespace app {
 

@@ -1,4 +1,4 @@
-#include "app/panels/stage_differences.h"
+#include "app/compare/stage_differences.h"
 
 #include <QHeaderView>
 #include <QLabel>
@@ -6,10 +6,10 @@
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
+#include "app/compare/buffer_compare.h"
 #include "app/document/renderer_check.h"
 #include "app/look/numbers.h"
 #include "app/look/text.h"
-#include "app/panels/buffer_compare.h"
 #include "app/widgets/follow_theme.h"
 
 namespace app {

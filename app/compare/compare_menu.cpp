@@ -1,11 +1,11 @@
-#include "app/panels/compare_menu.h"
+#include "app/compare/compare_menu.h"
 
 #include <QFileDialog>
 #include <QMenu>
 
+#include "app/compare/buffer_compare.h"
 #include "app/document/renderer_check.h"
 #include "app/frames/derived_buffers.h"
-#include "app/panels/buffer_compare.h"
 
 namespace app {
 

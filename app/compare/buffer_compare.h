@@ -1,8 +1,8 @@
 #pragma once
-#include "app/panels/compare_bar.h"
-#include "app/panels/difference_picture.h"
-#include "app/panels/other_side.h"
-#include "app/panels/side_switch.h"
+#include "app/compare/compare_bar.h"
+#include "app/compare/difference_picture.h"
+#include "app/compare/other_side.h"
+#include "app/compare/side_switch.h"
 #include "lessons/state/window_state.h"
 
 namespace app {
