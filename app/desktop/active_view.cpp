@@ -3,8 +3,8 @@
 #include <QApplication>
 #include <QStyle>
 
+#include "app/buffer_view/buffer_view.h"
 #include "app/desktop/view_grid.h"
-#include "app/panels/buffer_view.h"
 
 namespace app {
 

@@ -3,11 +3,11 @@
 #include <QApplication>
 #include <QClipboard>
 
+#include "app/buffer_view/buffer_copies.h"
+#include "app/buffer_view/buffer_view.h"
 #include "app/canvas/condition_bar.h"
 #include "app/desktop/view_area.h"
 #include "app/document/document.h"
-#include "app/panels/buffer_copies.h"
-#include "app/panels/buffer_view.h"
 #include "app/panels/equation_section.h"
 #include "app/panels/inspector_panel.h"
 #include "app/panels/math_view.h"

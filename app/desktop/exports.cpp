@@ -1,5 +1,6 @@
 #include "app/desktop/exports.h"
 
+#include "app/buffer_view/buffer_view.h"
 #include "app/canvas/buffer_canvas.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/shown_state.h"
@@ -7,7 +8,6 @@
 #include "app/desktop/view_area.h"
 #include "app/document/document.h"
 #include "app/look/text.h"
-#include "app/panels/buffer_view.h"
 #include "app/panels/export_dialog.h"
 #include "app/panels/figure_dialog.h"
 #include "app/panels/film_dialog.h"

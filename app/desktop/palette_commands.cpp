@@ -3,6 +3,8 @@
 #include <QMenu>
 #include <QPointer>
 
+#include "app/buffer_view/buffer_overlays.h"
+#include "app/buffer_view/buffer_view.h"
 #include "app/canvas/buffer_canvas.h"
 #include "app/compare/buffer_compare.h"
 #include "app/compare/compare_menu.h"
@@ -19,8 +21,6 @@
 #include "app/desktop/window_lessons.h"
 #include "app/frames/equation_symbols.h"
 #include "app/look/text.h"
-#include "app/panels/buffer_overlays.h"
-#include "app/panels/buffer_view.h"
 #include "app/panels/lesson_panel.h"
 #include "app/panels/lesson_shelf.h"
 #include "app/view3d/view3d_panel.h"

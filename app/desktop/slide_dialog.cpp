@@ -15,13 +15,13 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "app/buffer_view/buffer_view.h"
 #include "app/canvas/buffer_painter.h"
 #include "app/compare/buffer_compare.h"
 #include "app/desktop/view_area.h"
 #include "app/jobs/write_file.h"
 #include "app/look/hidden_in_window.h"
 #include "app/look/text.h"
-#include "app/panels/buffer_view.h"
 #include "app/view3d/view3d_panel.h"
 #include "app/widgets/follow_theme.h"
 #include "app/widgets/on_screen.h"

@@ -2,6 +2,7 @@
 
 #include <QPainter>
 
+#include "app/buffer_view/buffer_view.h"
 #include "app/canvas/buffer_canvas.h"
 #include "app/canvas/state_picture.h"
 #include "app/compare/buffer_compare.h"
@@ -11,7 +12,6 @@
 #include "app/look/hidden_in_window.h"
 #include "app/look/text.h"
 #include "app/look/theme.h"
-#include "app/panels/buffer_view.h"
 #include "app/view3d/view3d_panel.h"
 #include "pipeline/export/png_file.h"
 #include "pipeline/formats/png_scene.h"

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/buffer_view/buffer_view.h"
 #include "app/desktop/view_grid.h"
 #include "app/document/document.h"
 #include "app/frames/stage_buffer.h"
-#include "app/panels/buffer_view.h"
 
 namespace app {
 

@@ -4,12 +4,12 @@
 #include <QClipboard>
 #include <QMimeData>
 
+#include "app/buffer_view/buffer_view.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/scene_files.h"
 #include "app/desktop/shown_state.h"
 #include "app/document/document_state.h"
 #include "app/look/text.h"
-#include "app/panels/buffer_view.h"
 #include "app/widgets/error_list.h"
 #include "lessons/state/cue_list.h"
 #include "pipeline/formats/toml_writer.h"

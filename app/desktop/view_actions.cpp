@@ -1,10 +1,10 @@
 #include "app/desktop/view_actions.h"
 
+#include "app/buffer_view/buffer_header.h"
+#include "app/buffer_view/buffer_view.h"
 #include "app/canvas/buffer_canvas.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/view_area.h"
-#include "app/panels/buffer_header.h"
-#include "app/panels/buffer_view.h"
 
 namespace app {
 namespace {

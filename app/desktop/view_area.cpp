@@ -4,8 +4,8 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "app/panels/buffer_holds.h"
-#include "app/panels/buffer_view.h"
+#include "app/buffer_view/buffer_holds.h"
+#include "app/buffer_view/buffer_view.h"
 #include "app/panels/thumbnail_strip.h"
 #include "app/view3d/view3d_panel.h"
 #include "app/widgets/follow_theme.h"

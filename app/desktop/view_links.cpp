@@ -3,10 +3,10 @@
 #include <QTimer>
 #include <utility>
 
+#include "app/buffer_view/buffer_view.h"
 #include "app/canvas/buffer_canvas.h"
 #include "app/desktop/active_view.h"
 #include "app/desktop/view_grid.h"
-#include "app/panels/buffer_view.h"
 
 namespace app {
 

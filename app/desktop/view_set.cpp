@@ -4,12 +4,12 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "app/buffer_view/buffer_features.h"
+#include "app/buffer_view/buffer_header.h"
+#include "app/buffer_view/buffer_range.h"
+#include "app/buffer_view/buffer_view.h"
 #include "app/canvas/range_bar.h"
 #include "app/look/hidden_in_window.h"
-#include "app/panels/buffer_features.h"
-#include "app/panels/buffer_header.h"
-#include "app/panels/buffer_range.h"
-#include "app/panels/buffer_view.h"
 #include "app/view3d/view3d_panel.h"
 #include "app/widgets/follow_theme.h"
 

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <utility>
 
+#include "app/buffer_view/buffer_view.h"
 #include "app/desktop/layout_store.h"
 #include "app/desktop/panel_docks.h"
 #include "app/desktop/presentation.h"
@@ -16,7 +17,6 @@
 #include "app/desktop/window_centre.h"
 #include "app/document/document.h"
 #include "app/look/theme.h"
-#include "app/panels/buffer_view.h"
 #include "app/panels/scene_tree.h"
 #include "app/panels/stage_strip.h"
 #include "app/panels/start_page.h"

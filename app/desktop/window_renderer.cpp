@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/buffer_view/buffer_overlays.h"
+#include "app/buffer_view/buffer_view.h"
 #include "app/compare/buffer_compare.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/panel_docks.h"
@@ -18,8 +20,6 @@
 #include "app/document/renderer_check.h"
 #include "app/look/shown_name.h"
 #include "app/look/text.h"
-#include "app/panels/buffer_overlays.h"
-#include "app/panels/buffer_view.h"
 #include "app/panels/lesson_panel.h"
 #include "app/panels/renderer_panel.h"
 #include "lessons/library.h"

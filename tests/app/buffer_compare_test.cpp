@@ -12,12 +12,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/buffer_view/buffer_channels.h"
+#include "app/buffer_view/buffer_view.h"
 #include "app/canvas/buffer_canvas.h"
 #include "app/compare/stage_differences.h"
 #include "app/frames/picture_file.h"
 #include "app/look/luminance.h"
-#include "app/panels/buffer_channels.h"
-#include "app/panels/buffer_view.h"
 #include "pipeline/export/exr_file.h"
 #include "pipeline/export/npy_file.h"
 #include "tests/support/scenes.h"

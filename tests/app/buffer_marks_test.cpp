@@ -8,18 +8,18 @@
 #include <cmath>
 #include <limits>
 
+#include "app/buffer_view/buffer_copies.h"
+#include "app/buffer_view/buffer_flip.h"
+#include "app/buffer_view/buffer_loupe.h"
+#include "app/buffer_view/buffer_overlays.h"
+#include "app/buffer_view/buffer_region.h"
+#include "app/buffer_view/buffer_view.h"
+#include "app/buffer_view/region_panel.h"
 #include "app/canvas/buffer_canvas.h"
 #include "app/canvas/canvas_flip.h"
 #include "app/canvas/loupe.h"
 #include "app/frames/pinned_pixels.h"
 #include "app/frames/region_statistics.h"
-#include "app/panels/buffer_copies.h"
-#include "app/panels/buffer_flip.h"
-#include "app/panels/buffer_loupe.h"
-#include "app/panels/buffer_overlays.h"
-#include "app/panels/buffer_region.h"
-#include "app/panels/buffer_view.h"
-#include "app/panels/region_panel.h"
 #include "tests/support/scenes.h"
 
 // Pinned pixels, the statistics of a region, and a picture that is turned over.

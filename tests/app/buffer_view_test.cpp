@@ -1,9 +1,9 @@
-#include "app/panels/buffer_view.h"
-#include "app/panels/buffer_channels.h"
-#include "app/panels/buffer_flip.h"
-#include "app/panels/buffer_overlays.h"
-#include "app/panels/buffer_range.h"
-#include "app/panels/buffer_region.h"
+#include "app/buffer_view/buffer_view.h"
+#include "app/buffer_view/buffer_channels.h"
+#include "app/buffer_view/buffer_flip.h"
+#include "app/buffer_view/buffer_overlays.h"
+#include "app/buffer_view/buffer_range.h"
+#include "app/buffer_view/buffer_region.h"
 
 #include <gtest/gtest.h>
 

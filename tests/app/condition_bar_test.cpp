@@ -5,7 +5,7 @@
 
 #include <QTest>
 
-#include "app/panels/buffer_view.h"
+#include "app/buffer_view/buffer_view.h"
 #include "tests/support/scenes.h"
 
 namespace {

@@ -8,8 +8,8 @@
 #include <QTest>
 #include <QTreeWidget>
 
-#include "app/panels/buffer_overlays.h"
-#include "app/panels/buffer_view.h"
+#include "app/buffer_view/buffer_overlays.h"
+#include "app/buffer_view/buffer_view.h"
 #include "tests/app/renderer_files.h"
 
 namespace app {

@@ -10,6 +10,8 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "app/buffer_view/buffer_copies.h"
+#include "app/buffer_view/buffer_view.h"
 #include "app/canvas/buffer_canvas.h"
 #include "app/canvas/condition_bar.h"
 #include "app/canvas/state_picture.h"
@@ -18,8 +20,6 @@
 #include "app/document/own_file.h"
 #include "app/frames/copied_value.h"
 #include "app/frames/mix_model.h"
-#include "app/panels/buffer_copies.h"
-#include "app/panels/buffer_view.h"
 #include "pipeline/run/runner.h"
 #include "pipeline/scene/settings_table.h"
 #include "pipeline/scene/view.h"

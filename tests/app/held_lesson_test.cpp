@@ -5,16 +5,16 @@
 #include <QTest>
 #include <QToolButton>
 
+#include "app/buffer_view/buffer_header.h"
+#include "app/buffer_view/buffer_holds.h"
+#include "app/buffer_view/buffer_view.h"
+#include "app/buffer_view/held_band.h"
 #include "app/canvas/buffer_canvas.h"
 #include "app/desktop/panel_dock.h"
 #include "app/desktop/view_area.h"
 #include "app/document/hand.h"
 #include "app/holds/held_files.h"
 #include "app/holds/hold_grip.h"
-#include "app/panels/buffer_header.h"
-#include "app/panels/buffer_holds.h"
-#include "app/panels/buffer_view.h"
-#include "app/panels/held_band.h"
 #include "app/panels/lesson_panel.h"
 #include "lessons/library.h"
 #include "pipeline/scene/view.h"

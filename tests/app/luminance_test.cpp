@@ -4,9 +4,9 @@
 
 #include <QTest>
 
+#include "app/buffer_view/buffer_channels.h"
+#include "app/buffer_view/buffer_view.h"
 #include "app/canvas/buffer_canvas.h"
-#include "app/panels/buffer_channels.h"
-#include "app/panels/buffer_view.h"
 #include "pipeline/buffers/palette.h"
 #include "tests/support/scenes.h"
 

@@ -5,9 +5,9 @@
 #include <QMenu>
 #include <QTest>
 
+#include "app/buffer_view/buffer_overlays.h"
+#include "app/buffer_view/buffer_view.h"
 #include "app/canvas/buffer_canvas.h"
-#include "app/panels/buffer_overlays.h"
-#include "app/panels/buffer_view.h"
 #include "pipeline/scene/settings_table.h"
 #include "tests/support/scenes.h"
 

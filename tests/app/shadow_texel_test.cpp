@@ -4,8 +4,8 @@
 
 #include <QTest>
 
+#include "app/buffer_view/buffer_view.h"
 #include "app/canvas/buffer_canvas.h"
-#include "app/panels/buffer_view.h"
 #include "pipeline/run/frame_data.h"
 #include "tests/support/scenes.h"
 

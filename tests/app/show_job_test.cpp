@@ -8,12 +8,12 @@
 #include <cmath>
 #include <numeric>
 
+#include "app/buffer_view/buffer_range.h"
+#include "app/buffer_view/buffer_view.h"
 #include "app/canvas/buffer_canvas.h"
 #include "app/canvas/canvas_base.h"
 #include "app/compare/buffer_compare.h"
 #include "app/frames/large_frame.h"
-#include "app/panels/buffer_range.h"
-#include "app/panels/buffer_view.h"
 #include "tests/app/large_scene.h"
 
 namespace {

@@ -4,6 +4,7 @@
 #include <QTest>
 #include <algorithm>
 
+#include "app/buffer_view/buffer_view.h"
 #include "app/canvas/buffer_canvas.h"
 #include "app/canvas/range_bar.h"
 #include "app/core/cue_model.h"
@@ -11,7 +12,6 @@
 #include "app/desktop/notes_window.h"
 #include "app/desktop/presentation.h"
 #include "app/desktop/view_area.h"
-#include "app/panels/buffer_view.h"
 #include "tests/app/window_fixture.h"
 
 namespace app {

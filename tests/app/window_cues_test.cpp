@@ -6,6 +6,7 @@
 #include <QPointer>
 #include <QTest>
 
+#include "app/buffer_view/buffer_view.h"
 #include "app/canvas/buffer_canvas.h"
 #include "app/canvas/condition_bar.h"
 #include "app/desktop/actions.h"
@@ -16,7 +17,6 @@
 #include "app/desktop/presentation.h"
 #include "app/desktop/view_area.h"
 #include "app/look/theme.h"
-#include "app/panels/buffer_view.h"
 #include "app/panels/cue_panel.h"
 #include "app/panels/math_view.h"
 #include "tests/app/quiet.h"

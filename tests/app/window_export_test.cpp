@@ -11,10 +11,10 @@
 #include <QTreeWidget>
 #include <algorithm>
 
+#include "app/buffer_view/buffer_view.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/view_area.h"
 #include "app/look/theme.h"
-#include "app/panels/buffer_view.h"
 #include "app/panels/export_dialog.h"
 #include "app/panels/figure_dialog.h"
 #include "app/vtk/offscreen.h"

@@ -11,11 +11,11 @@
 #include <QTimer>
 #include <deque>
 
+#include "app/buffer_view/buffer_view.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/view_area.h"
 #include "app/document/recent_files.h"
 #include "app/document/session_file.h"
-#include "app/panels/buffer_view.h"
 #include "app/panels/check_panel.h"
 #include "app/panels/cue_panel.h"
 #include "app/panels/lesson_panel.h"

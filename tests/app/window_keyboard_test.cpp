@@ -16,13 +16,13 @@
 #include <QTest>
 #include <QToolButton>
 
+#include "app/buffer_view/buffer_view.h"
 #include "app/canvas/buffer_canvas.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/panel_dock.h"
 #include "app/desktop/view_area.h"
 #include "app/frames/pixel_inspection.h"
 #include "app/look/theme.h"
-#include "app/panels/buffer_view.h"
 #include "app/panels/export_dialog.h"
 #include "app/panels/film_dialog.h"
 #include "app/panels/math_view.h"

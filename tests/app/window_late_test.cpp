@@ -2,10 +2,10 @@
 #include <QLabel>
 #include <QTest>
 
+#include "app/buffer_view/buffer_view.h"
 #include "app/canvas/buffer_canvas.h"
 #include "app/core/cue_model.h"
 #include "app/desktop/view_area.h"
-#include "app/panels/buffer_view.h"
 #include "app/panels/cue_panel.h"
 #include "tests/app/window_fixture.h"
 

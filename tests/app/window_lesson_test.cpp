@@ -8,11 +8,11 @@
 #include <QToolBar>
 #include <QToolButton>
 
+#include "app/buffer_view/buffer_view.h"
 #include "app/compare/buffer_compare.h"
 #include "app/compare/compare_menu.h"
 #include "app/desktop/panel_dock.h"
 #include "app/desktop/view_area.h"
-#include "app/panels/buffer_view.h"
 #include "app/panels/lesson_panel.h"
 #include "lessons/library.h"
 #include "tests/app/window_fixture.h"

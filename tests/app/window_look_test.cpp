@@ -12,6 +12,7 @@
 #include <QTimer>
 #include <map>
 
+#include "app/buffer_view/buffer_view.h"
 #include "app/canvas/buffer_canvas.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/command_palette.h"
@@ -22,7 +23,6 @@
 #include "app/desktop/panel_table.h"
 #include "app/desktop/view_area.h"
 #include "app/look/theme.h"
-#include "app/panels/buffer_view.h"
 #include "app/panels/lesson_panel.h"
 #include "tests/app/quiet.h"
 #include "tests/app/window_fixture.h"

@@ -8,11 +8,11 @@
 #include <QTest>
 #include <set>
 
+#include "app/buffer_view/buffer_view.h"
 #include "app/canvas/buffer_canvas.h"
 #include "app/compare/buffer_compare.h"
 #include "app/core/start_order.h"
 #include "app/desktop/view_area.h"
-#include "app/panels/buffer_view.h"
 #include "app/panels/stage_strip.h"
 #include "app/panels/start_card.h"
 #include "app/panels/start_page.h"

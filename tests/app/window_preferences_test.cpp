@@ -6,11 +6,11 @@
 
 #include <QPushButton>
 
+#include "app/buffer_view/buffer_view.h"
 #include "app/desktop/layout_store.h"
 #include "app/desktop/view_area.h"
 #include "app/look/number_format.h"
 #include "app/look/theme.h"
-#include "app/panels/buffer_view.h"
 #include "app/widgets/segmented.h"
 #include "tests/app/window_fixture.h"
 

@@ -3,12 +3,12 @@
 #include <QLabel>
 #include <QTest>
 
+#include "app/buffer_view/buffer_view.h"
 #include "app/canvas/buffer_canvas.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/view_area.h"
 #include "app/document/file_watch.h"
 #include "app/frames/stepper.h"
-#include "app/panels/buffer_view.h"
 #include "app/widgets/error_list.h"
 #include "lessons/state/window_state.h"
 #include "tests/app/window_fixture.h"

@@ -4,11 +4,11 @@
 #include <QTest>
 #include <QTreeWidget>
 
+#include "app/buffer_view/buffer_view.h"
 #include "app/compare/buffer_compare.h"
 #include "app/compare/stage_differences.h"
 #include "app/desktop/view_area.h"
 #include "app/document/recent_files.h"
-#include "app/panels/buffer_view.h"
 #include "app/panels/renderer_panel.h"
 #include "app/panels/start_line.h"
 #include "app/widgets/error_list.h"

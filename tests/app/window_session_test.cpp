@@ -5,15 +5,15 @@
 #include <QSplitter>
 #include <QTest>
 
+#include "app/buffer_view/buffer_overlays.h"
+#include "app/buffer_view/buffer_range.h"
+#include "app/buffer_view/buffer_view.h"
 #include "app/canvas/buffer_canvas.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/view_area.h"
 #include "app/document/recent_files.h"
 #include "app/document/scene_opener.h"
 #include "app/document/session_file.h"
-#include "app/panels/buffer_overlays.h"
-#include "app/panels/buffer_range.h"
-#include "app/panels/buffer_view.h"
 #include "app/view3d/view3d_panel.h"
 #include "app/widgets/error_list.h"
 #include "tests/app/quiet.h"

@@ -12,6 +12,8 @@
 #include <algorithm>
 #include <set>
 
+#include "app/buffer_view/buffer_flip.h"
+#include "app/buffer_view/buffer_view.h"
 #include "app/canvas/buffer_canvas.h"
 #include "app/compare/buffer_compare.h"
 #include "app/desktop/slide_dialog.h"
@@ -19,8 +21,6 @@
 #include "app/desktop/view_area.h"
 #include "app/document/document_state.h"
 #include "app/document/export_plan.h"
-#include "app/panels/buffer_flip.h"
-#include "app/panels/buffer_view.h"
 #include "app/panels/film_dialog.h"
 #include "app/view3d/view3d_panel.h"
 #include "tests/app/quiet.h"

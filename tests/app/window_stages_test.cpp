@@ -3,9 +3,9 @@
 #include <QTest>
 #include <algorithm>
 
+#include "app/buffer_view/buffer_view.h"
 #include "app/desktop/view_area.h"
 #include "app/frames/stage_buffer.h"
-#include "app/panels/buffer_view.h"
 #include "app/panels/equation_section.h"
 #include "app/panels/stage_card.h"
 #include "app/panels/stage_strip.h"

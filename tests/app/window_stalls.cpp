@@ -11,6 +11,9 @@
 #include <ctime>
 #include <functional>
 
+#include "app/buffer_view/buffer_loupe.h"
+#include "app/buffer_view/buffer_region.h"
+#include "app/buffer_view/buffer_view.h"
 #include "app/canvas/buffer_canvas.h"
 #include "app/compare/buffer_compare.h"
 #include "app/desktop/main_window.h"
@@ -18,9 +21,6 @@
 #include "app/desktop/view_area.h"
 #include "app/desktop/window_main.h"
 #include "app/document/scene_opener.h"
-#include "app/panels/buffer_loupe.h"
-#include "app/panels/buffer_region.h"
-#include "app/panels/buffer_view.h"
 #include "app/view3d/scene_view.h"
 #include "app/view3d/view3d_panel.h"
 #include "pipeline/core/memory.h"

@@ -4,10 +4,10 @@
 #include <QTest>
 #include <QToolButton>
 
+#include "app/buffer_view/buffer_view.h"
 #include "app/canvas/buffer_canvas.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/view_area.h"
-#include "app/panels/buffer_view.h"
 #include "app/panels/stage_card.h"
 #include "app/panels/stage_strip.h"
 #include "app/panels/step_bar.h"

@@ -4,11 +4,11 @@
 #include <QTest>
 #include <algorithm>
 
+#include "app/buffer_view/buffer_view.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/cue_picture.h"
 #include "app/desktop/slide_picture.h"
 #include "app/desktop/view_area.h"
-#include "app/panels/buffer_view.h"
 #include "app/panels/cue_panel.h"
 #include "lessons/state/state_scene.h"
 #include "pipeline/formats/built_in_scenes.h"

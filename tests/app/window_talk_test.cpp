@@ -11,6 +11,8 @@
 #include <array>
 #include <map>
 
+#include "app/buffer_view/buffer_page.h"
+#include "app/buffer_view/buffer_view.h"
 #include "app/canvas/buffer_canvas.h"
 #include "app/canvas/condition_bar.h"
 #include "app/compare/buffer_compare.h"
@@ -29,8 +31,6 @@
 #include "app/frames/derived_buffers.h"
 #include "app/look/theme.h"
 #include "app/panels/algorithm_view.h"
-#include "app/panels/buffer_page.h"
-#include "app/panels/buffer_view.h"
 #include "app/panels/cue_panel.h"
 #include "app/panels/math_view.h"
 #include "app/panels/thumbnail_strip.h"

@@ -6,6 +6,8 @@
 #include <QSplitter>
 #include <QTest>
 
+#include "app/buffer_view/buffer_header.h"
+#include "app/buffer_view/buffer_view.h"
 #include "app/canvas/buffer_canvas.h"
 #include "app/compare/buffer_compare.h"
 #include "app/desktop/actions.h"
@@ -14,8 +16,6 @@
 #include "app/desktop/view_area.h"
 #include "app/frames/stage_buffer.h"
 #include "app/look/theme.h"
-#include "app/panels/buffer_header.h"
-#include "app/panels/buffer_view.h"
 #include "app/view3d/view3d_panel.h"
 #include "pipeline/formats/scene_reader.h"
 #include "pipeline/plan/needs.h"
