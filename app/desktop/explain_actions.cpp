@@ -8,9 +8,9 @@
 #include "app/canvas/condition_bar.h"
 #include "app/desktop/view_area.h"
 #include "app/document/document.h"
-#include "app/panels/equation_section.h"
-#include "app/panels/inspector_panel.h"
-#include "app/panels/math_view.h"
+#include "app/inspector/equation_section.h"
+#include "app/inspector/inspector_panel.h"
+#include "app/inspector/math_view.h"
 
 namespace app {
 namespace {

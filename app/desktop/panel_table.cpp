@@ -5,9 +5,9 @@
 
 #include "app/desktop/panel_docks.h"
 #include "app/desktop/view_area.h"
+#include "app/inspector/inspector_panel.h"
 #include "app/panels/algorithm_panel.h"
 #include "app/panels/cue_panel.h"
-#include "app/panels/inspector_panel.h"
 #include "app/panels/lesson_panel.h"
 #include "app/panels/renderer_panel.h"
 #include "app/panels/scanline_panel.h"

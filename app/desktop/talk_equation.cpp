@@ -5,8 +5,8 @@
 
 #include "app/document/document.h"
 #include "app/frames/pixel_inspection.h"
+#include "app/inspector/math_view.h"
 #include "app/look/number_format.h"
-#include "app/panels/math_view.h"
 #include "app/widgets/follow_theme.h"
 #include "lessons/talk_words.h"
 

@@ -6,9 +6,9 @@
 #include <QVBoxLayout>
 #include <cmath>
 
+#include "app/inspector/math_view.h"
 #include "app/look/text.h"
 #include "app/panels/bug_round.h"
-#include "app/panels/math_view.h"
 #include "app/widgets/follow_theme.h"
 #include "pipeline/inspect/pixel_report.h"
 

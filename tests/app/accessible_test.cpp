@@ -9,8 +9,8 @@
 #include <QTest>
 
 #include "app/canvas/buffer_canvas.h"
-#include "app/panels/gain_bar.h"
-#include "app/panels/math_view.h"
+#include "app/inspector/gain_bar.h"
+#include "app/inspector/math_view.h"
 #include "app/widgets/segmented.h"
 #include "app/widgets/value_slider.h"
 

@@ -1,4 +1,4 @@
-#include "app/panels/inspector_panel.h"
+#include "app/inspector/inspector_panel.h"
 
 #include <gtest/gtest.h>
 
@@ -13,14 +13,14 @@
 #include "app/frames/derived_buffers.h"
 #include "app/frames/equation_symbols.h"
 #include "app/frames/mix_model.h"
+#include "app/inspector/equation_section.h"
+#include "app/inspector/fragments_section.h"
+#include "app/inspector/layers_section.h"
+#include "app/inspector/math_view.h"
+#include "app/inspector/source_view.h"
+#include "app/inspector/terms_section.h"
+#include "app/inspector/why_section.h"
 #include "app/look/number_format.h"
-#include "app/panels/equation_section.h"
-#include "app/panels/fragments_section.h"
-#include "app/panels/layers_section.h"
-#include "app/panels/math_view.h"
-#include "app/panels/source_view.h"
-#include "app/panels/terms_section.h"
-#include "app/panels/why_section.h"
 #include "pipeline/inspect/shadow_blocker.h"
 #include "pipeline/scene/settings_table.h"
 #include "tests/support/scenes.h"

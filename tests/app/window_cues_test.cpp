@@ -16,9 +16,9 @@
 #include "app/desktop/pen_layer.h"
 #include "app/desktop/presentation.h"
 #include "app/desktop/view_area.h"
+#include "app/inspector/math_view.h"
 #include "app/look/theme.h"
 #include "app/panels/cue_panel.h"
-#include "app/panels/math_view.h"
 #include "tests/app/quiet.h"
 #include "tests/app/window_fixture.h"
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "app/canvas/buffer_canvas.h"
+#include "app/inspector/inspector_panel.h"
 #include "app/look/theme.h"
-#include "app/panels/inspector_panel.h"
 #include "app/panels/scene_tree.h"
 #include "app/panels/tables_panel.h"
 #include "app/view3d/scene_view.h"

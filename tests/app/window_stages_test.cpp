@@ -6,7 +6,7 @@
 #include "app/buffer_view/buffer_view.h"
 #include "app/desktop/view_area.h"
 #include "app/frames/stage_buffer.h"
-#include "app/panels/equation_section.h"
+#include "app/inspector/equation_section.h"
 #include "app/panels/stage_card.h"
 #include "app/panels/stage_strip.h"
 #include "app/view3d/scene_view.h"

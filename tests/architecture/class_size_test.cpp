@@ -32,7 +32,7 @@ const std::map<std::string, ClassSize>& largerThanMost() {
         {"app/buffer_view/buffer_header.h BufferHeader", {20, 16}},
         {"app/buffer_view/buffer_view.h BufferView", {33, 15}},
         {"app/panels/check_panel.h CheckPanel", {22, 19}},
-        {"app/panels/inspector_panel.h InspectorPanel", {11, 20}},
+        {"app/inspector/inspector_panel.h InspectorPanel", {11, 20}},
         {"lessons/expression/parser.h Parser", {48, 11}},
         {"pipeline/formats/line_scanner.h LineScanner", {14, 16}},
         {"pipeline/simd/surfaces.h Surfaces", {12, 20}},

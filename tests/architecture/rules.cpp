@@ -195,15 +195,24 @@ Breaches printingPastMessages(const SourceTree& tree) {
 }
 
 Breaches markupInNewPlaces(const SourceTree& tree) {
-    static const std::set<std::string> known{"app/jobs/application.h",         "app/jobs/application.cpp",
-                                             "app/look/style_sheet.cpp",       "app/panels/why_section.cpp",
-                                             "app/panels/terms_section.cpp",   "app/buffer_view/region_panel.cpp",
-                                             "app/panels/inspector_panel.cpp", "app/panels/setting_row.cpp",
-                                             "app/panels/settings_panel.cpp",  "app/buffer_view/buffer_captions.cpp",
-                                             "app/desktop/status_line.cpp",    "app/panels/prose_view.cpp",
-                                             "app/panels/prose_view.h",        "app/desktop/manual_window.cpp",
-                                             "app/desktop/manual_window.h",    "app/desktop/clean_view.cpp",
-                                             "app/holds/held_files.cpp",       "app/holds/held_files.h"};
+    static const std::set<std::string> known{"app/jobs/application.h",
+                                             "app/jobs/application.cpp",
+                                             "app/look/style_sheet.cpp",
+                                             "app/inspector/why_section.cpp",
+                                             "app/inspector/terms_section.cpp",
+                                             "app/buffer_view/region_panel.cpp",
+                                             "app/inspector/inspector_panel.cpp",
+                                             "app/panels/setting_row.cpp",
+                                             "app/panels/settings_panel.cpp",
+                                             "app/buffer_view/buffer_captions.cpp",
+                                             "app/desktop/status_line.cpp",
+                                             "app/panels/prose_view.cpp",
+                                             "app/panels/prose_view.h",
+                                             "app/desktop/manual_window.cpp",
+                                             "app/desktop/manual_window.h",
+                                             "app/desktop/clean_view.cpp",
+                                             "app/holds/held_files.cpp",
+                                             "app/holds/held_files.h"};
     static const std::regex markup(
         R"(Qt::(RichText|MarkdownText|AutoText)|\b(setHtml|insertHtml|fromHtml|setMarkdown|fromMarkdown)\b|\bQ(TextBrowser|StaticText)\b)");
     Breaches breaches;

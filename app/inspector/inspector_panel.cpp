@@ -1,4 +1,4 @@
-#include "app/panels/inspector_panel.h"
+#include "app/inspector/inspector_panel.h"
 
 #include <QGridLayout>
 #include <QLabel>
@@ -7,15 +7,15 @@
 #include <QStackedLayout>
 #include <QVBoxLayout>
 
+#include "app/inspector/equation_section.h"
+#include "app/inspector/fragments_section.h"
+#include "app/inspector/layers_section.h"
+#include "app/inspector/terms_section.h"
+#include "app/inspector/why_section.h"
 #include "app/look/number_format.h"
 #include "app/look/shown_name.h"
 #include "app/look/text.h"
 #include "app/look/working_bar.h"
-#include "app/panels/equation_section.h"
-#include "app/panels/fragments_section.h"
-#include "app/panels/layers_section.h"
-#include "app/panels/terms_section.h"
-#include "app/panels/why_section.h"
 #include "app/widgets/follow_theme.h"
 #include "app/widgets/section.h"
 #include "pipeline/formats/built_in_scenes.h"

@@ -1,4 +1,4 @@
-#include "app/panels/gain_bar.h"
+#include "app/inspector/gain_bar.h"
 
 #include <QMouseEvent>
 #include <QPainter>

@@ -1,4 +1,4 @@
-#include "app/panels/layers_section.h"
+#include "app/inspector/layers_section.h"
 
 #include <QGridLayout>
 #include <QLabel>

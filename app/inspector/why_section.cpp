@@ -1,4 +1,4 @@
-#include "app/panels/why_section.h"
+#include "app/inspector/why_section.h"
 
 #include <QFileInfo>
 #include <QGridLayout>
@@ -7,12 +7,12 @@
 #include <algorithm>
 
 #include "app/frames/large_frame.h"
+#include "app/inspector/source_view.h"
 #include "app/look/icons.h"
 #include "app/look/number_format.h"
 #include "app/look/numbers.h"
 #include "app/look/shown_name.h"
 #include "app/look/text.h"
-#include "app/panels/source_view.h"
 #include "app/widgets/follow_theme.h"
 #include "pipeline/inspect/shadow_blocker.h"
 #include "pipeline/run/frame_data.h"

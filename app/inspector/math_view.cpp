@@ -1,4 +1,4 @@
-#include "app/panels/math_view.h"
+#include "app/inspector/math_view.h"
 
 #include <QApplication>
 #include <QClipboard>

@@ -1,4 +1,4 @@
-#include "app/panels/fragments_section.h"
+#include "app/inspector/fragments_section.h"
 
 #include <QKeyEvent>
 #include <QMouseEvent>

@@ -1,4 +1,4 @@
-#include "app/panels/math_page.h"
+#include "app/inspector/math_page.h"
 
 #include <QFontMetricsF>
 #include <algorithm>

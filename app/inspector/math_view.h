@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/panels/math_page.h"
+#include "app/inspector/math_page.h"
 
 namespace app {
 

@@ -1,4 +1,4 @@
-#include "app/panels/terms_section.h"
+#include "app/inspector/terms_section.h"
 
 #include <QGridLayout>
 #include <QLabel>
@@ -8,10 +8,10 @@
 #include <cmath>
 
 #include "app/frames/mix_model.h"
+#include "app/inspector/gain_bar.h"
 #include "app/look/number_format.h"
 #include "app/look/numbers.h"
 #include "app/look/text.h"
-#include "app/panels/gain_bar.h"
 #include "app/widgets/follow_theme.h"
 #include "pipeline/stages/shading.h"
 

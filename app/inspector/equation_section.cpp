@@ -1,4 +1,4 @@
-#include "app/panels/equation_section.h"
+#include "app/inspector/equation_section.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
@@ -7,9 +7,9 @@
 
 #include "app/document/changed_settings.h"
 #include "app/frames/equation_symbols.h"
+#include "app/inspector/math_view.h"
 #include "app/look/number_format.h"
 #include "app/look/text.h"
-#include "app/panels/math_view.h"
 #include "app/widgets/follow_theme.h"
 #include "app/widgets/segmented.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "app/panels/math_layout.h"
+#include "app/inspector/math_layout.h"
 #include "pipeline/inspect/pixel_report.h"
 
 namespace app {

@@ -1,4 +1,4 @@
-#include "app/panels/source_view.h"
+#include "app/inspector/source_view.h"
 
 #include <QDir>
 #include <QFileInfo>

@@ -1,4 +1,4 @@
-#include "app/panels/math_layout.h"
+#include "app/inspector/math_layout.h"
 
 #include <QFontMetricsF>
 #include <algorithm>
