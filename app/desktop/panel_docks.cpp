@@ -7,7 +7,7 @@
 
 #include "app/document/document.h"
 #include "app/look/icons.h"
-#include "app/panels/settings_panel.h"
+#include "app/settings/settings_panel.h"
 #include "app/widgets/follow_theme.h"
 
 namespace app {

@@ -11,9 +11,9 @@
 #include "app/panels/lesson_panel.h"
 #include "app/panels/renderer_panel.h"
 #include "app/panels/scanline_panel.h"
-#include "app/panels/scene_tree.h"
-#include "app/panels/settings_panel.h"
 #include "app/panels/tables_panel.h"
+#include "app/settings/scene_tree.h"
+#include "app/settings/settings_panel.h"
 
 namespace app {
 namespace {

@@ -3,7 +3,7 @@
 #include <QGridLayout>
 #include <algorithm>
 
-#include "app/panels/setting_row.h"
+#include "app/settings/setting_row.h"
 #include "app/widgets/follow_theme.h"
 #include "app/widgets/number_field.h"
 

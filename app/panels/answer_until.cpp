@@ -7,7 +7,7 @@
 #include "app/document/hand.h"
 #include "app/look/text.h"
 #include "app/panels/answer_body.h"
-#include "app/panels/setting_row.h"
+#include "app/settings/setting_row.h"
 #include "app/widgets/follow_theme.h"
 
 namespace app {

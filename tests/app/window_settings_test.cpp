@@ -8,8 +8,8 @@
 
 #include "app/canvas/buffer_canvas.h"
 #include "app/look/theme.h"
-#include "app/panels/scene_tree.h"
-#include "app/panels/settings_panel.h"
+#include "app/settings/scene_tree.h"
+#include "app/settings/settings_panel.h"
 #include "app/widgets/number_field.h"
 #include "app/widgets/segmented.h"
 #include "app/widgets/value_slider.h"

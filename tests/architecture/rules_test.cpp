@@ -78,11 +78,11 @@ TEST(Architecture, IncludesPointOneWay) {
 
 TEST(Architecture, PanelsKnowNoOtherPanel) {
     const SourceFile table{"app/desktop/panel_table.cpp",
-                           {"#include \"app/panels/plan_panel.h\"", "#include \"app/panels/scene_tree.h\""}};
+                           {"#include \"app/panels/plan_panel.h\"", "#include \"app/settings/scene_tree.h\""}};
     const SourceFile own{"app/panels/plan_panel.cpp",
                          {"#include \"app/panels/plan_panel.h\"", "#include \"app/widgets/number_field.h\""}};
     expectKept(panelsIncludingPanels({table, own}));
-    expectOne(panelsIncludingPanels({table, {"app/panels/plan_row.h", {"", "#include \"app/panels/scene_tree.h\""}}}),
+    expectOne(panelsIncludingPanels({table, {"app/panels/plan_row.h", {"", "#include \"app/settings/scene_tree.h\""}}}),
               "app/panels/plan_row.h:2:");
     expectKept(panelsIncludingPanels(project()));
 }

@@ -1,4 +1,4 @@
-#include "app/panels/settings_panel.h"
+#include "app/settings/settings_panel.h"
 
 #include <algorithm>
 
@@ -12,7 +12,7 @@
 
 #include "app/frames/equation_symbols.h"
 #include "app/look/text.h"
-#include "app/panels/setting_row.h"
+#include "app/settings/setting_row.h"
 #include "app/widgets/follow_theme.h"
 
 namespace app {

@@ -1,4 +1,4 @@
-#include "app/panels/scene_tree.h"
+#include "app/settings/scene_tree.h"
 
 #include <algorithm>
 

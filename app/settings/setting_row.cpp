@@ -1,4 +1,4 @@
-#include "app/panels/setting_row.h"
+#include "app/settings/setting_row.h"
 
 #include <QComboBox>
 #include <QGridLayout>
