@@ -42,7 +42,7 @@
 #include "app/panels/cue_panel.h"
 #include "app/panels/lesson_panel.h"
 #include "app/panels/start_page.h"
-#include "app/panels/timeline.h"
+#include "app/stages/timeline.h"
 #include "app/widgets/error_list.h"
 #include "app/widgets/follow_theme.h"
 #include "app/widgets/popover.h"

@@ -7,9 +7,9 @@
 #include "app/desktop/pixel_field.h"
 #include "app/desktop/view_area.h"
 #include "app/document/document.h"
-#include "app/panels/contract_list.h"
-#include "app/panels/stage_card.h"
-#include "app/panels/stage_strip.h"
+#include "app/stages/contract_list.h"
+#include "app/stages/stage_card.h"
+#include "app/stages/stage_strip.h"
 
 namespace app {
 

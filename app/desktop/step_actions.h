@@ -1,7 +1,7 @@
 #pragma once
 #include "app/desktop/actions.h"
 #include "app/document/document.h"
-#include "app/panels/timeline.h"
+#include "app/stages/timeline.h"
 
 namespace app {
 

@@ -5,7 +5,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include "app/panels/stage_strip.h"
+#include "app/stages/stage_strip.h"
 #include "app/widgets/elided_label.h"
 #include "app/widgets/follow_theme.h"
 

@@ -1,5 +1,5 @@
 // What must hold of a stage's output, as the window lists it and masks it.
-#include "app/panels/contract_list.h"
+#include "app/stages/contract_list.h"
 
 #include <gtest/gtest.h>
 

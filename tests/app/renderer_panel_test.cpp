@@ -9,8 +9,8 @@
 #include <QSettings>
 #include <algorithm>
 
-#include "app/panels/stage_card.h"
-#include "app/panels/stage_strip.h"
+#include "app/stages/stage_card.h"
+#include "app/stages/stage_strip.h"
 #include "app/widgets/standing_row.h"
 #include "pipeline/compare/worst_pixels.h"
 #include "tests/app/renderer_files.h"

@@ -8,14 +8,14 @@
 #include <QTest>
 #include <QToolButton>
 
-#include "app/core/step_track.h"
 #include "app/document/document.h"
 #include "app/frames/stage_status.h"
 #include "app/look/theme.h"
-#include "app/panels/stage_card.h"
-#include "app/panels/stage_strip.h"
-#include "app/panels/step_bar.h"
-#include "app/panels/timeline.h"
+#include "app/stages/stage_card.h"
+#include "app/stages/stage_strip.h"
+#include "app/stages/step_bar.h"
+#include "app/stages/step_track.h"
+#include "app/stages/timeline.h"
 #include "tests/support/scenes.h"
 
 namespace app {

@@ -6,8 +6,8 @@
 
 #include "app/canvas/buffer_canvas.h"
 #include "app/frames/stage_status.h"
-#include "app/panels/stage_card.h"
-#include "app/panels/stage_strip.h"
+#include "app/stages/stage_card.h"
+#include "app/stages/stage_strip.h"
 #include "app/vtk/vtk_widget.h"
 #include "app/widgets/value_slider.h"
 #include "tests/app/quiet.h"

@@ -27,7 +27,7 @@
 #include "app/panels/export_dialog.h"
 #include "app/panels/film_dialog.h"
 #include "app/panels/start_page.h"
-#include "app/panels/step_bar.h"
+#include "app/stages/step_bar.h"
 #include "app/view3d/scene_view.h"
 #include "app/widgets/tab_order.h"
 #include "tests/app/quiet.h"

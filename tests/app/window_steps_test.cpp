@@ -8,10 +8,10 @@
 #include "app/canvas/buffer_canvas.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/view_area.h"
-#include "app/panels/stage_card.h"
-#include "app/panels/stage_strip.h"
-#include "app/panels/step_bar.h"
-#include "app/panels/timeline.h"
+#include "app/stages/stage_card.h"
+#include "app/stages/stage_strip.h"
+#include "app/stages/step_bar.h"
+#include "app/stages/timeline.h"
 #include "tests/app/window_fixture.h"
 
 namespace app {

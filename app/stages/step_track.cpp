@@ -1,4 +1,4 @@
-#include "app/core/step_track.h"
+#include "app/stages/step_track.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "app/panels/stage_card.h"
+#include "app/stages/stage_card.h"
 
 #include <QKeyEvent>
 #include <QPainter>

@@ -1,11 +1,11 @@
-#include "app/panels/stage_strip.h"
+#include "app/stages/stage_strip.h"
 
 #include <QHBoxLayout>
 #include <QPainter>
 
 #include "app/document/renderer_check.h"
 #include "app/look/text.h"
-#include "app/panels/stage_card.h"
+#include "app/stages/stage_card.h"
 #include "app/widgets/follow_theme.h"
 
 namespace app {

@@ -1,4 +1,4 @@
-#include "app/panels/step_bar.h"
+#include "app/stages/step_bar.h"
 
 #include <QHelpEvent>
 #include <QMouseEvent>

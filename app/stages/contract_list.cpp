@@ -1,4 +1,4 @@
-#include "app/panels/contract_list.h"
+#include "app/stages/contract_list.h"
 
 #include <QHeaderView>
 #include <QLabel>

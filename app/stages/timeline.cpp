@@ -1,4 +1,4 @@
-#include "app/panels/timeline.h"
+#include "app/stages/timeline.h"
 
 #include <QAction>
 #include <QComboBox>
@@ -10,7 +10,7 @@
 #include "app/look/icons.h"
 #include "app/look/numbers.h"
 #include "app/look/text.h"
-#include "app/panels/step_bar.h"
+#include "app/stages/step_bar.h"
 #include "app/widgets/fitting_font.h"
 #include "app/widgets/follow_theme.h"
 #include "app/widgets/segmented.h"

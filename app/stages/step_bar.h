@@ -1,8 +1,8 @@
 #pragma once
 #include <QWidget>
 
-#include "app/core/step_track.h"
 #include "app/frames/stepper.h"
+#include "app/stages/step_track.h"
 
 namespace app {
 
