@@ -6,14 +6,14 @@
 #include "app/desktop/panel_docks.h"
 #include "app/desktop/view_area.h"
 #include "app/inspector/inspector_panel.h"
-#include "app/panels/algorithm_panel.h"
 #include "app/panels/cue_panel.h"
 #include "app/panels/lesson_panel.h"
 #include "app/panels/renderer_panel.h"
-#include "app/panels/scanline_panel.h"
-#include "app/panels/tables_panel.h"
 #include "app/settings/scene_tree.h"
 #include "app/settings/settings_panel.h"
+#include "app/tables/algorithm_panel.h"
+#include "app/tables/scanline_panel.h"
+#include "app/tables/tables_panel.h"
 
 namespace app {
 namespace {

@@ -5,9 +5,9 @@
 
 #include "app/document/document.h"
 #include "app/look/text.h"
-#include "app/panels/algorithm_panel.h"
-#include "app/panels/algorithm_view.h"
-#include "app/panels/step_tables.h"
+#include "app/tables/algorithm_panel.h"
+#include "app/tables/algorithm_view.h"
+#include "app/tables/step_tables.h"
 #include "app/widgets/follow_theme.h"
 #include "lessons/talk_words.h"
 

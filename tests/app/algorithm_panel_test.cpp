@@ -1,4 +1,4 @@
-#include "app/panels/algorithm_panel.h"
+#include "app/tables/algorithm_panel.h"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@
 #include <QTest>
 
 #include "app/look/theme.h"
-#include "app/panels/algorithm_view.h"
-#include "app/panels/code_words.h"
+#include "app/tables/algorithm_view.h"
+#include "app/tables/code_words.h"
 #include "tests/support/scenes.h"
 
 namespace app {

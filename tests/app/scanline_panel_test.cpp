@@ -1,11 +1,11 @@
-#include "app/panels/scanline_panel.h"
+#include "app/tables/scanline_panel.h"
 
 #include <gtest/gtest.h>
 
 #include <QTest>
 
 #include "app/look/theme.h"
-#include "app/panels/scanline_plot_view.h"
+#include "app/tables/scanline_plot_view.h"
 #include "tests/support/scenes.h"
 
 namespace {

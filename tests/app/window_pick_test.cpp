@@ -7,8 +7,8 @@
 #include "app/canvas/buffer_canvas.h"
 #include "app/inspector/inspector_panel.h"
 #include "app/look/theme.h"
-#include "app/panels/tables_panel.h"
 #include "app/settings/scene_tree.h"
+#include "app/tables/tables_panel.h"
 #include "app/view3d/scene_view.h"
 #include "tests/app/window_fixture.h"
 

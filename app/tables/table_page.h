@@ -2,8 +2,8 @@
 #include <QTableView>
 #include <QWidget>
 
-#include "app/core/table_model.h"
 #include "app/document/document.h"
+#include "app/tables/table_model.h"
 
 class QLabel;
 

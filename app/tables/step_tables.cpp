@@ -1,4 +1,4 @@
-#include "app/panels/step_tables.h"
+#include "app/tables/step_tables.h"
 
 #include <QPainter>
 #include <algorithm>

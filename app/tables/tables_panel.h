@@ -1,7 +1,7 @@
 #pragma once
 #include <QTabWidget>
 
-#include "app/panels/table_page.h"
+#include "app/tables/table_page.h"
 
 namespace app {
 

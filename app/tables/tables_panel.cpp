@@ -1,4 +1,4 @@
-#include "app/panels/tables_panel.h"
+#include "app/tables/tables_panel.h"
 
 #include <QTabBar>
 #include <algorithm>

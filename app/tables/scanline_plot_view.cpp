@@ -1,4 +1,4 @@
-#include "app/panels/scanline_plot_view.h"
+#include "app/tables/scanline_plot_view.h"
 
 #include <QMouseEvent>
 #include <QPainter>

@@ -1,4 +1,4 @@
-#include "app/panels/code_words.h"
+#include "app/tables/code_words.h"
 
 #include <QFontMetrics>
 #include <QRegularExpression>

@@ -1,4 +1,4 @@
-#include "app/panels/table_page.h"
+#include "app/tables/table_page.h"
 
 #include <QApplication>
 #include <QClipboard>

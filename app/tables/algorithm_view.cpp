@@ -1,4 +1,4 @@
-#include "app/panels/algorithm_view.h"
+#include "app/tables/algorithm_view.h"
 
 #include <QContextMenuEvent>
 #include <QKeyEvent>
@@ -10,7 +10,7 @@
 #include "app/look/accessible.h"
 #include "app/look/text.h"
 #include "app/look/theme.h"
-#include "app/panels/code_words.h"
+#include "app/tables/code_words.h"
 #include "app/widgets/folded_text.h"
 #include "app/widgets/follow_theme.h"
 #include "lessons/talk_words.h"

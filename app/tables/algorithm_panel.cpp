@@ -1,4 +1,4 @@
-#include "app/panels/algorithm_panel.h"
+#include "app/tables/algorithm_panel.h"
 
 #include <QApplication>
 #include <QClipboard>
@@ -16,8 +16,8 @@
 #include "app/look/accessible.h"
 #include "app/look/icons.h"
 #include "app/look/text.h"
-#include "app/panels/algorithm_view.h"
-#include "app/panels/step_tables.h"
+#include "app/tables/algorithm_view.h"
+#include "app/tables/step_tables.h"
 #include "app/widgets/elided_label.h"
 #include "app/widgets/follow_theme.h"
 

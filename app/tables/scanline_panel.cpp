@@ -1,4 +1,4 @@
-#include "app/panels/scanline_panel.h"
+#include "app/tables/scanline_panel.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
@@ -8,7 +8,7 @@
 
 #include "app/jobs/write_file.h"
 #include "app/look/text.h"
-#include "app/panels/scanline_plot_view.h"
+#include "app/tables/scanline_plot_view.h"
 #include "app/widgets/elided_label.h"
 #include "app/widgets/follow_theme.h"
 #include "app/widgets/save_dialog.h"
