@@ -1,5 +1,5 @@
 // The panel My renderer, on a real document: what it says of files that another renderer has written.
-#include "app/panels/renderer_panel.h"
+#include "app/my_renderer/renderer_panel.h"
 
 #include <QApplication>
 #include <QClipboard>

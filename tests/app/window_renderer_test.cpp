@@ -9,7 +9,7 @@
 #include "app/compare/stage_differences.h"
 #include "app/desktop/view_area.h"
 #include "app/document/recent_files.h"
-#include "app/panels/renderer_panel.h"
+#include "app/my_renderer/renderer_panel.h"
 #include "app/panels/start_line.h"
 #include "app/widgets/error_list.h"
 #include "pipeline/formats/toml_writer.h"

@@ -1,4 +1,4 @@
-#include "app/panels/renderer_error.h"
+#include "app/my_renderer/renderer_error.h"
 
 #include <QHBoxLayout>
 #include <QLabel>

@@ -1,4 +1,4 @@
-#include "app/panels/renderer_finding.h"
+#include "app/my_renderer/renderer_finding.h"
 
 #include <QApplication>
 #include <QClipboard>

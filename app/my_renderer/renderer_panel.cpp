@@ -1,4 +1,4 @@
-#include "app/panels/renderer_panel.h"
+#include "app/my_renderer/renderer_panel.h"
 
 #include <QKeyEvent>
 #include <QLabel>
@@ -6,8 +6,8 @@
 #include <QScrollArea>
 #include <QVBoxLayout>
 
-#include "app/panels/renderer_body.h"
-#include "app/panels/renderer_head.h"
+#include "app/my_renderer/renderer_body.h"
+#include "app/my_renderer/renderer_head.h"
 #include "app/widgets/follow_theme.h"
 
 namespace app {

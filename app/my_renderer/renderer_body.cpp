@@ -1,4 +1,4 @@
-#include "app/panels/renderer_body.h"
+#include "app/my_renderer/renderer_body.h"
 
 #include <QComboBox>
 #include <QLabel>
@@ -10,11 +10,11 @@
 #include "app/look/accessible.h"
 #include "app/look/numbers.h"
 #include "app/look/text.h"
-#include "app/panels/renderer_conventions.h"
-#include "app/panels/renderer_error.h"
-#include "app/panels/renderer_finding.h"
-#include "app/panels/renderer_head.h"
-#include "app/panels/renderer_values.h"
+#include "app/my_renderer/renderer_conventions.h"
+#include "app/my_renderer/renderer_error.h"
+#include "app/my_renderer/renderer_finding.h"
+#include "app/my_renderer/renderer_head.h"
+#include "app/my_renderer/renderer_values.h"
 #include "app/widgets/follow_theme.h"
 #include "app/widgets/section.h"
 #include "app/widgets/standing_row.h"

@@ -1,4 +1,4 @@
-#include "app/panels/renderer_head.h"
+#include "app/my_renderer/renderer_head.h"
 
 #include <QAccessible>
 #include <QHBoxLayout>
@@ -10,7 +10,7 @@
 #include "app/document/document.h"
 #include "app/look/icons.h"
 #include "app/look/text.h"
-#include "app/panels/renderer_finding.h"
+#include "app/my_renderer/renderer_finding.h"
 #include "app/widgets/follow_theme.h"
 #include "app/widgets/standing_row.h"
 #include "pipeline/compare/compare_text.h"

@@ -1,4 +1,4 @@
-#include "app/panels/renderer_values.h"
+#include "app/my_renderer/renderer_values.h"
 
 #include <QGridLayout>
 #include <QHBoxLayout>

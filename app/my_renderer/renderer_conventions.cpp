@@ -1,4 +1,4 @@
-#include "app/panels/renderer_conventions.h"
+#include "app/my_renderer/renderer_conventions.h"
 
 #include <QComboBox>
 #include <QGridLayout>

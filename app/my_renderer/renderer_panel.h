@@ -1,7 +1,7 @@
 #pragma once
 #include <QWidget>
 
-#include "app/panels/renderer_finding.h"
+#include "app/my_renderer/renderer_finding.h"
 
 namespace app {
 
