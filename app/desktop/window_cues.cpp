@@ -16,10 +16,10 @@
 #include "app/desktop/window_layout.h"
 #include "app/document/document.h"
 #include "app/document/recent_files.h"
+#include "app/lesson/lesson_panel.h"
 #include "app/look/shown_name.h"
 #include "app/look/text.h"
 #include "app/panels/cue_panel.h"
-#include "app/panels/lesson_panel.h"
 #include "app/widgets/error_list.h"
 #include "app/widgets/save_dialog.h"
 

@@ -15,7 +15,7 @@
 #include "app/document/hand.h"
 #include "app/holds/held_files.h"
 #include "app/holds/hold_grip.h"
-#include "app/panels/lesson_panel.h"
+#include "app/lesson/lesson_panel.h"
 #include "lessons/library.h"
 #include "pipeline/scene/view.h"
 #include "tests/app/window_fixture.h"

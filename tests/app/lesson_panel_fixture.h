@@ -8,7 +8,7 @@
 #include <QTest>
 #include <QTextBrowser>
 
-#include "app/panels/lesson_panel.h"
+#include "app/lesson/lesson_panel.h"
 
 namespace app {
 

@@ -1,4 +1,4 @@
-#include "app/panels/prose_view.h"
+#include "app/lesson/prose_view.h"
 
 #include <gtest/gtest.h>
 

@@ -22,8 +22,8 @@
 #include "app/desktop/layout_store.h"
 #include "app/desktop/panel_table.h"
 #include "app/desktop/view_area.h"
+#include "app/lesson/lesson_panel.h"
 #include "app/look/theme.h"
-#include "app/panels/lesson_panel.h"
 #include "tests/app/quiet.h"
 #include "tests/app/window_fixture.h"
 

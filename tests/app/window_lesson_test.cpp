@@ -13,7 +13,7 @@
 #include "app/compare/compare_menu.h"
 #include "app/desktop/panel_dock.h"
 #include "app/desktop/view_area.h"
-#include "app/panels/lesson_panel.h"
+#include "app/lesson/lesson_panel.h"
 #include "lessons/library.h"
 #include "tests/app/window_fixture.h"
 

@@ -24,7 +24,7 @@ const std::map<std::string, ClassSize>& largerThanMost() {
     static const std::map<std::string, ClassSize> table{
         {"app/core/cue_model.h CueModel", {45, 10}},
         {"app/document/document.h Document", {49, 14}},
-        {"app/core/lesson_run.h LessonRun", {33, 8}},
+        {"app/lesson/lesson_run.h LessonRun", {33, 8}},
         {"app/document/renderer_check.h RendererCheck", {31, 17}},
         {"app/frames/stepper.h Stepper", {42, 16}},
         {"app/desktop/notes_window.h NotesWindow", {19, 19}},

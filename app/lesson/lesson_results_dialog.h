@@ -1,8 +1,8 @@
 #pragma once
 #include <QDialog>
 
-#include "app/core/lesson_results.h"
-#include "app/panels/lesson_shelf.h"
+#include "app/lesson/lesson_results.h"
+#include "app/lesson/lesson_shelf.h"
 
 namespace app {
 

@@ -1,8 +1,8 @@
 #pragma once
 #include <QWidget>
 
-#include "app/core/lesson_run.h"
-#include "app/panels/lesson_shelf.h"
+#include "app/lesson/lesson_run.h"
+#include "app/lesson/lesson_shelf.h"
 
 class QVBoxLayout;
 

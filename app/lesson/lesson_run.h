@@ -1,9 +1,9 @@
 #pragma once
 #include <QElapsedTimer>
 
-#include "app/core/lesson_results.h"
 #include "app/document/document.h"
 #include "app/jobs/background_job.h"
+#include "app/lesson/lesson_results.h"
 #include "lessons/attempt.h"
 #include "lessons/expression/changed_frames.h"
 #include "lessons/lesson.h"

@@ -1,4 +1,4 @@
-#include "app/panels/lesson_end.h"
+#include "app/lesson/lesson_end.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
@@ -6,9 +6,9 @@
 #include <QVBoxLayout>
 #include <map>
 
+#include "app/lesson/prose_view.h"
+#include "app/lesson/question_card.h"
 #include "app/look/text.h"
-#include "app/panels/prose_view.h"
-#include "app/panels/question_card.h"
 #include "app/widgets/follow_theme.h"
 #include "lessons/misconceptions.h"
 

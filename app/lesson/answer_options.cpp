@@ -1,11 +1,11 @@
 #include <QButtonGroup>
 #include <QVBoxLayout>
 
+#include "app/lesson/answer_body.h"
+#include "app/lesson/option_button.h"
+#include "app/lesson/pick_watch.h"
+#include "app/lesson/prose_view.h"
 #include "app/look/text.h"
-#include "app/panels/answer_body.h"
-#include "app/panels/option_button.h"
-#include "app/panels/pick_watch.h"
-#include "app/panels/prose_view.h"
 
 namespace app {
 

@@ -1,4 +1,4 @@
-#include "app/panels/lesson_head.h"
+#include "app/lesson/lesson_head.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
@@ -8,10 +8,10 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "app/lesson/question_card.h"
 #include "app/look/accessible.h"
 #include "app/look/icons.h"
 #include "app/look/text.h"
-#include "app/panels/question_card.h"
 #include "app/widgets/elided_label.h"
 #include "app/widgets/follow_theme.h"
 

@@ -1,4 +1,4 @@
-#include "app/core/lesson_results.h"
+#include "app/lesson/lesson_results.h"
 
 #include "app/look/text.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <QWidget>
 
-#include "app/core/lesson_run.h"
+#include "app/lesson/lesson_run.h"
 
 class QLabel;
 class QPushButton;

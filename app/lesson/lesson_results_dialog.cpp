@@ -1,4 +1,4 @@
-#include "app/panels/lesson_results_dialog.h"
+#include "app/lesson/lesson_results_dialog.h"
 
 #include <QDialogButtonBox>
 #include <QHeaderView>
@@ -6,10 +6,10 @@
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
-#include "app/core/lesson_run.h"
+#include "app/lesson/lesson_run.h"
+#include "app/lesson/question_card.h"
 #include "app/look/text.h"
 #include "app/look/theme.h"
-#include "app/panels/question_card.h"
 #include "app/widgets/on_screen.h"
 #include "lessons/misconceptions.h"
 

@@ -1,10 +1,10 @@
-#include "app/panels/note_box.h"
+#include "app/lesson/note_box.h"
 
 #include <QLabel>
 #include <QPainter>
 #include <QVBoxLayout>
 
-#include "app/panels/prose_view.h"
+#include "app/lesson/prose_view.h"
 #include "app/widgets/follow_theme.h"
 
 namespace app {

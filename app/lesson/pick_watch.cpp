@@ -1,4 +1,4 @@
-#include "app/panels/pick_watch.h"
+#include "app/lesson/pick_watch.h"
 
 #include "pipeline/scene/topology.h"
 

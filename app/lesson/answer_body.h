@@ -3,7 +3,7 @@
 #include <functional>
 #include <optional>
 
-#include "app/core/lesson_run.h"
+#include "app/lesson/lesson_run.h"
 
 class QVBoxLayout;
 

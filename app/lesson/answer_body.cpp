@@ -1,4 +1,4 @@
-#include "app/panels/answer_body.h"
+#include "app/lesson/answer_body.h"
 
 #include <QHBoxLayout>
 #include <QLabel>

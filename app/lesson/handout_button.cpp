@@ -1,4 +1,4 @@
-#include "app/panels/handout_button.h"
+#include "app/lesson/handout_button.h"
 
 #include <QDir>
 #include <QFileInfo>

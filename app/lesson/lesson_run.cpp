@@ -1,4 +1,4 @@
-#include "app/core/lesson_run.h"
+#include "app/lesson/lesson_run.h"
 
 #include <cassert>
 

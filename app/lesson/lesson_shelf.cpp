@@ -1,4 +1,4 @@
-#include "app/panels/lesson_shelf.h"
+#include "app/lesson/lesson_shelf.h"
 
 #include <QSettings>
 #include <algorithm>

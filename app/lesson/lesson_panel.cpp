@@ -1,4 +1,4 @@
-#include "app/panels/lesson_panel.h"
+#include "app/lesson/lesson_panel.h"
 
 #include <QKeyEvent>
 #include <QListView>
@@ -13,13 +13,13 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/lesson/handout_button.h"
+#include "app/lesson/lesson_end.h"
+#include "app/lesson/lesson_head.h"
+#include "app/lesson/lesson_page.h"
+#include "app/lesson/lesson_results_dialog.h"
+#include "app/lesson/question_card.h"
 #include "app/look/text.h"
-#include "app/panels/handout_button.h"
-#include "app/panels/lesson_end.h"
-#include "app/panels/lesson_head.h"
-#include "app/panels/lesson_page.h"
-#include "app/panels/lesson_results_dialog.h"
-#include "app/panels/question_card.h"
 #include "app/widgets/alt_keys.h"
 #include "app/widgets/error_list.h"
 #include "app/widgets/fitting_stack.h"

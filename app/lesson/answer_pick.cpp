@@ -3,10 +3,10 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "app/lesson/answer_body.h"
+#include "app/lesson/pick_watch.h"
 #include "app/look/accessible.h"
 #include "app/look/text.h"
-#include "app/panels/answer_body.h"
-#include "app/panels/pick_watch.h"
 #include "app/widgets/follow_theme.h"
 
 namespace app {

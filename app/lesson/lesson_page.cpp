@@ -1,11 +1,11 @@
-#include "app/panels/lesson_page.h"
+#include "app/lesson/lesson_page.h"
 
 #include <QVBoxLayout>
 #include <utility>
 
+#include "app/lesson/prose_view.h"
+#include "app/lesson/question_card.h"
 #include "app/look/text.h"
-#include "app/panels/prose_view.h"
-#include "app/panels/question_card.h"
 #include "app/widgets/follow_theme.h"
 
 namespace app {

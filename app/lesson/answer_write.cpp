@@ -7,8 +7,8 @@
 #include <algorithm>
 
 #include "app/jobs/background_job.h"
+#include "app/lesson/answer_body.h"
 #include "app/look/text.h"
-#include "app/panels/answer_body.h"
 #include "app/widgets/follow_theme.h"
 #include "lessons/live_page.h"
 #include "pipeline/export/staging.h"

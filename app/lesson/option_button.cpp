@@ -1,4 +1,4 @@
-#include "app/panels/option_button.h"
+#include "app/lesson/option_button.h"
 
 #include <QPainter>
 #include <algorithm>

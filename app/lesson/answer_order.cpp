@@ -3,9 +3,9 @@
 #include <QListWidget>
 #include <QVBoxLayout>
 
+#include "app/lesson/answer_body.h"
+#include "app/lesson/prose_view.h"
 #include "app/look/text.h"
-#include "app/panels/answer_body.h"
-#include "app/panels/prose_view.h"
 #include "app/widgets/follow_theme.h"
 
 namespace app {

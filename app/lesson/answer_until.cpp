@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "app/document/hand.h"
+#include "app/lesson/answer_body.h"
 #include "app/look/text.h"
-#include "app/panels/answer_body.h"
 #include "app/settings/setting_row.h"
 #include "app/widgets/follow_theme.h"
 

@@ -1,4 +1,4 @@
-#include "app/panels/question_card.h"
+#include "app/lesson/question_card.h"
 
 #include <QLabel>
 #include <QPainter>
@@ -6,11 +6,11 @@
 #include <QStyle>
 #include <QVBoxLayout>
 
+#include "app/lesson/answer_body.h"
+#include "app/lesson/note_box.h"
+#include "app/lesson/prose_view.h"
 #include "app/look/numbers.h"
 #include "app/look/text.h"
-#include "app/panels/answer_body.h"
-#include "app/panels/note_box.h"
-#include "app/panels/prose_view.h"
 #include "app/widgets/fitting_stack.h"
 #include "app/widgets/follow_theme.h"
 #include "lessons/results.h"
