@@ -13,7 +13,7 @@
 #include "app/document/document.h"
 #include "app/panels/bug_panel.h"
 #include "app/panels/check_panel.h"
-#include "app/panels/study_panel.h"
+#include "app/study/study_panel.h"
 
 namespace app {
 

@@ -6,7 +6,7 @@
 
 #include "app/core/scene_gallery.h"
 #include "app/look/text.h"
-#include "app/panels/study_pictures.h"
+#include "app/study/study_pictures.h"
 #include "app/widgets/follow_theme.h"
 
 namespace app {

@@ -26,7 +26,7 @@
 #include "app/lesson/lesson_panel.h"
 #include "app/lesson/prose_view.h"
 #include "app/panels/cue_panel.h"
-#include "app/panels/study_panel.h"
+#include "app/study/study_panel.h"
 #include "app/widgets/error_list.h"
 #include "pipeline/export/export_frame.h"
 #include "pipeline/export/study_json.h"

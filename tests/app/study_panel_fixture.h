@@ -3,9 +3,9 @@
 
 #include <QTest>
 
-#include "app/panels/study_panel.h"
-#include "app/panels/study_plot.h"
-#include "app/panels/study_points.h"
+#include "app/study/study_panel.h"
+#include "app/study/study_plot.h"
+#include "app/study/study_points.h"
 #include "tests/support/scenes.h"
 #include "tests/support/studies.h"
 

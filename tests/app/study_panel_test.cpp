@@ -1,4 +1,4 @@
-#include "app/panels/study_panel.h"
+#include "app/study/study_panel.h"
 
 #include <gtest/gtest.h>
 
@@ -13,10 +13,10 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "app/panels/study_choice.h"
-#include "app/panels/study_pictures.h"
-#include "app/panels/study_run.h"
-#include "app/panels/study_sweep.h"
+#include "app/study/study_choice.h"
+#include "app/study/study_pictures.h"
+#include "app/study/study_run.h"
+#include "app/study/study_sweep.h"
 #include "pipeline/export/study_json.h"
 #include "pipeline/scene/settings_table.h"
 #include "tests/app/study_panel_fixture.h"

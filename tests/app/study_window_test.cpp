@@ -8,10 +8,10 @@
 #include <QTableWidget>
 
 #include "app/look/theme.h"
-#include "app/panels/study_details.h"
-#include "app/panels/study_pictures.h"
-#include "app/panels/study_run.h"
-#include "app/panels/study_sweep.h"
+#include "app/study/study_details.h"
+#include "app/study/study_pictures.h"
+#include "app/study/study_run.h"
+#include "app/study/study_sweep.h"
 #include "app/widgets/folding_panes.h"
 #include "tests/app/small_screen.h"
 #include "tests/app/study_panel_fixture.h"

@@ -1,4 +1,4 @@
-#include "app/panels/study_run.h"
+#include "app/study/study_run.h"
 
 #include <QFormLayout>
 #include <QLabel>

@@ -1,4 +1,4 @@
-#include "app/core/study_images.h"
+#include "app/study/study_images.h"
 
 #include "app/look/shown_name.h"
 #include "pipeline/export/study_pictures.h"

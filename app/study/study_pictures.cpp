@@ -1,4 +1,4 @@
-#include "app/panels/study_pictures.h"
+#include "app/study/study_pictures.h"
 
 #include <QHBoxLayout>
 #include <QLabel>

@@ -1,4 +1,4 @@
-#include "app/core/study_job.h"
+#include "app/study/study_job.h"
 
 #include <chrono>
 #include <functional>

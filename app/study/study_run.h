@@ -2,8 +2,8 @@
 #include <QWidget>
 #include <memory>
 
-#include "app/core/study_job.h"
 #include "app/document/document.h"
+#include "app/study/study_job.h"
 
 class QLabel;
 class QProgressBar;

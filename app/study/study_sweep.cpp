@@ -1,4 +1,4 @@
-#include "app/panels/study_sweep.h"
+#include "app/study/study_sweep.h"
 
 #include <QComboBox>
 #include <QLabel>

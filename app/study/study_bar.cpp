@@ -1,4 +1,4 @@
-#include "app/panels/study_foot.h"
+#include "app/study/study_bar.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
@@ -8,7 +8,7 @@
 
 namespace app {
 
-StudyFoot::StudyFoot(QWidget* parent)
+StudyBar::StudyBar(QWidget* parent)
     : QWidget(parent),
       m_words(new ElidedLabel(this)),
       m_load(styled(new QLabel(this), {.name = "studyLoad", .tone = 2, .size = 12})) {
@@ -28,24 +28,24 @@ StudyFoot::StudyFoot(QWidget* parent)
     setLoad({});
 }
 
-void StudyFoot::setAnswers(const QStringList& sentences) {
+void StudyBar::setAnswers(const QStringList& sentences) {
     m_answers = sentences;
     fit();
 }
 
-void StudyFoot::tell(const QString& doing) {
+void StudyBar::tell(const QString& doing) {
     m_doing = doing;
     fit();
 }
 
-void StudyFoot::setLoad(std::optional<double> load) {
+void StudyBar::setLoad(std::optional<double> load) {
     m_load->setVisible(load.has_value());
     if (load) m_load->setText(tr("machine load %1").arg(*load, 0, 'f', 1));
     fit();
 }
 
 // Whole sentences: the tab of the answers has all of them.
-void StudyFoot::fit() {
+void StudyBar::fit() {
     QString words = m_doing;
     if (m_doing.isEmpty())
         for (const QString& answer : m_answers) {
@@ -57,7 +57,7 @@ void StudyFoot::fit() {
     m_words->setText(words);
 }
 
-void StudyFoot::resizeEvent(QResizeEvent* event) {
+void StudyBar::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
     fit();
 }

@@ -1,4 +1,4 @@
-#include "app/panels/study_details.h"
+#include "app/study/study_details.h"
 
 #include <QHeaderView>
 #include <QLabel>

@@ -1,4 +1,4 @@
-#include "app/panels/study_words.h"
+#include "app/study/study_words.h"
 
 #include <QFormLayout>
 #include <QHeaderView>

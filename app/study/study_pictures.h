@@ -2,7 +2,7 @@
 #include <QWidget>
 #include <array>
 
-#include "app/core/study_images.h"
+#include "app/study/study_images.h"
 
 class QLabel;
 class QPushButton;

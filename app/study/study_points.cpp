@@ -1,4 +1,4 @@
-#include "app/panels/study_points.h"
+#include "app/study/study_points.h"
 
 #include <QHeaderView>
 #include <QSignalBlocker>

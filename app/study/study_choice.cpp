@@ -1,4 +1,4 @@
-#include "app/panels/study_choice.h"
+#include "app/study/study_choice.h"
 
 #include <QComboBox>
 #include <QHBoxLayout>

@@ -1,4 +1,4 @@
-#include "app/panels/study_panel.h"
+#include "app/study/study_panel.h"
 
 #include <QComboBox>
 #include <QDialog>
@@ -12,16 +12,16 @@
 #include <algorithm>
 
 #include "app/look/text.h"
-#include "app/panels/study_choice.h"
-#include "app/panels/study_details.h"
-#include "app/panels/study_foot.h"
-#include "app/panels/study_pictures.h"
-#include "app/panels/study_plot.h"
-#include "app/panels/study_points.h"
-#include "app/panels/study_run.h"
-#include "app/panels/study_sweep.h"
-#include "app/panels/study_tabs.h"
-#include "app/panels/study_words.h"
+#include "app/study/study_bar.h"
+#include "app/study/study_choice.h"
+#include "app/study/study_details.h"
+#include "app/study/study_pictures.h"
+#include "app/study/study_plot.h"
+#include "app/study/study_points.h"
+#include "app/study/study_run.h"
+#include "app/study/study_sweep.h"
+#include "app/study/study_tabs.h"
+#include "app/study/study_words.h"
 #include "app/widgets/folding_panes.h"
 #include "app/widgets/follow_theme.h"
 #include "app/widgets/on_screen.h"
@@ -44,7 +44,7 @@ StudyPanel::StudyPanel(Document& document, QWidget* parent) : QWidget(parent), m
     const QList<QWidget*> parts{makePlot(), makeNumbers()};
     auto* panes = new FoldingPanes(parts, {tr("Plot"), tr("Points")}, this);
     panes->setWishes({750, 500});
-    m_foot = new StudyFoot(this);
+    m_foot = new StudyBar(this);
     auto* column = spaced(new QVBoxLayout(this), {8, 8, 8, 6}, 6);
     column->addLayout(bar);
     column->addWidget(m_message);
@@ -53,7 +53,7 @@ StudyPanel::StudyPanel(Document& document, QWidget* parent) : QWidget(parent), m
     connect(m_sweep, &StudySweep::changed, this, [this] { m_run->setSweep(m_sweep->sweep()); });
     connect(m_run, &StudyRun::reported, this, &StudyPanel::setReport);
     connect(m_run, &StudyRun::begun, panes, [panes] { panes->bringToFront(0); });
-    connect(m_run, &StudyRun::told, m_foot, &StudyFoot::tell);
+    connect(m_run, &StudyRun::told, m_foot, &StudyBar::tell);
     connect(&m_tabs->words(), &StudyWords::answered, m_foot,
             [this] { m_foot->setAnswers(m_report.points.empty() ? QStringList() : m_tabs->words().sentences()); });
     connect(m_choice, &StudyChoice::changed, this, &StudyPanel::analyse);

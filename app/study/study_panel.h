@@ -1,8 +1,8 @@
 #pragma once
 #include <QWidget>
 
-#include "app/core/study_images.h"
 #include "app/document/document.h"
+#include "app/study/study_images.h"
 #include "pipeline/study/analysis.h"
 
 class QLabel;
@@ -11,7 +11,7 @@ class QPushButton;
 namespace app {
 
 class StudyChoice;
-class StudyFoot;
+class StudyBar;
 class StudyPicturesView;
 class StudyPlot;
 class StudyPoints;
@@ -66,7 +66,7 @@ private:
     StudyPicturesView* m_pictures;
     StudyPoints* m_points;
     StudyTabs* m_tabs;  // below the points
-    StudyFoot* m_foot;
+    StudyBar* m_foot;
     QLabel* m_message;
     QPushButton* m_export;
 };

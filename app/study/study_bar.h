@@ -8,10 +8,10 @@ class QLabel;
 namespace app {
 
 // The bottom line of a study: its answers, as many as fit, or the current measurement; and the load of the machine.
-class StudyFoot : public QWidget {
+class StudyBar : public QWidget {
     Q_OBJECT
 public:
-    explicit StudyFoot(QWidget* parent = nullptr);
+    explicit StudyBar(QWidget* parent = nullptr);
 
     void setAnswers(const QStringList& sentences);
     void tell(const QString& doing);  // empty: the answers again

@@ -1,4 +1,4 @@
-#include "app/panels/study_plot.h"
+#include "app/study/study_plot.h"
 
 #include <QHelpEvent>
 #include <QPainter>

@@ -1,11 +1,11 @@
-#include "app/panels/study_tabs.h"
+#include "app/study/study_tabs.h"
 
 #include <QLayout>
 #include <QScrollArea>
 
-#include "app/panels/study_details.h"
-#include "app/panels/study_pictures.h"
-#include "app/panels/study_words.h"
+#include "app/study/study_details.h"
+#include "app/study/study_pictures.h"
+#include "app/study/study_words.h"
 #include "app/widgets/follow_theme.h"
 #include "app/widgets/surface.h"
 
