@@ -15,7 +15,7 @@
 #include "app/document/recent_files.h"
 #include "app/look/text.h"
 #include "app/panels/cue_panel.h"
-#include "app/panels/start_page.h"
+#include "app/start/start_page.h"
 #include "lessons/library.h"
 #include "lessons/state/cue_list.h"
 #include "pipeline/formats/format_table.h"

@@ -8,7 +8,6 @@
 #include <QPushButton>
 #include <QRandomGenerator>
 
-#include "app/core/start_order.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/file_opening.h"
 #include "app/desktop/scene_files.h"
@@ -17,7 +16,8 @@
 #include "app/document/recent_files.h"
 #include "app/lesson/lesson_shelf.h"
 #include "app/look/text.h"
-#include "app/panels/start_page.h"
+#include "app/start/start_order.h"
+#include "app/start/start_page.h"
 #include "app/widgets/save_dialog.h"
 #include "lessons/drill.h"
 #include "lessons/state/cue_list.h"

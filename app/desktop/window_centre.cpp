@@ -6,7 +6,7 @@
 
 #include "app/desktop/view_area.h"
 #include "app/look/theme.h"
-#include "app/panels/start_page.h"
+#include "app/start/start_page.h"
 #include "app/widgets/error_list.h"
 #include "app/widgets/follow_theme.h"
 

@@ -17,10 +17,10 @@
 #include "app/desktop/window_centre.h"
 #include "app/document/document.h"
 #include "app/look/theme.h"
-#include "app/panels/start_page.h"
 #include "app/settings/scene_tree.h"
 #include "app/stages/stage_strip.h"
 #include "app/stages/timeline.h"
+#include "app/start/start_page.h"
 
 namespace app {
 namespace {

@@ -6,7 +6,6 @@
 #include <QToolBar>
 #include <algorithm>
 
-#include "app/core/start_order.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/edge_tab.h"
 #include "app/desktop/panel_docks.h"
@@ -21,8 +20,9 @@
 #include "app/look/shown_name.h"
 #include "app/look/text.h"
 #include "app/look/theme.h"
-#include "app/panels/start_page.h"
 #include "app/stages/stage_strip.h"
+#include "app/start/start_order.h"
+#include "app/start/start_page.h"
 #include "app/widgets/error_list.h"
 #include "app/widgets/follow_theme.h"
 #include "lessons/library.h"

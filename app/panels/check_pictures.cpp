@@ -4,8 +4,8 @@
 #include <QLabel>
 #include <QVBoxLayout>
 
-#include "app/core/scene_gallery.h"
 #include "app/look/text.h"
+#include "app/start/scene_gallery.h"
 #include "app/study/study_pictures.h"
 #include "app/widgets/follow_theme.h"
 

@@ -16,7 +16,7 @@
 #include "app/document/scene_opener.h"
 #include "app/document/session_file.h"
 #include "app/panels/cue_panel.h"
-#include "app/panels/start_page.h"
+#include "app/start/start_page.h"
 #include "app/view3d/view3d_panel.h"
 #include "app/widgets/error_list.h"
 #include "app/widgets/opening_bar.h"

@@ -10,7 +10,7 @@
 #include "app/desktop/view_area.h"
 #include "app/document/recent_files.h"
 #include "app/my_renderer/renderer_panel.h"
-#include "app/panels/start_line.h"
+#include "app/start/start_line.h"
 #include "app/widgets/error_list.h"
 #include "pipeline/formats/toml_writer.h"
 #include "tests/app/renderer_files.h"

@@ -18,10 +18,10 @@
 #include "app/panels/export_dialog.h"
 #include "app/panels/figure_dialog.h"
 #include "app/panels/film_dialog.h"
-#include "app/panels/start_page.h"
 #include "app/stages/stage_card.h"
 #include "app/stages/stage_strip.h"
 #include "app/stages/step_bar.h"
+#include "app/start/start_page.h"
 #include "app/widgets/number_field.h"
 #include "tests/app/window_fixture.h"
 

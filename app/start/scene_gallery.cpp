@@ -1,9 +1,9 @@
-#include "app/core/scene_gallery.h"
+#include "app/start/scene_gallery.h"
 #include "pipeline/plan/memory_limit.h"
 
 #include <algorithm>
 
-#include "app/core/start_order.h"
+#include "app/start/start_order.h"
 #include "pipeline/buffers/palette.h"
 #include "pipeline/run/runner.h"
 #include "pipeline/scene/settings_table.h"

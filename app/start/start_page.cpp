@@ -1,4 +1,4 @@
-#include "app/panels/start_page.h"
+#include "app/start/start_page.h"
 
 #include <QComboBox>
 #include <QFrame>
@@ -12,8 +12,8 @@
 
 #include "app/document/recent_files.h"
 #include "app/look/shown_name.h"
-#include "app/panels/drop_field.h"
-#include "app/panels/start_line.h"
+#include "app/start/drop_field.h"
+#include "app/start/start_line.h"
 #include "app/widgets/follow_theme.h"
 #include "app/widgets/segmented.h"
 #include "app/widgets/surface.h"

@@ -1,7 +1,7 @@
 #pragma once
 #include <QBoxLayout>
 
-#include "app/panels/start_button.h"
+#include "app/start/start_button.h"
 
 namespace app {
 

@@ -1,4 +1,4 @@
-#include "app/panels/start_lecture.h"
+#include "app/start/start_lecture.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
@@ -7,8 +7,8 @@
 
 #include "app/look/text.h"
 #include "app/look/word_match.h"
-#include "app/panels/start_card.h"
-#include "app/panels/start_lesson_row.h"
+#include "app/start/start_card.h"
+#include "app/start/start_lesson_row.h"
 #include "app/widgets/follow_theme.h"
 #include "app/widgets/surface.h"
 

@@ -1,4 +1,4 @@
-#include "app/panels/start_lesson_row.h"
+#include "app/start/start_lesson_row.h"
 
 #include <QPainter>
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "app/panels/start_button.h"
+#include "app/start/start_button.h"
 
 #include <QKeyEvent>
 #include <QPainter>

@@ -1,4 +1,4 @@
-#include "app/core/start_order.h"
+#include "app/start/start_order.h"
 
 #include <QCoreApplication>
 #include <algorithm>

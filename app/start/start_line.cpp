@@ -1,4 +1,4 @@
-#include "app/panels/start_line.h"
+#include "app/start/start_line.h"
 
 #include <QPainter>
 

@@ -2,9 +2,9 @@
 #include <QWidget>
 #include <map>
 
-#include "app/panels/start_fit.h"
-#include "app/panels/start_lessons.h"
-#include "app/panels/start_view_card.h"
+#include "app/start/start_fit.h"
+#include "app/start/start_lessons.h"
+#include "app/start/start_view_card.h"
 #include "pipeline/formats/built_in_scenes.h"
 
 class QLabel;

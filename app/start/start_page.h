@@ -2,7 +2,7 @@
 #include <QWidget>
 #include <functional>
 
-#include "app/panels/start_shelf.h"
+#include "app/start/start_shelf.h"
 
 class QComboBox;
 class QPushButton;

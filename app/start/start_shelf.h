@@ -3,11 +3,11 @@
 #include <optional>
 #include <vector>
 
-#include "app/core/scene_gallery.h"
-#include "app/core/start_order.h"
-#include "app/panels/start_fit.h"
-#include "app/panels/start_lessons.h"
-#include "app/panels/start_view_card.h"
+#include "app/start/scene_gallery.h"
+#include "app/start/start_fit.h"
+#include "app/start/start_lessons.h"
+#include "app/start/start_order.h"
+#include "app/start/start_view_card.h"
 
 class QBoxLayout;
 class QLabel;

@@ -2,7 +2,7 @@
 #include <functional>
 #include <vector>
 
-#include "app/panels/start_button.h"
+#include "app/start/start_button.h"
 
 class QLabel;
 

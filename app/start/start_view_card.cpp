@@ -1,4 +1,4 @@
-#include "app/panels/start_view_card.h"
+#include "app/start/start_view_card.h"
 
 #include <QFocusEvent>
 #include <QKeyEvent>

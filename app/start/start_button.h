@@ -1,7 +1,7 @@
 #pragma once
 #include <QAbstractButton>
 
-#include "app/core/scene_gallery.h"
+#include "app/start/scene_gallery.h"
 
 class QPainterPath;
 

@@ -1,4 +1,4 @@
-#include "app/panels/start_card.h"
+#include "app/start/start_card.h"
 
 #include <QKeyEvent>
 #include <QLabel>

@@ -1,4 +1,4 @@
-#include "app/panels/start_shelf.h"
+#include "app/start/start_shelf.h"
 
 #include <QBoxLayout>
 #include <QKeyEvent>
@@ -13,8 +13,8 @@
 
 #include "app/look/icons.h"
 #include "app/look/text.h"
-#include "app/panels/start_card.h"
-#include "app/panels/start_lecture.h"
+#include "app/start/start_card.h"
+#include "app/start/start_lecture.h"
 #include "app/widgets/follow_theme.h"
 #include "app/widgets/segmented.h"
 #include "app/widgets/surface.h"

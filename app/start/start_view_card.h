@@ -2,8 +2,8 @@
 #include <QFrame>
 #include <vector>
 
-#include "app/core/start_order.h"
-#include "app/panels/start_button.h"
+#include "app/start/start_button.h"
+#include "app/start/start_order.h"
 
 class QLabel;
 class QPushButton;

@@ -1,6 +1,6 @@
 #pragma once
-#include "app/panels/start_button.h"
-#include "app/panels/start_lessons.h"
+#include "app/start/start_button.h"
+#include "app/start/start_lessons.h"
 
 namespace app {
 

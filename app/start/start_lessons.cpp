@@ -1,4 +1,4 @@
-#include "app/panels/start_lessons.h"
+#include "app/start/start_lessons.h"
 
 #include <QKeyEvent>
 #include <QLabel>
@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "app/panels/start_lesson_row.h"
+#include "app/start/start_lesson_row.h"
 #include "app/widgets/follow_theme.h"
 #include "app/widgets/surface.h"
 
