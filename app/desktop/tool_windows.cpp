@@ -2,6 +2,7 @@
 
 #include <QApplication>
 
+#include "app/check/check_panel.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/key_sheet.h"
 #include "app/desktop/manual_window.h"
@@ -12,7 +13,6 @@
 #include "app/desktop/window_lessons.h"
 #include "app/document/document.h"
 #include "app/panels/bug_panel.h"
-#include "app/panels/check_panel.h"
 #include "app/study/study_panel.h"
 
 namespace app {

@@ -1,4 +1,4 @@
-#include "app/panels/check_panel.h"
+#include "app/check/check_panel.h"
 
 #include <gtest/gtest.h>
 
@@ -13,11 +13,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/check/check_cases.h"
+#include "app/check/check_knob.h"
+#include "app/check/check_pictures.h"
+#include "app/check/check_plot.h"
 #include "app/look/theme.h"
-#include "app/panels/check_cases.h"
-#include "app/panels/check_knob.h"
-#include "app/panels/check_pictures.h"
-#include "app/panels/check_plot.h"
 #include "app/widgets/folding_panes.h"
 #include "app/widgets/value_slider.h"
 #include "pipeline/export/json_value.h"

@@ -12,12 +12,12 @@
 #include <deque>
 
 #include "app/buffer_view/buffer_view.h"
+#include "app/check/check_panel.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/view_area.h"
 #include "app/document/recent_files.h"
 #include "app/document/session_file.h"
 #include "app/lesson/lesson_panel.h"
-#include "app/panels/check_panel.h"
 #include "app/panels/cue_panel.h"
 #include "app/widgets/error_list.h"
 #include "app/widgets/save_dialog.h"

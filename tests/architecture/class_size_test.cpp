@@ -31,7 +31,7 @@ const std::map<std::string, ClassSize>& largerThanMost() {
         {"app/desktop/slide_dialog.h SlideDialog", {12, 19}},
         {"app/buffer_view/buffer_header.h BufferHeader", {20, 16}},
         {"app/buffer_view/buffer_view.h BufferView", {33, 15}},
-        {"app/panels/check_panel.h CheckPanel", {22, 19}},
+        {"app/check/check_panel.h CheckPanel", {22, 19}},
         {"app/inspector/inspector_panel.h InspectorPanel", {11, 20}},
         {"lessons/expression/parser.h Parser", {48, 11}},
         {"pipeline/formats/line_scanner.h LineScanner", {14, 16}},

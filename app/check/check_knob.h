@@ -1,7 +1,7 @@
 #pragma once
 #include <QWidget>
 
-#include "app/core/knob_curve.h"
+#include "app/check/knob_curve.h"
 
 class QLabel;
 class QLineEdit;

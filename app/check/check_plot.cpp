@@ -1,4 +1,4 @@
-#include "app/panels/check_plot.h"
+#include "app/check/check_plot.h"
 
 #include <QPainter>
 

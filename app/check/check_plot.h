@@ -1,7 +1,7 @@
 #pragma once
 #include <QWidget>
 
-#include "app/panels/check_plot_layout.h"
+#include "app/check/check_plot_layout.h"
 
 namespace app {
 

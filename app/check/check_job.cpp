@@ -1,4 +1,4 @@
-#include "app/core/check_job.h"
+#include "app/check/check_job.h"
 
 #include <chrono>
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "app/core/knob_curve.h"
+#include "app/check/knob_curve.h"
 #include "pipeline/study/plot.h"
 
 namespace app {

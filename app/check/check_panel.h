@@ -3,9 +3,9 @@
 #include <functional>
 #include <memory>
 
-#include "app/core/check_job.h"
+#include "app/check/check_cases.h"
+#include "app/check/check_job.h"
 #include "app/document/document.h"
-#include "app/panels/check_cases.h"
 
 class QLabel;
 class QPushButton;

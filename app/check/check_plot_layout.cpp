@@ -1,4 +1,4 @@
-#include "app/panels/check_plot_layout.h"
+#include "app/check/check_plot_layout.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "app/panels/check_pictures.h"
+#include "app/check/check_pictures.h"
 
 #include <QHBoxLayout>
 #include <QLabel>

@@ -1,4 +1,4 @@
-#include "app/panels/check_cases.h"
+#include "app/check/check_cases.h"
 
 #include <QHeaderView>
 #include <QKeyEvent>

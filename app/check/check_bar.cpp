@@ -1,4 +1,4 @@
-#include "app/panels/check_bar.h"
+#include "app/check/check_bar.h"
 
 #include <QHBoxLayout>
 #include <QLabel>

@@ -1,4 +1,4 @@
-#include "app/core/knob_curve.h"
+#include "app/check/knob_curve.h"
 
 #include <cmath>
 

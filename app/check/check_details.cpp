@@ -1,4 +1,4 @@
-#include "app/panels/check_details.h"
+#include "app/check/check_details.h"
 
 #include <QGridLayout>
 #include <QLabel>

@@ -1,4 +1,4 @@
-#include "app/panels/check_knob.h"
+#include "app/check/check_knob.h"
 
 #include <QLabel>
 #include <QLineEdit>
@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/check/check_plot.h"
 #include "app/look/text.h"
-#include "app/panels/check_plot.h"
 #include "app/widgets/elided_label.h"
 #include "app/widgets/follow_theme.h"
 #include "app/widgets/value_slider.h"

@@ -1,4 +1,4 @@
-#include "app/panels/check_panel.h"
+#include "app/check/check_panel.h"
 
 #include <fmt/format.h>
 
@@ -10,11 +10,11 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "app/check/check_bar.h"
+#include "app/check/check_details.h"
+#include "app/check/check_knob.h"
+#include "app/check/check_pictures.h"
 #include "app/look/text.h"
-#include "app/panels/check_bar.h"
-#include "app/panels/check_details.h"
-#include "app/panels/check_knob.h"
-#include "app/panels/check_pictures.h"
 #include "app/widgets/fitting_choice.h"
 #include "app/widgets/folding_panes.h"
 #include "app/widgets/follow_theme.h"
