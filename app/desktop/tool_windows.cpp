@@ -2,6 +2,7 @@
 
 #include <QApplication>
 
+#include "app/bug_game/bug_panel.h"
 #include "app/check/check_panel.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/key_sheet.h"
@@ -12,7 +13,6 @@
 #include "app/desktop/window_layout.h"
 #include "app/desktop/window_lessons.h"
 #include "app/document/document.h"
-#include "app/panels/bug_panel.h"
 #include "app/study/study_panel.h"
 
 namespace app {

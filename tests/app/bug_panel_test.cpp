@@ -1,5 +1,5 @@
 // The wrong picture in its window: looks are counted, stages marked and causes named, by the keys alone.
-#include "app/panels/bug_panel.h"
+#include "app/bug_game/bug_panel.h"
 
 #include <gtest/gtest.h>
 
@@ -15,8 +15,8 @@
 #include <QTest>
 #include <algorithm>
 
+#include "app/bug_game/bug_box.h"
 #include "app/canvas/buffer_canvas.h"
-#include "app/panels/bug_box.h"
 #include "tests/app/quiet.h"
 #include "tests/support/scenes.h"
 

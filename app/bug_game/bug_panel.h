@@ -2,7 +2,7 @@
 #include <QWidget>
 #include <array>
 
-#include "app/panels/bug_round.h"
+#include "app/bug_game/bug_round.h"
 
 namespace app {
 

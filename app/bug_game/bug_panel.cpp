@@ -1,4 +1,4 @@
-#include "app/panels/bug_panel.h"
+#include "app/bug_game/bug_panel.h"
 
 #include <QHBoxLayout>
 #include <QKeyEvent>
@@ -6,11 +6,11 @@
 #include <QSplitter>
 #include <chrono>
 
-#include "app/panels/bug_box.h"
-#include "app/panels/bug_card.h"
-#include "app/panels/bug_own.h"
-#include "app/panels/bug_parts.h"
-#include "app/panels/bug_pictures.h"
+#include "app/bug_game/bug_box.h"
+#include "app/bug_game/bug_card.h"
+#include "app/bug_game/bug_own.h"
+#include "app/bug_game/bug_parts.h"
+#include "app/bug_game/bug_pictures.h"
 #include "app/widgets/follow_theme.h"
 #include "app/widgets/surface.h"
 

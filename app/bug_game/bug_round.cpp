@@ -1,4 +1,4 @@
-#include "app/panels/bug_round.h"
+#include "app/bug_game/bug_round.h"
 
 #include <QRegularExpression>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "app/panels/bug_card.h"
+#include "app/bug_game/bug_card.h"
 
 #include <QAbstractTextDocumentLayout>
 #include <QAccessible>
@@ -13,9 +13,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/bug_game/bug_parts.h"
+#include "app/bug_game/bug_round.h"
 #include "app/look/text.h"
-#include "app/panels/bug_parts.h"
-#include "app/panels/bug_round.h"
 #include "app/widgets/follow_theme.h"
 #include "app/widgets/kept_in_sight.h"
 #include "app/widgets/surface.h"

@@ -1,4 +1,4 @@
-#include "app/panels/bug_own.h"
+#include "app/bug_game/bug_own.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>

@@ -1,4 +1,4 @@
-#include "app/panels/bug_parts.h"
+#include "app/bug_game/bug_parts.h"
 
 #include <QLabel>
 #include <QPushButton>
@@ -6,9 +6,9 @@
 #include <QVBoxLayout>
 #include <cmath>
 
+#include "app/bug_game/bug_round.h"
 #include "app/inspector/math_view.h"
 #include "app/look/text.h"
-#include "app/panels/bug_round.h"
 #include "app/widgets/follow_theme.h"
 #include "pipeline/inspect/pixel_report.h"
 

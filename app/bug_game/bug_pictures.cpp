@@ -1,15 +1,15 @@
-#include "app/panels/bug_pictures.h"
+#include "app/bug_game/bug_pictures.h"
 
 #include <QComboBox>
 #include <QKeyEvent>
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "app/bug_game/bug_round.h"
 #include "app/canvas/buffer_canvas.h"
 #include "app/canvas/shown_buffer.h"
 #include "app/look/accessible.h"
 #include "app/look/text.h"
-#include "app/panels/bug_round.h"
 #include "app/widgets/follow_theme.h"
 #include "app/widgets/surface.h"
 #include "pipeline/inspect/compare.h"

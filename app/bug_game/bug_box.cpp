@@ -1,4 +1,4 @@
-#include "app/panels/bug_box.h"
+#include "app/bug_game/bug_box.h"
 
 #include <QPainter>
 
