@@ -16,8 +16,8 @@
 #include "app/desktop/talk_keys.h"
 #include "app/desktop/talk_pointer.h"
 #include "app/desktop/talk_work.h"
-#include "app/desktop/view_area.h"
 #include "app/look/text.h"
+#include "app/views/view_area.h"
 #include "app/widgets/follow_theme.h"
 #include "lessons/talk_html.h"
 

@@ -6,11 +6,11 @@
 #include "app/buffer_view/buffer_copies.h"
 #include "app/buffer_view/buffer_view.h"
 #include "app/canvas/condition_bar.h"
-#include "app/desktop/view_area.h"
 #include "app/document/document.h"
 #include "app/inspector/equation_section.h"
 #include "app/inspector/inspector_panel.h"
 #include "app/inspector/math_view.h"
+#include "app/views/view_area.h"
 
 namespace app {
 namespace {

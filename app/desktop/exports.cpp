@@ -5,12 +5,12 @@
 #include "app/desktop/actions.h"
 #include "app/desktop/shown_state.h"
 #include "app/desktop/slide_dialog.h"
-#include "app/desktop/view_area.h"
 #include "app/document/document.h"
 #include "app/look/text.h"
 #include "app/panels/export_dialog.h"
 #include "app/panels/figure_dialog.h"
 #include "app/panels/film_dialog.h"
+#include "app/views/view_area.h"
 #include "app/vtk/offscreen.h"
 #include "lessons/state/cue_list.h"
 

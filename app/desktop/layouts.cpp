@@ -8,8 +8,8 @@
 #include "app/desktop/actions.h"
 #include "app/desktop/layout_store.h"
 #include "app/desktop/status_line.h"
-#include "app/desktop/view_area.h"
 #include "app/desktop/window_layout.h"
+#include "app/views/view_area.h"
 #include "app/widgets/save_dialog.h"
 
 namespace app {

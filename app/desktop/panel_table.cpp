@@ -4,7 +4,6 @@
 #include <array>
 
 #include "app/desktop/panel_docks.h"
-#include "app/desktop/view_area.h"
 #include "app/inspector/inspector_panel.h"
 #include "app/lesson/lesson_panel.h"
 #include "app/my_renderer/renderer_panel.h"
@@ -14,6 +13,7 @@
 #include "app/tables/algorithm_panel.h"
 #include "app/tables/scanline_panel.h"
 #include "app/tables/tables_panel.h"
+#include "app/views/view_area.h"
 
 namespace app {
 namespace {

@@ -1,8 +1,8 @@
 #include "app/desktop/shown_state.h"
 
-#include "app/desktop/view_area.h"
 #include "app/desktop/window_layout.h"
 #include "app/document/document_state.h"
+#include "app/views/view_area.h"
 #include "app/widgets/error_list.h"
 #include "lessons/state/state_scene.h"
 

@@ -5,11 +5,11 @@
 #include "app/desktop/actions.h"
 #include "app/desktop/exports.h"
 #include "app/desktop/pixel_field.h"
-#include "app/desktop/view_area.h"
 #include "app/document/document.h"
 #include "app/stages/contract_list.h"
 #include "app/stages/stage_card.h"
 #include "app/stages/stage_strip.h"
+#include "app/views/view_area.h"
 
 namespace app {
 

@@ -12,8 +12,8 @@
 #include "app/desktop/talk_caption.h"
 #include "app/desktop/talk_hint.h"
 #include "app/desktop/talk_work.h"
-#include "app/desktop/view_area.h"
 #include "app/frames/stepper.h"
+#include "app/views/view_area.h"
 
 namespace app {
 namespace {

@@ -4,7 +4,7 @@
 #include "app/buffer_view/buffer_view.h"
 #include "app/canvas/buffer_canvas.h"
 #include "app/desktop/actions.h"
-#include "app/desktop/view_area.h"
+#include "app/views/view_area.h"
 
 namespace app {
 namespace {

@@ -4,9 +4,9 @@
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
-#include "app/desktop/view_area.h"
 #include "app/look/theme.h"
 #include "app/start/start_page.h"
+#include "app/views/view_area.h"
 #include "app/widgets/error_list.h"
 #include "app/widgets/follow_theme.h"
 

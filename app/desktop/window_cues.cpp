@@ -12,7 +12,6 @@
 #include "app/desktop/presentation.h"
 #include "app/desktop/scene_files.h"
 #include "app/desktop/shown_state.h"
-#include "app/desktop/view_area.h"
 #include "app/desktop/window_layout.h"
 #include "app/document/document.h"
 #include "app/document/recent_files.h"
@@ -20,6 +19,7 @@
 #include "app/look/shown_name.h"
 #include "app/look/text.h"
 #include "app/panels/cue_panel.h"
+#include "app/views/view_area.h"
 #include "app/widgets/error_list.h"
 #include "app/widgets/save_dialog.h"
 

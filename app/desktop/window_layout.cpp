@@ -13,7 +13,6 @@
 #include "app/desktop/panel_docks.h"
 #include "app/desktop/presentation.h"
 #include "app/desktop/status_line.h"
-#include "app/desktop/view_area.h"
 #include "app/desktop/window_centre.h"
 #include "app/document/document.h"
 #include "app/look/theme.h"
@@ -21,6 +20,7 @@
 #include "app/stages/stage_strip.h"
 #include "app/stages/timeline.h"
 #include "app/start/start_page.h"
+#include "app/views/view_area.h"
 
 namespace app {
 namespace {

@@ -8,8 +8,8 @@
 #include "app/canvas/buffer_canvas.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/manual_window.h"
-#include "app/desktop/view_area.h"
 #include "app/view3d/view3d_panel.h"
+#include "app/views/view_area.h"
 #include "tests/app/quiet.h"
 #include "tests/app/window_fixture.h"
 

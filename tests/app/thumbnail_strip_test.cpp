@@ -1,4 +1,4 @@
-#include "app/panels/thumbnail_strip.h"
+#include "app/views/thumbnail_strip.h"
 
 #include <gtest/gtest.h>
 

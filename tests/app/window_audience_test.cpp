@@ -11,7 +11,7 @@
 #include "app/desktop/clean_view.h"
 #include "app/desktop/notes_window.h"
 #include "app/desktop/presentation.h"
-#include "app/desktop/view_area.h"
+#include "app/views/view_area.h"
 #include "tests/app/window_fixture.h"
 
 namespace app {

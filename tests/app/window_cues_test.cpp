@@ -15,10 +15,10 @@
 #include "app/desktop/notes_window.h"
 #include "app/desktop/pen_layer.h"
 #include "app/desktop/presentation.h"
-#include "app/desktop/view_area.h"
 #include "app/inspector/math_view.h"
 #include "app/look/theme.h"
 #include "app/panels/cue_panel.h"
+#include "app/views/view_area.h"
 #include "tests/app/quiet.h"
 #include "tests/app/window_fixture.h"
 

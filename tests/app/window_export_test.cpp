@@ -13,10 +13,10 @@
 
 #include "app/buffer_view/buffer_view.h"
 #include "app/desktop/actions.h"
-#include "app/desktop/view_area.h"
 #include "app/look/theme.h"
 #include "app/panels/export_dialog.h"
 #include "app/panels/figure_dialog.h"
+#include "app/views/view_area.h"
 #include "app/vtk/offscreen.h"
 #include "tests/app/quiet.h"
 #include "tests/app/window_fixture.h"

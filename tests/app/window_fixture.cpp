@@ -10,8 +10,8 @@
 
 #include "app/buffer_view/buffer_view.h"
 #include "app/canvas/buffer_canvas.h"
-#include "app/desktop/view_area.h"
 #include "app/document/scene_opener.h"
+#include "app/views/view_area.h"
 #include "pipeline/formats/scene_reader.h"
 #include "tests/app/quiet.h"
 

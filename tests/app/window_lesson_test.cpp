@@ -12,8 +12,8 @@
 #include "app/compare/buffer_compare.h"
 #include "app/compare/compare_menu.h"
 #include "app/desktop/panel_dock.h"
-#include "app/desktop/view_area.h"
 #include "app/lesson/lesson_panel.h"
+#include "app/views/view_area.h"
 #include "lessons/library.h"
 #include "tests/app/window_fixture.h"
 

@@ -8,9 +8,9 @@
 
 #include "app/buffer_view/buffer_view.h"
 #include "app/desktop/layout_store.h"
-#include "app/desktop/view_area.h"
 #include "app/look/number_format.h"
 #include "app/look/theme.h"
+#include "app/views/view_area.h"
 #include "app/widgets/segmented.h"
 #include "tests/app/window_fixture.h"
 

@@ -18,11 +18,11 @@
 #include "app/compare/buffer_compare.h"
 #include "app/desktop/slide_dialog.h"
 #include "app/desktop/slide_picture.h"
-#include "app/desktop/view_area.h"
 #include "app/document/document_state.h"
 #include "app/document/export_plan.h"
 #include "app/panels/film_dialog.h"
 #include "app/view3d/view3d_panel.h"
+#include "app/views/view_area.h"
 #include "tests/app/quiet.h"
 #include "tests/app/window_fixture.h"
 

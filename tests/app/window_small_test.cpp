@@ -13,7 +13,6 @@
 #include "app/desktop/panel_table.h"
 #include "app/desktop/preferences_dialog.h"
 #include "app/desktop/slide_dialog.h"
-#include "app/desktop/view_area.h"
 #include "app/look/theme.h"
 #include "app/panels/export_dialog.h"
 #include "app/panels/figure_dialog.h"
@@ -22,6 +21,7 @@
 #include "app/stages/stage_strip.h"
 #include "app/stages/step_bar.h"
 #include "app/start/start_page.h"
+#include "app/views/view_area.h"
 #include "app/widgets/number_field.h"
 #include "tests/app/window_fixture.h"
 

@@ -4,13 +4,13 @@
 #include <algorithm>
 
 #include "app/buffer_view/buffer_view.h"
-#include "app/desktop/view_area.h"
 #include "app/frames/stage_buffer.h"
 #include "app/inspector/equation_section.h"
 #include "app/stages/stage_card.h"
 #include "app/stages/stage_strip.h"
 #include "app/view3d/scene_view.h"
 #include "app/view3d/view3d_panel.h"
+#include "app/views/view_area.h"
 #include "app/widgets/fitting_font.h"
 #include "tests/app/window_fixture.h"
 

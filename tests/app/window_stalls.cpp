@@ -18,11 +18,11 @@
 #include "app/compare/buffer_compare.h"
 #include "app/desktop/main_window.h"
 #include "app/desktop/panel_dock.h"
-#include "app/desktop/view_area.h"
 #include "app/desktop/window_main.h"
 #include "app/document/scene_opener.h"
 #include "app/view3d/scene_view.h"
 #include "app/view3d/view3d_panel.h"
+#include "app/views/view_area.h"
 #include "pipeline/core/memory.h"
 
 namespace {

@@ -7,11 +7,11 @@
 #include "app/buffer_view/buffer_view.h"
 #include "app/canvas/buffer_canvas.h"
 #include "app/desktop/actions.h"
-#include "app/desktop/view_area.h"
 #include "app/stages/stage_card.h"
 #include "app/stages/stage_strip.h"
 #include "app/stages/step_bar.h"
 #include "app/stages/timeline.h"
+#include "app/views/view_area.h"
 #include "tests/app/window_fixture.h"
 
 namespace app {

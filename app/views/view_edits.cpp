@@ -1,8 +1,8 @@
-#include "app/desktop/view_edits.h"
+#include "app/views/view_edits.h"
 
-#include "app/desktop/active_view.h"
-#include "app/desktop/stage_in_views.h"
-#include "app/desktop/view_grid.h"
+#include "app/views/active_view.h"
+#include "app/views/stage_in_views.h"
+#include "app/views/view_grid.h"
 
 namespace app {
 

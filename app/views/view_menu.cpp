@@ -1,10 +1,10 @@
-#include "app/desktop/view_menu.h"
+#include "app/views/view_menu.h"
 
 #include <QAction>
 #include <QMenu>
 
-#include "app/desktop/active_view.h"
-#include "app/desktop/view_edits.h"
+#include "app/views/active_view.h"
+#include "app/views/view_edits.h"
 
 namespace app {
 

@@ -1,4 +1,4 @@
-#include "app/desktop/view_set.h"
+#include "app/views/view_set.h"
 
 #include <QFrame>
 #include <QVBoxLayout>

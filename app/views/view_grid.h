@@ -2,7 +2,7 @@
 #include <QWidget>
 #include <optional>
 
-#include "app/desktop/view_set.h"
+#include "app/views/view_set.h"
 
 namespace app {
 

@@ -1,13 +1,13 @@
 #pragma once
 #include <QWidget>
 
-#include "app/desktop/active_view.h"
-#include "app/desktop/stage_in_views.h"
-#include "app/desktop/view_edits.h"
-#include "app/desktop/view_grid.h"
-#include "app/desktop/view_links.h"
-#include "app/desktop/view_menu.h"
 #include "app/document/document.h"
+#include "app/views/active_view.h"
+#include "app/views/stage_in_views.h"
+#include "app/views/view_edits.h"
+#include "app/views/view_grid.h"
+#include "app/views/view_links.h"
+#include "app/views/view_menu.h"
 #include "lessons/state/window_state.h"
 
 class QLabel;

@@ -1,4 +1,4 @@
-#include "app/desktop/even_splitter.h"
+#include "app/views/even_splitter.h"
 
 #include <QMouseEvent>
 #include <algorithm>

@@ -1,12 +1,12 @@
-#include "app/desktop/stage_in_views.h"
+#include "app/views/stage_in_views.h"
 
 #include <algorithm>
 #include <utility>
 
 #include "app/buffer_view/buffer_view.h"
-#include "app/desktop/view_grid.h"
 #include "app/document/document.h"
 #include "app/frames/stage_buffer.h"
+#include "app/views/view_grid.h"
 
 namespace app {
 

@@ -1,10 +1,10 @@
-#include "app/desktop/active_view.h"
+#include "app/views/active_view.h"
 
 #include <QApplication>
 #include <QStyle>
 
 #include "app/buffer_view/buffer_view.h"
-#include "app/desktop/view_grid.h"
+#include "app/views/view_grid.h"
 
 namespace app {
 

@@ -1,11 +1,11 @@
-#include "app/desktop/view_grid.h"
+#include "app/views/view_grid.h"
 
 #include <QApplication>
 #include <QScopedValueRollback>
 #include <QVBoxLayout>
 #include <utility>
 
-#include "app/desktop/even_splitter.h"
+#include "app/views/even_splitter.h"
 #include "app/widgets/follow_theme.h"
 
 namespace app {

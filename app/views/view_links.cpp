@@ -1,12 +1,12 @@
-#include "app/desktop/view_links.h"
+#include "app/views/view_links.h"
 
 #include <QTimer>
 #include <utility>
 
 #include "app/buffer_view/buffer_view.h"
 #include "app/canvas/buffer_canvas.h"
-#include "app/desktop/active_view.h"
-#include "app/desktop/view_grid.h"
+#include "app/views/active_view.h"
+#include "app/views/view_grid.h"
 
 namespace app {
 
