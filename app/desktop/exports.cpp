@@ -2,7 +2,7 @@
 
 #include "app/buffer_view/buffer_view.h"
 #include "app/canvas/buffer_canvas.h"
-#include "app/desktop/actions.h"
+#include "app/commands/actions.h"
 #include "app/desktop/shown_state.h"
 #include "app/desktop/slide_dialog.h"
 #include "app/document/document.h"

@@ -6,7 +6,7 @@
 #include <QMimeData>
 #include <algorithm>
 
-#include "app/desktop/actions.h"
+#include "app/commands/actions.h"
 #include "app/desktop/scene_files.h"
 #include "app/desktop/window_cues.h"
 #include "app/desktop/window_lessons.h"

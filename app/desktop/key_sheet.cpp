@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <memory>
 
-#include "app/desktop/actions.h"
+#include "app/commands/actions.h"
 #include "app/desktop/panel_table.h"
 #include "app/look/word_match.h"
 #include "app/widgets/follow_theme.h"

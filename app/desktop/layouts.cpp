@@ -5,7 +5,7 @@
 #include <QMenu>
 #include <optional>
 
-#include "app/desktop/actions.h"
+#include "app/commands/actions.h"
 #include "app/desktop/layout_store.h"
 #include "app/desktop/status_line.h"
 #include "app/desktop/window_layout.h"

@@ -8,7 +8,7 @@
 #include <QPushButton>
 #include <QRandomGenerator>
 
-#include "app/desktop/actions.h"
+#include "app/commands/actions.h"
 #include "app/desktop/file_opening.h"
 #include "app/desktop/scene_files.h"
 #include "app/desktop/window_lessons.h"

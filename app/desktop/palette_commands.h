@@ -2,7 +2,7 @@
 #include <QObject>
 #include <vector>
 
-#include "app/desktop/command_palette.h"
+#include "app/commands/command_palette.h"
 
 class QMenu;
 class QWidget;

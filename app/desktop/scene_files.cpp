@@ -3,7 +3,7 @@
 #include <QDir>
 #include <QFileInfo>
 
-#include "app/desktop/actions.h"
+#include "app/commands/actions.h"
 #include "app/desktop/keep_changes.h"
 #include "app/desktop/presentation.h"
 #include "app/desktop/shown_state.h"

@@ -2,9 +2,9 @@
 
 #include "app/buffer_view/buffer_overlays.h"
 #include "app/buffer_view/buffer_view.h"
-#include "app/desktop/actions.h"
+#include "app/commands/actions.h"
+#include "app/commands/pixel_field.h"
 #include "app/desktop/exports.h"
-#include "app/desktop/pixel_field.h"
 #include "app/document/document.h"
 #include "app/stages/contract_list.h"
 #include "app/stages/stage_card.h"

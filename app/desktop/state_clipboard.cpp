@@ -5,7 +5,7 @@
 #include <QMimeData>
 
 #include "app/buffer_view/buffer_view.h"
-#include "app/desktop/actions.h"
+#include "app/commands/actions.h"
 #include "app/desktop/scene_files.h"
 #include "app/desktop/shown_state.h"
 #include "app/document/document_state.h"

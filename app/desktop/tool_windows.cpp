@@ -4,7 +4,7 @@
 
 #include "app/bug_game/bug_panel.h"
 #include "app/check/check_panel.h"
-#include "app/desktop/actions.h"
+#include "app/commands/actions.h"
 #include "app/desktop/key_sheet.h"
 #include "app/desktop/manual_window.h"
 #include "app/desktop/preferences_dialog.h"

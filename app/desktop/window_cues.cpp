@@ -5,7 +5,7 @@
 #include <QMainWindow>
 #include <algorithm>
 
-#include "app/desktop/actions.h"
+#include "app/commands/actions.h"
 #include "app/desktop/keep_changes.h"
 #include "app/desktop/layout_store.h"
 #include "app/desktop/panel_docks.h"

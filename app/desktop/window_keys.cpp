@@ -7,7 +7,7 @@
 #include <QComboBox>
 #include <QKeyEvent>
 
-#include "app/desktop/actions.h"
+#include "app/commands/actions.h"
 #include "app/desktop/scene_files.h"
 #include "app/desktop/window_layout.h"
 #include "app/document/document.h"

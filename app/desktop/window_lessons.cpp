@@ -6,7 +6,7 @@
 #include <QToolBar>
 #include <algorithm>
 
-#include "app/desktop/actions.h"
+#include "app/commands/actions.h"
 #include "app/desktop/edge_tab.h"
 #include "app/desktop/panel_docks.h"
 #include "app/desktop/presentation.h"

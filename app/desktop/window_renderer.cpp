@@ -8,8 +8,8 @@
 
 #include "app/buffer_view/buffer_overlays.h"
 #include "app/buffer_view/buffer_view.h"
+#include "app/commands/actions.h"
 #include "app/compare/buffer_compare.h"
-#include "app/desktop/actions.h"
 #include "app/desktop/panel_docks.h"
 #include "app/desktop/scene_files.h"
 #include "app/desktop/window_layout.h"

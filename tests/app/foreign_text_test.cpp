@@ -20,7 +20,7 @@
 #include <QTimer>
 #include <QToolTip>
 
-#include "app/desktop/actions.h"
+#include "app/commands/actions.h"
 #include "app/desktop/main_window.h"
 #include "app/document/scene_opener.h"
 #include "app/lesson/lesson_panel.h"

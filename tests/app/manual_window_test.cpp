@@ -6,7 +6,7 @@
 #include <QTextBlock>
 
 #include "app/canvas/buffer_canvas.h"
-#include "app/desktop/actions.h"
+#include "app/commands/actions.h"
 #include "app/desktop/manual_window.h"
 #include "app/view3d/view3d_panel.h"
 #include "app/views/view_area.h"

@@ -9,7 +9,7 @@
 #include "app/buffer_view/buffer_view.h"
 #include "app/canvas/buffer_canvas.h"
 #include "app/canvas/condition_bar.h"
-#include "app/desktop/actions.h"
+#include "app/commands/actions.h"
 #include "app/desktop/caption_line.h"
 #include "app/desktop/clean_view.h"
 #include "app/desktop/notes_window.h"

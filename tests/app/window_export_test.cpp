@@ -12,7 +12,7 @@
 #include <algorithm>
 
 #include "app/buffer_view/buffer_view.h"
-#include "app/desktop/actions.h"
+#include "app/commands/actions.h"
 #include "app/look/theme.h"
 #include "app/panels/export_dialog.h"
 #include "app/panels/figure_dialog.h"

@@ -13,7 +13,7 @@
 
 #include "app/buffer_view/buffer_view.h"
 #include "app/check/check_panel.h"
-#include "app/desktop/actions.h"
+#include "app/commands/actions.h"
 #include "app/document/recent_files.h"
 #include "app/document/session_file.h"
 #include "app/lesson/lesson_panel.h"

@@ -18,7 +18,7 @@
 
 #include "app/buffer_view/buffer_view.h"
 #include "app/canvas/buffer_canvas.h"
-#include "app/desktop/actions.h"
+#include "app/commands/actions.h"
 #include "app/desktop/panel_dock.h"
 #include "app/frames/pixel_inspection.h"
 #include "app/inspector/math_view.h"

@@ -14,8 +14,8 @@
 
 #include "app/buffer_view/buffer_view.h"
 #include "app/canvas/buffer_canvas.h"
-#include "app/desktop/actions.h"
-#include "app/desktop/command_palette.h"
+#include "app/commands/actions.h"
+#include "app/commands/command_palette.h"
 #include "app/desktop/key_sheet.h"
 #include "app/desktop/layout_store.h"
 #include "app/desktop/panel_dock.h"

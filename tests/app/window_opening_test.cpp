@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "app/canvas/buffer_canvas.h"
-#include "app/desktop/actions.h"
+#include "app/commands/actions.h"
 #include "app/desktop/clean_view.h"
 #include "app/desktop/presentation.h"
 #include "app/desktop/talk_keys.h"

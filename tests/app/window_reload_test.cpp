@@ -5,7 +5,7 @@
 
 #include "app/buffer_view/buffer_view.h"
 #include "app/canvas/buffer_canvas.h"
-#include "app/desktop/actions.h"
+#include "app/commands/actions.h"
 #include "app/document/file_watch.h"
 #include "app/frames/stepper.h"
 #include "app/views/view_area.h"

@@ -9,7 +9,7 @@
 #include "app/buffer_view/buffer_range.h"
 #include "app/buffer_view/buffer_view.h"
 #include "app/canvas/buffer_canvas.h"
-#include "app/desktop/actions.h"
+#include "app/commands/actions.h"
 #include "app/document/recent_files.h"
 #include "app/document/scene_opener.h"
 #include "app/document/session_file.h"

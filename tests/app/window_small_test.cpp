@@ -8,8 +8,8 @@
 #include <QScrollArea>
 #include <QTest>
 
-#include "app/desktop/actions.h"
-#include "app/desktop/command_palette.h"
+#include "app/commands/actions.h"
+#include "app/commands/command_palette.h"
 #include "app/desktop/panel_table.h"
 #include "app/desktop/preferences_dialog.h"
 #include "app/desktop/slide_dialog.h"

@@ -11,9 +11,9 @@
 #include <QTest>
 #include <algorithm>
 
+#include "app/commands/actions.h"
+#include "app/commands/command_palette.h"
 #include "app/core/cue_model.h"
-#include "app/desktop/actions.h"
-#include "app/desktop/command_palette.h"
 #include "app/desktop/panel_docks.h"
 #include "app/desktop/panel_table.h"
 #include "app/desktop/presentation.h"

@@ -6,7 +6,7 @@
 
 #include "app/buffer_view/buffer_view.h"
 #include "app/canvas/buffer_canvas.h"
-#include "app/desktop/actions.h"
+#include "app/commands/actions.h"
 #include "app/stages/stage_card.h"
 #include "app/stages/stage_strip.h"
 #include "app/stages/step_bar.h"

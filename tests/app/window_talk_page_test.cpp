@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "app/buffer_view/buffer_view.h"
-#include "app/desktop/actions.h"
+#include "app/commands/actions.h"
 #include "app/desktop/cue_picture.h"
 #include "app/desktop/slide_picture.h"
 #include "app/panels/cue_panel.h"

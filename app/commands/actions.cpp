@@ -1,4 +1,4 @@
-#include "app/desktop/actions.h"
+#include "app/commands/actions.h"
 
 #include <QActionGroup>
 #include <QMenu>

@@ -1,9 +1,9 @@
-#include "app/desktop/view_actions.h"
+#include "app/commands/view_actions.h"
 
 #include "app/buffer_view/buffer_header.h"
 #include "app/buffer_view/buffer_view.h"
 #include "app/canvas/buffer_canvas.h"
-#include "app/desktop/actions.h"
+#include "app/commands/actions.h"
 #include "app/views/view_area.h"
 
 namespace app {

@@ -1,4 +1,4 @@
-#include "app/desktop/step_actions.h"
+#include "app/commands/step_actions.h"
 
 #include <iterator>
 

@@ -1,9 +1,9 @@
-#include "app/desktop/look_actions.h"
+#include "app/commands/look_actions.h"
 
 #include <QWidget>
 #include <utility>
 
-#include "app/desktop/actions.h"
+#include "app/commands/actions.h"
 #include "app/look/theme.h"
 
 namespace app {

@@ -1,5 +1,5 @@
 #pragma once
-#include "app/desktop/actions.h"
+#include "app/commands/actions.h"
 
 namespace app {
 

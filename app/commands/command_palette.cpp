@@ -1,4 +1,4 @@
-#include "app/desktop/command_palette.h"
+#include "app/commands/command_palette.h"
 
 #include <algorithm>
 

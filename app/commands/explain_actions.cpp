@@ -1,4 +1,4 @@
-#include "app/desktop/explain_actions.h"
+#include "app/commands/explain_actions.h"
 
 #include <QApplication>
 #include <QClipboard>

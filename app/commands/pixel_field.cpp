@@ -1,4 +1,4 @@
-#include "app/desktop/pixel_field.h"
+#include "app/commands/pixel_field.h"
 
 #include <QLabel>
 #include <QLineEdit>

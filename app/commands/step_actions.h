@@ -1,5 +1,5 @@
 #pragma once
-#include "app/desktop/actions.h"
+#include "app/commands/actions.h"
 #include "app/document/document.h"
 #include "app/stages/timeline.h"
 
