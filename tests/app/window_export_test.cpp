@@ -13,9 +13,9 @@
 
 #include "app/buffer_view/buffer_view.h"
 #include "app/commands/actions.h"
+#include "app/export/export_dialog.h"
+#include "app/export/figure_dialog.h"
 #include "app/look/theme.h"
-#include "app/panels/export_dialog.h"
-#include "app/panels/figure_dialog.h"
 #include "app/views/view_area.h"
 #include "app/vtk/offscreen.h"
 #include "tests/app/quiet.h"

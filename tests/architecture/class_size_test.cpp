@@ -28,7 +28,7 @@ const std::map<std::string, ClassSize>& largerThanMost() {
         {"app/document/renderer_check.h RendererCheck", {31, 17}},
         {"app/frames/stepper.h Stepper", {42, 16}},
         {"app/desktop/notes_window.h NotesWindow", {19, 19}},
-        {"app/desktop/slide_dialog.h SlideDialog", {12, 19}},
+        {"app/export/slide_dialog.h SlideDialog", {12, 19}},
         {"app/buffer_view/buffer_header.h BufferHeader", {20, 16}},
         {"app/buffer_view/buffer_view.h BufferView", {33, 15}},
         {"app/check/check_panel.h CheckPanel", {22, 19}},

@@ -1,7 +1,7 @@
 #pragma once
 #include <QWidget>
 
-#include "app/core/figure_order.h"
+#include "app/export/figure_order.h"
 
 class QComboBox;
 class QDoubleSpinBox;

@@ -1,4 +1,4 @@
-#include "app/panels/export_dialog.h"
+#include "app/export/export_dialog.h"
 
 #include <QCheckBox>
 #include <QDir>
@@ -11,11 +11,11 @@
 #include <QLineEdit>
 #include <QPushButton>
 
-#include "app/core/export_job.h"
+#include "app/export/export_formats.h"
+#include "app/export/export_job.h"
+#include "app/export/export_list.h"
 #include "app/frames/derived_buffers.h"
 #include "app/look/text.h"
-#include "app/panels/export_formats.h"
-#include "app/panels/export_list.h"
 #include "app/widgets/follow_theme.h"
 #include "app/widgets/on_screen.h"
 #include "app/widgets/wrapping_check_box.h"

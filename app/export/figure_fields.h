@@ -2,8 +2,8 @@
 #include <QWidget>
 #include <array>
 
-#include "app/core/figure_order.h"
 #include "app/document/document.h"
+#include "app/export/figure_order.h"
 
 class QCheckBox;
 class QComboBox;

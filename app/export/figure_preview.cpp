@@ -1,4 +1,4 @@
-#include "app/panels/figure_preview.h"
+#include "app/export/figure_preview.h"
 
 #include <QEvent>
 #include <QHBoxLayout>

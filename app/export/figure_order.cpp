@@ -1,4 +1,4 @@
-#include "app/core/figure_order.h"
+#include "app/export/figure_order.h"
 
 #include <QLocale>
 

@@ -1,4 +1,4 @@
-#include "app/desktop/slide_picture.h"
+#include "app/export/slide_picture.h"
 
 #include <QPainter>
 

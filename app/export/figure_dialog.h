@@ -2,8 +2,8 @@
 #include <QDialog>
 #include <functional>
 
-#include "app/core/figure_order.h"
 #include "app/document/changed_settings.h"
+#include "app/export/figure_order.h"
 #include "app/jobs/background_job.h"
 #include "app/widgets/job_bar.h"
 

@@ -3,7 +3,7 @@
 #include <atomic>
 #include <memory>
 
-#include "app/desktop/slide_picture.h"
+#include "app/export/slide_picture.h"
 
 class QCheckBox;
 class QComboBox;

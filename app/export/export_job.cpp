@@ -1,4 +1,4 @@
-#include "app/core/export_job.h"
+#include "app/export/export_job.h"
 
 #include "app/jobs/memory_notice.h"
 #include "app/look/text.h"

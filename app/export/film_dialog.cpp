@@ -1,4 +1,4 @@
-#include "app/panels/film_dialog.h"
+#include "app/export/film_dialog.h"
 
 #include <QCheckBox>
 #include <QComboBox>

@@ -1,4 +1,4 @@
-#include "app/panels/export_list.h"
+#include "app/export/export_list.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "app/desktop/slide_dialog.h"
+#include "app/export/slide_dialog.h"
 
 #include <QApplication>
 #include <QCheckBox>

@@ -1,4 +1,4 @@
-#include "app/panels/figure_size_fields.h"
+#include "app/export/figure_size_fields.h"
 
 #include <QComboBox>
 #include <QDoubleSpinBox>

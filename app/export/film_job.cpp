@@ -1,4 +1,4 @@
-#include "app/core/film_job.h"
+#include "app/export/film_job.h"
 
 #include "app/document/export_plan.h"
 #include "app/jobs/memory_notice.h"

@@ -1,4 +1,4 @@
-#include "app/panels/figure_fields.h"
+#include "app/export/figure_fields.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -11,8 +11,8 @@
 #include <QSignalBlocker>
 #include <cmath>
 
+#include "app/export/figure_size_fields.h"
 #include "app/look/text.h"
-#include "app/panels/figure_size_fields.h"
 #include "app/widgets/buffer_chooser.h"
 #include "app/widgets/follow_theme.h"
 

@@ -1,4 +1,4 @@
-#include "app/panels/export_formats.h"
+#include "app/export/export_formats.h"
 
 #include <QCheckBox>
 #include <QHBoxLayout>

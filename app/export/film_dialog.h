@@ -1,7 +1,7 @@
 #pragma once
-#include "app/core/film_job.h"
 #include "app/document/changed_settings.h"
 #include "app/document/document.h"
+#include "app/export/film_job.h"
 #include "app/widgets/job_dialog.h"
 
 class QCheckBox;

@@ -1,4 +1,4 @@
-#include "app/panels/figure_dialog.h"
+#include "app/export/figure_dialog.h"
 
 #include <QApplication>
 #include <QClipboard>
@@ -8,11 +8,11 @@
 #include <QMimeData>
 #include <QShortcut>
 
+#include "app/export/figure_fields.h"
+#include "app/export/figure_preview.h"
 #include "app/frames/derived_buffers.h"
 #include "app/jobs/write_file.h"
 #include "app/look/text.h"
-#include "app/panels/figure_fields.h"
-#include "app/panels/figure_preview.h"
 #include "app/widgets/follow_theme.h"
 #include "app/widgets/on_screen.h"
 #include "app/widgets/save_dialog.h"
