@@ -17,8 +17,8 @@
 #include "pipeline/formats/built_in_scenes.h"
 #include "pipeline/simd/missing_instructions.h"
 #ifdef SHADESCOPE_WINDOW
-#include "app/desktop/cue_picture.h"
 #include "app/desktop/window_main.h"
+#include "app/talk/cue_picture.h"
 #include "app/vtk/offscreen.h"
 #endif
 

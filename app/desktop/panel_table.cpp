@@ -7,12 +7,12 @@
 #include "app/inspector/inspector_panel.h"
 #include "app/lesson/lesson_panel.h"
 #include "app/my_renderer/renderer_panel.h"
-#include "app/panels/cue_panel.h"
 #include "app/settings/scene_tree.h"
 #include "app/settings/settings_panel.h"
 #include "app/tables/algorithm_panel.h"
 #include "app/tables/scanline_panel.h"
 #include "app/tables/tables_panel.h"
+#include "app/talk/cue_panel.h"
 #include "app/views/view_area.h"
 
 namespace app {

@@ -5,7 +5,6 @@
 
 #include "app/commands/actions.h"
 #include "app/desktop/keep_changes.h"
-#include "app/desktop/presentation.h"
 #include "app/desktop/shown_state.h"
 #include "app/desktop/window_layout.h"
 #include "app/document/file_watch.h"
@@ -14,6 +13,7 @@
 #include "app/lesson/lesson_panel.h"
 #include "app/look/shown_name.h"
 #include "app/look/text.h"
+#include "app/talk/presentation.h"
 #include "app/views/view_area.h"
 #include "app/widgets/error_list.h"
 #include "app/widgets/save_dialog.h"

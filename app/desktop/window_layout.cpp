@@ -11,7 +11,6 @@
 #include "app/buffer_view/buffer_view.h"
 #include "app/desktop/layout_store.h"
 #include "app/desktop/panel_docks.h"
-#include "app/desktop/presentation.h"
 #include "app/desktop/status_line.h"
 #include "app/desktop/window_centre.h"
 #include "app/document/document.h"
@@ -20,6 +19,7 @@
 #include "app/stages/stage_strip.h"
 #include "app/stages/timeline.h"
 #include "app/start/start_page.h"
+#include "app/talk/presentation.h"
 #include "app/views/view_area.h"
 
 namespace app {

@@ -17,7 +17,7 @@
 #include "app/document/recent_files.h"
 #include "app/document/session_file.h"
 #include "app/lesson/lesson_panel.h"
-#include "app/panels/cue_panel.h"
+#include "app/talk/cue_panel.h"
 #include "app/views/view_area.h"
 #include "app/widgets/error_list.h"
 #include "app/widgets/save_dialog.h"

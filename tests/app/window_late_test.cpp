@@ -4,8 +4,8 @@
 
 #include "app/buffer_view/buffer_view.h"
 #include "app/canvas/buffer_canvas.h"
-#include "app/core/cue_model.h"
-#include "app/panels/cue_panel.h"
+#include "app/talk/cue_model.h"
+#include "app/talk/cue_panel.h"
 #include "app/views/view_area.h"
 #include "tests/app/window_fixture.h"
 

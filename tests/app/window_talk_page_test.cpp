@@ -6,9 +6,9 @@
 
 #include "app/buffer_view/buffer_view.h"
 #include "app/commands/actions.h"
-#include "app/desktop/cue_picture.h"
 #include "app/export/slide_picture.h"
-#include "app/panels/cue_panel.h"
+#include "app/talk/cue_panel.h"
+#include "app/talk/cue_picture.h"
 #include "app/views/view_area.h"
 #include "lessons/state/state_scene.h"
 #include "pipeline/formats/built_in_scenes.h"

@@ -7,13 +7,13 @@
 #include <QTimer>
 #include <cstdio>
 
-#include "app/desktop/clean_view.h"
 #include "app/desktop/main_window.h"
-#include "app/desktop/presentation.h"
 #include "app/desktop/window_cues.h"
 #include "app/desktop/window_main.h"
 #include "app/document/scene_opener.h"
 #include "app/look/theme.h"
+#include "app/talk/clean_view.h"
+#include "app/talk/presentation.h"
 
 namespace {
 

@@ -210,7 +210,7 @@ Breaches markupInNewPlaces(const SourceTree& tree) {
                                              "app/lesson/prose_view.h",
                                              "app/desktop/manual_window.cpp",
                                              "app/desktop/manual_window.h",
-                                             "app/desktop/clean_view.cpp",
+                                             "app/talk/clean_view.cpp",
                                              "app/holds/held_files.cpp",
                                              "app/holds/held_files.h"};
     static const std::regex markup(

@@ -122,8 +122,8 @@ TEST(Architecture, WhatIsPrintedIsEscaped) {
 }
 
 TEST(Architecture, MarkupStandsInKnownPlaces) {
-    expectOne(markupInNewPlaces({{"app/panels/cue_panel.cpp", {"label->setTextFormat(Qt::RichText);"}}}),
-              "app/panels/cue_panel.cpp:1:");
+    expectOne(markupInNewPlaces({{"app/talk/cue_panel.cpp", {"label->setTextFormat(Qt::RichText);"}}}),
+              "app/talk/cue_panel.cpp:1:");
     expectOne(markupInNewPlaces({{"app/tables/table_model.cpp", {"document.setHtml(text);"}}}),
               "app/tables/table_model.cpp:1:");
     expectKept(markupInNewPlaces({{"app/tables/table_model.cpp", {"label->setTextFormat(Qt::PlainText);"}}}));

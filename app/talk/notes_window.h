@@ -3,8 +3,8 @@
 #include <QTimer>
 #include <QWidget>
 
-#include "app/core/cue_model.h"
 #include "app/jobs/background_job.h"
+#include "app/talk/cue_model.h"
 
 class QLabel;
 class QListView;

@@ -4,9 +4,9 @@
 #include <memory>
 #include <optional>
 
-#include "app/core/cue_model.h"
 #include "app/document/document.h"
 #include "app/look/theme.h"
+#include "app/talk/cue_model.h"
 
 class QAction;
 class QScreen;

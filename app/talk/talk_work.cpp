@@ -1,4 +1,4 @@
-#include "app/desktop/talk_work.h"
+#include "app/talk/talk_work.h"
 
 #include <QVBoxLayout>
 #include <utility>

@@ -1,11 +1,11 @@
-#include "app/desktop/talk_pointer.h"
+#include "app/talk/talk_pointer.h"
 
 #include <QApplication>
 #include <QMouseEvent>
 #include <QWidget>
 #include <utility>
 
-#include "app/desktop/pen_layer.h"
+#include "app/talk/pen_layer.h"
 
 namespace app {
 namespace {

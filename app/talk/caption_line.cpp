@@ -1,4 +1,4 @@
-#include "app/desktop/caption_line.h"
+#include "app/talk/caption_line.h"
 
 #include <QPainter>
 #include <algorithm>

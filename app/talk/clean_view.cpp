@@ -1,4 +1,4 @@
-#include "app/desktop/clean_view.h"
+#include "app/talk/clean_view.h"
 
 #include <QCloseEvent>
 #include <QLabel>
@@ -6,17 +6,17 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/desktop/ask_panel.h"
-#include "app/desktop/pen_layer.h"
-#include "app/desktop/pinned_settings.h"
-#include "app/desktop/talk_algorithm.h"
-#include "app/desktop/talk_caption.h"
-#include "app/desktop/talk_equation.h"
-#include "app/desktop/talk_hint.h"
-#include "app/desktop/talk_keys.h"
-#include "app/desktop/talk_pointer.h"
-#include "app/desktop/talk_work.h"
 #include "app/look/text.h"
+#include "app/talk/ask_panel.h"
+#include "app/talk/pen_layer.h"
+#include "app/talk/pinned_settings.h"
+#include "app/talk/talk_algorithm.h"
+#include "app/talk/talk_caption.h"
+#include "app/talk/talk_equation.h"
+#include "app/talk/talk_hint.h"
+#include "app/talk/talk_keys.h"
+#include "app/talk/talk_pointer.h"
+#include "app/talk/talk_work.h"
 #include "app/views/view_area.h"
 #include "app/widgets/follow_theme.h"
 #include "lessons/talk_html.h"

@@ -1,4 +1,4 @@
-#include "app/desktop/talk_hint.h"
+#include "app/talk/talk_hint.h"
 
 #include "app/widgets/follow_theme.h"
 

@@ -1,4 +1,4 @@
-#include "app/desktop/talk_equation.h"
+#include "app/talk/talk_equation.h"
 
 #include <QHBoxLayout>
 #include <QLabel>

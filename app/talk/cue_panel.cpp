@@ -1,4 +1,4 @@
-#include "app/panels/cue_panel.h"
+#include "app/talk/cue_panel.h"
 
 #include <QFileInfo>
 #include <QHBoxLayout>

@@ -1,8 +1,8 @@
 #pragma once
 #include <QWidget>
 
-#include "app/core/cue_model.h"
 #include "app/document/document.h"
+#include "app/talk/cue_model.h"
 
 class QLabel;
 class QLineEdit;

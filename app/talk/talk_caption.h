@@ -1,9 +1,9 @@
 #pragma once
 #include <QTimer>
 
-#include "app/core/cue_model.h"
-#include "app/desktop/caption_line.h"
 #include "app/document/document.h"
+#include "app/talk/caption_line.h"
+#include "app/talk/cue_model.h"
 
 namespace app {
 

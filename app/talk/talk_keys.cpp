@@ -1,4 +1,4 @@
-#include "app/desktop/talk_keys.h"
+#include "app/talk/talk_keys.h"
 
 #include <QAbstractSpinBox>
 #include <QApplication>
@@ -7,12 +7,12 @@
 #include <QPlainTextEdit>
 #include <QTextEdit>
 
-#include "app/desktop/ask_panel.h"
-#include "app/desktop/pen_layer.h"
-#include "app/desktop/talk_caption.h"
-#include "app/desktop/talk_hint.h"
-#include "app/desktop/talk_work.h"
 #include "app/frames/stepper.h"
+#include "app/talk/ask_panel.h"
+#include "app/talk/pen_layer.h"
+#include "app/talk/talk_caption.h"
+#include "app/talk/talk_hint.h"
+#include "app/talk/talk_work.h"
 #include "app/views/view_area.h"
 
 namespace app {

@@ -1,4 +1,4 @@
-#include "app/desktop/ask_panel.h"
+#include "app/talk/ask_panel.h"
 
 #include <QPainter>
 #include <QPainterPath>

@@ -1,4 +1,4 @@
-#include "app/desktop/pinned_settings.h"
+#include "app/talk/pinned_settings.h"
 
 #include <QGridLayout>
 #include <algorithm>

@@ -2,7 +2,7 @@
 #include <QWidget>
 #include <optional>
 
-#include "app/core/cue_model.h"
+#include "app/talk/cue_model.h"
 
 namespace app {
 

@@ -1,4 +1,4 @@
-#include "app/desktop/notes_window.h"
+#include "app/talk/notes_window.h"
 
 #include <QCloseEvent>
 #include <QDateTime>

@@ -1,4 +1,4 @@
-#include "app/desktop/pen_layer.h"
+#include "app/talk/pen_layer.h"
 
 #include <QMouseEvent>
 #include <QPainter>

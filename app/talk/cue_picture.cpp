@@ -1,4 +1,4 @@
-#include "app/desktop/cue_picture.h"
+#include "app/talk/cue_picture.h"
 
 #include <QPainter>
 #include <algorithm>

@@ -2,8 +2,8 @@
 #include <QWidget>
 #include <memory>
 
-#include "app/core/cue_model.h"
 #include "app/document/document.h"
+#include "app/talk/cue_model.h"
 
 class QLabel;
 

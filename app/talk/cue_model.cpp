@@ -1,4 +1,4 @@
-#include "app/core/cue_model.h"
+#include "app/talk/cue_model.h"
 
 #include <QDir>
 #include <QFileInfo>

@@ -1,4 +1,4 @@
-#include "app/desktop/talk_algorithm.h"
+#include "app/talk/talk_algorithm.h"
 
 #include <QLabel>
 #include <QVBoxLayout>

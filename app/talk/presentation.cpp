@@ -1,4 +1,4 @@
-#include "app/desktop/presentation.h"
+#include "app/talk/presentation.h"
 
 #include <QAction>
 #include <QGuiApplication>
@@ -7,10 +7,10 @@
 #include <QWidget>
 #include <utility>
 
-#include "app/desktop/clean_view.h"
-#include "app/desktop/notes_window.h"
-#include "app/desktop/talk_keys.h"
 #include "app/look/theme.h"
+#include "app/talk/clean_view.h"
+#include "app/talk/notes_window.h"
+#include "app/talk/talk_keys.h"
 #include "app/widgets/follow_theme.h"
 
 namespace app {

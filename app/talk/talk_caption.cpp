@@ -1,9 +1,9 @@
-#include "app/desktop/talk_caption.h"
+#include "app/talk/talk_caption.h"
 
-#include "app/desktop/ask_panel.h"
 #include "app/jobs/memory_notice.h"
 #include "app/look/shown_name.h"
 #include "app/look/text.h"
+#include "app/talk/ask_panel.h"
 
 namespace app {
 namespace {
