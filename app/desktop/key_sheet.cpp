@@ -9,7 +9,7 @@
 #include <memory>
 
 #include "app/commands/actions.h"
-#include "app/desktop/panel_table.h"
+#include "app/docks/panel_table.h"
 #include "app/look/word_match.h"
 #include "app/widgets/follow_theme.h"
 

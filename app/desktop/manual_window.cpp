@@ -12,7 +12,7 @@
 #include <QVBoxLayout>
 #include <array>
 
-#include "app/desktop/panel_table.h"
+#include "app/docks/panel_table.h"
 #include "app/look/text.h"
 #include "app/widgets/follow_theme.h"
 #include "pipeline/formats/built_in_scenes.h"

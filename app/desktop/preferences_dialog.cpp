@@ -12,7 +12,7 @@
 #include <QUrl>
 #include <cmath>
 
-#include "app/desktop/layout_store.h"
+#include "app/docks/layout_store.h"
 #include "app/document/file_watch.h"
 #include "app/document/session_file.h"
 #include "app/look/number_format.h"

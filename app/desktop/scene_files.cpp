@@ -6,7 +6,7 @@
 #include "app/commands/actions.h"
 #include "app/desktop/keep_changes.h"
 #include "app/desktop/shown_state.h"
-#include "app/desktop/window_layout.h"
+#include "app/docks/window_layout.h"
 #include "app/document/file_watch.h"
 #include "app/document/own_file.h"
 #include "app/document/recent_files.h"

@@ -1,6 +1,6 @@
 #include "app/desktop/shown_state.h"
 
-#include "app/desktop/window_layout.h"
+#include "app/docks/window_layout.h"
 #include "app/document/document_state.h"
 #include "app/views/view_area.h"
 #include "app/widgets/error_list.h"

@@ -10,8 +10,8 @@
 #include "app/desktop/preferences_dialog.h"
 #include "app/desktop/scene_files.h"
 #include "app/desktop/show_apart.h"
-#include "app/desktop/window_layout.h"
 #include "app/desktop/window_lessons.h"
+#include "app/docks/window_layout.h"
 #include "app/document/document.h"
 #include "app/study/study_panel.h"
 

@@ -9,7 +9,7 @@
 
 #include "app/commands/actions.h"
 #include "app/desktop/scene_files.h"
-#include "app/desktop/window_layout.h"
+#include "app/docks/window_layout.h"
 #include "app/document/document.h"
 #include "app/document/scene_opener.h"
 

@@ -7,10 +7,10 @@
 #include <algorithm>
 
 #include "app/commands/actions.h"
-#include "app/desktop/edge_tab.h"
-#include "app/desktop/panel_docks.h"
 #include "app/desktop/shown_state.h"
-#include "app/desktop/window_centre.h"
+#include "app/docks/edge_tab.h"
+#include "app/docks/panel_docks.h"
+#include "app/docks/window_centre.h"
 #include "app/document/hand.h"
 #include "app/document/recent_files.h"
 #include "app/document/scene_opener.h"

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "app/desktop/window_layout.h"
+#include "app/docks/window_layout.h"
 #include "app/document/stashed_scene.h"
 #include "lessons/lesson.h"
 

@@ -2,9 +2,9 @@
 
 #include <QSettings>
 
-#include "app/desktop/layout_store.h"
 #include "app/desktop/main_window.h"
 #include "app/desktop/window_cues.h"
+#include "app/docks/layout_store.h"
 #include "app/document/session_file.h"
 #include "app/jobs/application.h"
 #include "app/look/numbers.h"

@@ -4,8 +4,8 @@
 #include <QUndoStack>
 
 #include "app/desktop/scene_files.h"
-#include "app/desktop/window_layout.h"
 #include "app/desktop/window_lessons.h"
+#include "app/docks/window_layout.h"
 #include "app/document/document.h"
 #include "app/look/shown_name.h"
 

@@ -10,7 +10,7 @@
 #include "app/buffer_view/buffer_view.h"
 #include "app/buffer_view/held_band.h"
 #include "app/canvas/buffer_canvas.h"
-#include "app/desktop/panel_dock.h"
+#include "app/docks/panel_dock.h"
 #include "app/document/hand.h"
 #include "app/holds/held_files.h"
 #include "app/holds/hold_grip.h"

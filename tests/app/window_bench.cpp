@@ -20,9 +20,9 @@
 #include <vector>
 
 #include "app/canvas/buffer_canvas.h"
-#include "app/desktop/layout_store.h"
 #include "app/desktop/main_window.h"
 #include "app/desktop/window_main.h"
+#include "app/docks/layout_store.h"
 #include "app/document/scene_opener.h"
 #include "app/frames/pixel_inspection.h"
 #include "app/views/view_area.h"

@@ -5,12 +5,12 @@
 #include <QTemporaryDir>
 
 #include "app/desktop/main_window.h"
-#include "app/desktop/panel_docks.h"
 #include "app/desktop/scene_files.h"
 #include "app/desktop/shown_state.h"
 #include "app/desktop/window_cues.h"
-#include "app/desktop/window_layout.h"
 #include "app/desktop/window_lessons.h"
+#include "app/docks/panel_docks.h"
+#include "app/docks/window_layout.h"
 
 namespace app {
 

@@ -19,7 +19,7 @@
 #include "app/buffer_view/buffer_view.h"
 #include "app/canvas/buffer_canvas.h"
 #include "app/commands/actions.h"
-#include "app/desktop/panel_dock.h"
+#include "app/docks/panel_dock.h"
 #include "app/export/export_dialog.h"
 #include "app/export/film_dialog.h"
 #include "app/frames/pixel_inspection.h"

@@ -11,7 +11,7 @@
 #include "app/buffer_view/buffer_view.h"
 #include "app/compare/buffer_compare.h"
 #include "app/compare/compare_menu.h"
-#include "app/desktop/panel_dock.h"
+#include "app/docks/panel_dock.h"
 #include "app/lesson/lesson_panel.h"
 #include "app/views/view_area.h"
 #include "lessons/library.h"

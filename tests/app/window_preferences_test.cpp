@@ -7,7 +7,7 @@
 #include <QPushButton>
 
 #include "app/buffer_view/buffer_view.h"
-#include "app/desktop/layout_store.h"
+#include "app/docks/layout_store.h"
 #include "app/look/number_format.h"
 #include "app/look/theme.h"
 #include "app/views/view_area.h"

@@ -10,8 +10,8 @@
 
 #include "app/commands/actions.h"
 #include "app/commands/command_palette.h"
-#include "app/desktop/panel_table.h"
 #include "app/desktop/preferences_dialog.h"
+#include "app/docks/panel_table.h"
 #include "app/export/export_dialog.h"
 #include "app/export/figure_dialog.h"
 #include "app/export/film_dialog.h"

@@ -13,8 +13,8 @@
 
 #include "app/commands/actions.h"
 #include "app/commands/command_palette.h"
-#include "app/desktop/panel_docks.h"
-#include "app/desktop/panel_table.h"
+#include "app/docks/panel_docks.h"
+#include "app/docks/panel_table.h"
 #include "app/document/recent_files.h"
 #include "app/lesson/lesson_panel.h"
 #include "app/look/theme.h"

@@ -11,7 +11,7 @@
 #include "app/canvas/buffer_canvas.h"
 #include "app/commands/actions.h"
 #include "app/compare/buffer_compare.h"
-#include "app/desktop/layout_store.h"
+#include "app/docks/layout_store.h"
 #include "app/frames/stage_buffer.h"
 #include "app/look/theme.h"
 #include "app/view3d/view3d_panel.h"

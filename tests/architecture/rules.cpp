@@ -147,7 +147,7 @@ Breaches panelsIncludingPanels(const SourceTree& tree) {
     // The panels are what the table of panels includes; the other headers beside them are their parts.
     std::set<std::string> panels;
     for (const SourceFile& file : tree) {
-        if (file.path != "app/desktop/panel_table.cpp") continue;
+        if (file.path != "app/docks/panel_table.cpp") continue;
         for (const Include& include : includesOf(file)) {
             if (include.target.starts_with("app/panels/")) panels.insert(include.target);
         }
@@ -205,7 +205,7 @@ Breaches markupInNewPlaces(const SourceTree& tree) {
                                              "app/settings/setting_row.cpp",
                                              "app/settings/settings_panel.cpp",
                                              "app/buffer_view/buffer_captions.cpp",
-                                             "app/desktop/status_line.cpp",
+                                             "app/docks/status_line.cpp",
                                              "app/lesson/prose_view.cpp",
                                              "app/lesson/prose_view.h",
                                              "app/desktop/manual_window.cpp",

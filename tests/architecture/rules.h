@@ -13,7 +13,7 @@ Breaches unrootedIncludes(const SourceTree& tree);
 // desktop -> panels -> view3d -> core. app/cli is built without Qt and includes none of these.
 // Nothing but tests includes tests.
 Breaches includesPointingBack(const SourceTree& tree);
-// Nothing in app/panels includes another panel: a header that app/desktop/panel_table.cpp includes.
+// Nothing in app/panels includes another panel: a header that app/docks/panel_table.cpp includes.
 Breaches panelsIncludingPanels(const SourceTree& tree);
 // Qt only in app, and not in app/cli; VTK only in app/view3d.
 Breaches misplacedToolkits(const SourceTree& tree);

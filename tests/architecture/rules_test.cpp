@@ -77,7 +77,7 @@ TEST(Architecture, IncludesPointOneWay) {
 }
 
 TEST(Architecture, PanelsKnowNoOtherPanel) {
-    const SourceFile table{"app/desktop/panel_table.cpp",
+    const SourceFile table{"app/docks/panel_table.cpp",
                            {"#include \"app/panels/plan_panel.h\"", "#include \"app/settings/scene_tree.h\""}};
     const SourceFile own{"app/panels/plan_panel.cpp",
                          {"#include \"app/panels/plan_panel.h\"", "#include \"app/widgets/number_field.h\""}};

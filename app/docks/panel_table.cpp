@@ -1,9 +1,9 @@
-#include "app/desktop/panel_table.h"
+#include "app/docks/panel_table.h"
 
 #include <algorithm>
 #include <array>
 
-#include "app/desktop/panel_docks.h"
+#include "app/docks/panel_docks.h"
 #include "app/inspector/inspector_panel.h"
 #include "app/lesson/lesson_panel.h"
 #include "app/my_renderer/renderer_panel.h"

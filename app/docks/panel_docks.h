@@ -1,8 +1,8 @@
 #pragma once
 #include <QObject>
 
-#include "app/desktop/panel_dock.h"
-#include "app/desktop/panel_table.h"
+#include "app/docks/panel_dock.h"
+#include "app/docks/panel_table.h"
 
 class QMainWindow;
 class QToolBar;

@@ -1,4 +1,4 @@
-#include "app/desktop/layout_store.h"
+#include "app/docks/layout_store.h"
 
 #include <QDataStream>
 #include <QGuiApplication>

@@ -1,9 +1,9 @@
-#include "app/desktop/look_keeper.h"
+#include "app/docks/look_keeper.h"
 
 #include <QEvent>
 
-#include "app/desktop/layout_store.h"
-#include "app/desktop/panel_docks.h"
+#include "app/docks/layout_store.h"
+#include "app/docks/panel_docks.h"
 #include "app/look/theme.h"
 
 namespace app {

@@ -1,4 +1,4 @@
-#include "app/desktop/window_centre.h"
+#include "app/docks/window_centre.h"
 
 #include <QLabel>
 #include <QStackedWidget>

@@ -1,4 +1,4 @@
-#include "app/desktop/panel_dock.h"
+#include "app/docks/panel_dock.h"
 
 #include <QAction>
 #include <QHBoxLayout>
@@ -6,7 +6,7 @@
 #include <QPainter>
 #include <QToolButton>
 
-#include "app/desktop/panel_table.h"
+#include "app/docks/panel_table.h"
 #include "app/look/icons.h"
 #include "app/widgets/follow_theme.h"
 #include "app/widgets/tab_order.h"

@@ -1,4 +1,4 @@
-#include "app/desktop/edge_tab.h"
+#include "app/docks/edge_tab.h"
 
 #include <QPainter>
 

@@ -1,4 +1,4 @@
-#include "app/desktop/status_line.h"
+#include "app/docks/status_line.h"
 
 #include <algorithm>
 #include <thread>

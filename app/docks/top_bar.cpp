@@ -1,4 +1,4 @@
-#include "app/desktop/top_bar.h"
+#include "app/docks/top_bar.h"
 
 #include <QLabel>
 #include <QMenuBar>

@@ -1,4 +1,4 @@
-#include "app/desktop/layouts.h"
+#include "app/docks/layouts.h"
 
 #include <QInputDialog>
 #include <QMainWindow>
@@ -6,9 +6,9 @@
 #include <optional>
 
 #include "app/commands/actions.h"
-#include "app/desktop/layout_store.h"
-#include "app/desktop/status_line.h"
-#include "app/desktop/window_layout.h"
+#include "app/docks/layout_store.h"
+#include "app/docks/status_line.h"
+#include "app/docks/window_layout.h"
 #include "app/views/view_area.h"
 #include "app/widgets/save_dialog.h"
 

@@ -1,4 +1,4 @@
-#include "app/desktop/window_layout.h"
+#include "app/docks/window_layout.h"
 
 #include <QCoreApplication>
 #include <QMainWindow>
@@ -9,10 +9,10 @@
 #include <utility>
 
 #include "app/buffer_view/buffer_view.h"
-#include "app/desktop/layout_store.h"
-#include "app/desktop/panel_docks.h"
-#include "app/desktop/status_line.h"
-#include "app/desktop/window_centre.h"
+#include "app/docks/layout_store.h"
+#include "app/docks/panel_docks.h"
+#include "app/docks/status_line.h"
+#include "app/docks/window_centre.h"
 #include "app/document/document.h"
 #include "app/look/theme.h"
 #include "app/settings/scene_tree.h"

@@ -1,4 +1,4 @@
-#include "app/desktop/panel_docks.h"
+#include "app/docks/panel_docks.h"
 
 #include <QAction>
 #include <QMainWindow>
