@@ -4,7 +4,7 @@
 #include <QFileInfo>
 
 #include "app/commands/actions.h"
-#include "app/desktop/keep_changes.h"
+#include "app/desktop/ask_to_save.h"
 #include "app/desktop/shown_state.h"
 #include "app/docks/window_layout.h"
 #include "app/document/file_watch.h"
@@ -183,12 +183,12 @@ bool SceneFiles::mayLeave() {
     m_lessons.close();  // which brings the user's scene back
     if (!m_layout.showsScene()) return true;
     if (wouldLoseChanges()) {
-        switch (askToKeep(&m_window, shownName(m_document.kept().file))) {
-            case KeepChanges::Cancel: return false;
-            case KeepChanges::Save:
+        switch (askToSave(&m_window, shownName(m_document.kept().file))) {
+            case SaveChanges::Cancel: return false;
+            case SaveChanges::Save:
                 if (!save()) return false;
                 break;
-            case KeepChanges::Discard: break;
+            case SaveChanges::Discard: break;
         }
     }
     rememberPlace();

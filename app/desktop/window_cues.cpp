@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "app/commands/actions.h"
-#include "app/desktop/keep_changes.h"
+#include "app/desktop/ask_to_save.h"
 #include "app/desktop/scene_files.h"
 #include "app/desktop/shown_state.h"
 #include "app/docks/layout_store.h"
@@ -199,10 +199,10 @@ bool WindowCues::saveAs() {
 
 bool WindowCues::mayLeave() {
     if (!model().isUnsaved() || model().write()) return true;
-    switch (askToKeep(&m_window, shownName(model().file()))) {
-        case KeepChanges::Cancel: return false;
-        case KeepChanges::Save: return saveAs();
-        case KeepChanges::Discard: break;
+    switch (askToSave(&m_window, shownName(model().file()))) {
+        case SaveChanges::Cancel: return false;
+        case SaveChanges::Save: return saveAs();
+        case SaveChanges::Discard: break;
     }
     return true;
 }

@@ -1,11 +1,11 @@
-#include "app/desktop/keep_changes.h"
+#include "app/desktop/ask_to_save.h"
 
 #include <QMessageBox>
 #include <QPushButton>
 
 namespace app {
 
-KeepChanges askToKeep(QWidget* window, const QString& name) {
+SaveChanges askToSave(QWidget* window, const QString& name) {
     QMessageBox box(QMessageBox::NoIcon, QMessageBox::tr("Changes"),
                     QMessageBox::tr("Save the changes to %1?").arg(name), QMessageBox::NoButton, window);
     box.setObjectName("keepChanges");
@@ -16,8 +16,8 @@ KeepChanges askToKeep(QWidget* window, const QString& name) {
     box.setDefaultButton(save);
     box.setEscapeButton(cancel);
     box.exec();
-    if (box.clickedButton() == save) return KeepChanges::Save;
-    return box.clickedButton() == discard ? KeepChanges::Discard : KeepChanges::Cancel;
+    if (box.clickedButton() == save) return SaveChanges::Save;
+    return box.clickedButton() == discard ? SaveChanges::Discard : SaveChanges::Cancel;
 }
 
 }  // namespace app

@@ -3,8 +3,8 @@
 
 namespace app {
 
-enum class KeepChanges { Save, Discard, Cancel };
+enum class SaveChanges { Save, Discard, Cancel };
 // "Save the changes to pyramid.scene?", over `window`; Esc cancels.
-KeepChanges askToKeep(QWidget* window, const QString& name);
+SaveChanges askToSave(QWidget* window, const QString& name);
 
 }  // namespace app
