@@ -40,7 +40,7 @@ struct PanelNeeds {
     Panels& panels;
 };
 
-// One dock: a panel with its place. A new panel is its pair of files in app/panels, its id and its row here.
+// One dock: a panel with its place. A new panel is its pair of files in the room of its feature, its id and its row here.
 struct PanelRow {
     PanelId id;
     const char* name;  // of the dock, in saved layouts

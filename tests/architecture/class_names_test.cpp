@@ -33,7 +33,7 @@ std::vector<std::string> sharedNames(const SourceTree& tree) {
 }
 
 TEST(Architecture, NoTwoClassesOfTheWindowAndTheCommandsShareAName) {
-    const SourceFile job{"app/core/job.h", {"namespace app {", "class Job : public QObject {", "};"}};
+    const SourceFile job{"app/jobs/job.h", {"namespace app {", "class Job : public QObject {", "};"}};
     const auto planted = sharedNames({job, {"app/cli/job.h", {"", "struct Job {"}}});
     ASSERT_EQ(planted.size(), 1u);
     EXPECT_TRUE(planted[0].starts_with("app/cli/job.h:2:")) << planted[0];

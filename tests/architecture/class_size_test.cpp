@@ -143,7 +143,7 @@ std::map<std::string, ClassSize> classSizes(const SourceFile& file) {
 bool isLarge(const ClassSize& size) { return size.functions > kMost.functions || size.members > kMost.members; }
 
 TEST(ClassSize, CountsFunctionsAndMembersOfAHeader) {
-    const SourceFile file{"app/core/job.h",
+    const SourceFile file{"app/jobs/job.h",
                           {"class Other;",
                            "enum class Kind : unsigned char { A, B };",
                            "class Job : public QObject {",

@@ -9,13 +9,13 @@ using Breaches = std::vector<std::string>;
 
 // A project's own header is included by its path from the root, and is there.
 Breaches unrootedIncludes(const SourceTree& tree);
-// Arrows point one way: app -> lessons -> lessons/state -> pipeline_io -> pipeline, and within app
-// desktop -> panels -> view3d -> core. app/cli is built without Qt and includes none of these.
+// Arrows point one way: app -> lessons -> lessons/state -> pipeline_io -> pipeline. A room of the window includes only
+// rooms above it in the table. app/cli is built without Qt and includes none of these.
 // Nothing but tests includes tests.
 Breaches includesPointingBack(const SourceTree& tree);
-// Nothing in app/panels includes another panel: a header that app/docks/panel_table.cpp includes.
+// No feature of the window includes the panel of another: a header that app/docks/panel_table.cpp includes.
 Breaches panelsIncludingPanels(const SourceTree& tree);
-// Qt only in app, and not in app/cli; VTK only in app/view3d.
+// Qt only in app, and not in app/cli; VTK only in app/vtk.
 Breaches misplacedToolkits(const SourceTree& tree);
 // The pipeline does not print. Its stages know no threads, plan or runner.
 Breaches impurePipeline(const SourceTree& tree);

@@ -62,7 +62,7 @@ TEST(Architecture, IncludesPointOneWay) {
               "pipeline/export/npy.cpp:1:");
     expectOne(includesPointingBack({{"lessons/state/cue_list.h", {"#include \"lessons/lesson.h\""}}}),
               "lessons/state/cue_list.h:1:");
-    expectOne(includesPointingBack({{"app/document/document.h", {"// ", "#include \"app/panels/plan_panel.h\""}}}),
+    expectOne(includesPointingBack({{"app/document/document.h", {"// ", "#include \"app/inspector/plan_panel.h\""}}}),
               "app/document/document.h:2:");
     expectOne(includesPointingBack({{"app/cli/export.cpp", {"#include \"app/document/document.h\""}}}),
               "app/cli/export.cpp:1:");
@@ -70,20 +70,22 @@ TEST(Architecture, IncludesPointOneWay) {
               "app/web/core/core.cpp:1:");
     expectOne(includesPointingBack({{"lessons/lesson.cpp", {"#include \"tests/unit/scenes.h\""}}}),
               "lessons/lesson.cpp:1:");
-    expectKept(includesPointingBack({{"app/panels/plan_panel.h",
+    expectKept(includesPointingBack({{"app/inspector/plan_panel.h",
                                       {"#include \"app/document/document.h\"", "#include \"lessons/lesson.h\"",
                                        "#include \"pipeline/export/npy.h\"", "#include \"pipeline/plan/plan.h\""}}}));
+    expectOne(includesPointingBack({{"app/new/new.h", {"#include <QWidget>"}}}), "app/new/new.h:1:");
     expectKept(includesPointingBack(project()));
 }
 
 TEST(Architecture, PanelsKnowNoOtherPanel) {
     const SourceFile table{"app/docks/panel_table.cpp",
-                           {"#include \"app/panels/plan_panel.h\"", "#include \"app/settings/scene_tree.h\""}};
-    const SourceFile own{"app/panels/plan_panel.cpp",
-                         {"#include \"app/panels/plan_panel.h\"", "#include \"app/widgets/number_field.h\""}};
+                           {"#include \"app/inspector/plan_panel.h\"", "#include \"app/settings/scene_tree.h\""}};
+    const SourceFile own{"app/inspector/plan_panel.cpp",
+                         {"#include \"app/inspector/plan_panel.h\"", "#include \"app/widgets/number_field.h\""}};
     expectKept(panelsIncludingPanels({table, own}));
-    expectOne(panelsIncludingPanels({table, {"app/panels/plan_row.h", {"", "#include \"app/settings/scene_tree.h\""}}}),
-              "app/panels/plan_row.h:2:");
+    expectOne(
+        panelsIncludingPanels({table, {"app/inspector/plan_row.h", {"", "#include \"app/settings/scene_tree.h\""}}}),
+        "app/inspector/plan_row.h:2:");
     expectKept(panelsIncludingPanels(project()));
 }
 
@@ -91,11 +93,10 @@ TEST(Architecture, ToolkitsStayInTheirFolders) {
     expectOne(misplacedToolkits({{"pipeline/run/runner.h", {"#include <QString>"}}}), "pipeline/run/runner.h:1:");
     expectOne(misplacedToolkits({{"lessons/lesson.h", {"#include <QtCore/QString>"}}}), "lessons/lesson.h:1:");
     expectOne(misplacedToolkits({{"app/cli/plan.cpp", {"#include <QImage>"}}}), "app/cli/plan.cpp:1:");
-    expectOne(misplacedToolkits({{"app/panels/plan_panel.h", {"#include <QWidget>", "#include <vtkActor.h>"}}}),
-              "app/panels/plan_panel.h:2:");
+    expectOne(misplacedToolkits({{"app/inspector/plan_panel.h", {"#include <QWidget>", "#include <vtkActor.h>"}}}),
+              "app/inspector/plan_panel.h:2:");
     expectOne(misplacedToolkits({{"lessons/grade.cpp", {"#include <nlohmann/json.hpp>"}}}), "lessons/grade.cpp:1:");
-    expectKept(
-        misplacedToolkits({{"app/view3d/scene_view.cpp", {"#include <QOpenGLWidget>", "#include <vtkActor.h>"}}}));
+    expectKept(misplacedToolkits({{"app/vtk/world_scene.cpp", {"#include <QOpenGLWidget>", "#include <vtkActor.h>"}}}));
     expectKept(misplacedToolkits(project()));
 }
 
