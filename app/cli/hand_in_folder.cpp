@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cerrno>
 
-#include "app/cli/foreign_program.h"
+#include "app/cli/commands/foreign_program.h"
 #include "app/cli/message.h"
 #include "pipeline/export/byte_file.h"
 

@@ -4,7 +4,7 @@
 #include <csignal>
 #include <string>
 
-#include "app/cli/foreign_program.h"
+#include "app/cli/commands/foreign_program.h"
 
 namespace {
 
