@@ -6,10 +6,10 @@
 
 #include <fmt/format.h>
 
-#include "lessons/attempt.h"
 #include "lessons/expression/changed_frames.h"
 #include "lessons/library.h"
-#include "lessons/misconceptions.h"
+#include "lessons/questions/attempt.h"
+#include "lessons/questions/misconceptions.h"
 #include "pipeline/core/text.h"
 #include "pipeline/run/runner.h"
 

@@ -2,7 +2,7 @@
 #include <functional>
 
 #include "lessons/lesson.h"
-#include "lessons/write_run.h"
+#include "lessons/questions/write_run.h"
 
 namespace lessons {
 

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "lessons/check.h"
-#include "lessons/hidden.h"
+#include "lessons/questions/hidden.h"
 #include "pipeline/scene/key_places.h"
 
 namespace lessons {

@@ -6,8 +6,8 @@
 
 #include "lessons/check.h"
 #include "lessons/expression/function_table.h"
-#include "lessons/hidden.h"
-#include "lessons/judge.h"
+#include "lessons/questions/hidden.h"
+#include "lessons/questions/judge.h"
 
 // Whether the first half of a page gives its answer away.
 

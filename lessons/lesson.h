@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "lessons/held.h"
-#include "lessons/question.h"
+#include "lessons/questions/question.h"
 #include "lessons/state/window_state.h"
 #include "pipeline/core/result.h"
 #include "pipeline/core/stop.h"

@@ -6,8 +6,8 @@
 
 #include "lessons/lesson.h"
 #include "lessons/lesson_text.h"
-#include "lessons/question_reader.h"
-#include "lessons/returning.h"
+#include "lessons/questions/question_reader.h"
+#include "lessons/questions/returning.h"
 #include "lessons/window_keys.h"
 #include "pipeline/core/printable.h"
 #include "pipeline/core/text.h"

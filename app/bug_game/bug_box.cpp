@@ -5,7 +5,7 @@
 #include "app/look/text.h"
 #include "app/widgets/follow_theme.h"
 #include "app/widgets/standing_row.h"
-#include "lessons/wrong_picture.h"
+#include "lessons/games/wrong_picture.h"
 
 namespace app {
 

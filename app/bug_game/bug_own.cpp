@@ -9,7 +9,7 @@
 #include "app/look/text.h"
 #include "app/look/theme.h"
 #include "app/widgets/follow_theme.h"
-#include "lessons/wrong_picture.h"
+#include "lessons/games/wrong_picture.h"
 #include "pipeline/formats/built_in_scenes.h"
 #include "pipeline/formats/scene_reader.h"
 

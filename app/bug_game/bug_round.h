@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "app/jobs/background_job.h"
-#include "lessons/wrong_picture.h"
+#include "lessons/games/wrong_picture.h"
 
 namespace app {
 

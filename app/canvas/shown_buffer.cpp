@@ -10,7 +10,7 @@
 #include "app/look/luminance.h"
 #include "app/look/numbers.h"
 #include "app/look/text.h"
-#include "lessons/look_text.h"
+#include "lessons/games/look_text.h"
 #include "pipeline/run/frame_remarks.h"
 
 namespace app {

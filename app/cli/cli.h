@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/headless/exit_status.h"
-#include "lessons/talk_page.h"
+#include "lessons/pages/talk_page.h"
 #include "pipeline/core/result.h"
 #include "pipeline/run/frame.h"
 

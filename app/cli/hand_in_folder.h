@@ -1,5 +1,5 @@
 #pragma once
-#include "lessons/class_marks.h"
+#include "lessons/grading/class_marks.h"
 
 namespace app {
 

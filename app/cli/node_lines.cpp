@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "app/cli/commands/foreign_program.h"
-#include "lessons/page_parts.h"
+#include "lessons/pages/page_parts.h"
 #include "pipeline/compare/own_blocks.h"
 #include "pipeline/defects/own_words.h"
 #include "pipeline/export/json_value.h"

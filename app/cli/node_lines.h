@@ -1,7 +1,7 @@
 #pragma once
 #include <stop_token>
 
-#include "lessons/write_run.h"
+#include "lessons/questions/write_run.h"
 
 namespace app {
 

@@ -19,7 +19,7 @@
 #include "app/start/start_order.h"
 #include "app/start/start_page.h"
 #include "app/widgets/save_dialog.h"
-#include "lessons/drill.h"
+#include "lessons/games/drill.h"
 #include "lessons/state/cue_list.h"
 #include "pipeline/formats/built_in_scenes.h"
 #include "pipeline/scene/shape.h"

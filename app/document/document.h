@@ -9,7 +9,7 @@
 #include "app/frames/pointing.h"
 #include "app/frames/stepper.h"
 #include "app/jobs/work_list.h"
-#include "lessons/hidden.h"
+#include "lessons/questions/hidden.h"
 #include "pipeline/core/result.h"
 
 namespace app {

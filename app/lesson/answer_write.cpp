@@ -10,7 +10,7 @@
 #include "app/lesson/answer_body.h"
 #include "app/look/text.h"
 #include "app/widgets/follow_theme.h"
-#include "lessons/live_page.h"
+#include "lessons/pages/live_page.h"
 #include "pipeline/export/staging.h"
 
 namespace app {

@@ -5,7 +5,7 @@
 
 #include "app/look/text.h"
 #include "app/widgets/save_dialog.h"
-#include "lessons/handout.h"
+#include "lessons/pages/handout.h"
 
 namespace app {
 namespace {

@@ -10,7 +10,7 @@
 #include "app/lesson/question_card.h"
 #include "app/look/text.h"
 #include "app/widgets/follow_theme.h"
-#include "lessons/misconceptions.h"
+#include "lessons/questions/misconceptions.h"
 
 namespace app {
 

@@ -1,11 +1,11 @@
 #pragma once
 #include <QString>
 
-#include "lessons/results.h"
+#include "lessons/questions/results.h"
 
 namespace app {
 
-// The user's tries in lessons, as lessons/results.h stores them; written after each change.
+// The user's tries in lessons, as lessons/questions/results.h stores them; written after each change.
 class LessonResults {
 public:
     LessonResults();  // an unreadable file counts as empty, and is kept until the next try

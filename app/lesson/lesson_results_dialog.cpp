@@ -11,7 +11,7 @@
 #include "app/look/text.h"
 #include "app/look/theme.h"
 #include "app/widgets/on_screen.h"
-#include "lessons/misconceptions.h"
+#include "lessons/questions/misconceptions.h"
 
 namespace app {
 

@@ -4,9 +4,9 @@
 #include "app/document/document.h"
 #include "app/jobs/background_job.h"
 #include "app/lesson/lesson_results.h"
-#include "lessons/attempt.h"
 #include "lessons/expression/changed_frames.h"
 #include "lessons/lesson.h"
+#include "lessons/questions/attempt.h"
 
 namespace app {
 

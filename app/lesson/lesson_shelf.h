@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "lessons/library.h"
-#include "lessons/results.h"
+#include "lessons/questions/results.h"
 
 namespace app {
 

@@ -2,7 +2,7 @@
 #include <functional>
 
 #include "app/document/document.h"
-#include "lessons/question.h"
+#include "lessons/questions/question.h"
 
 namespace app {
 

@@ -11,7 +11,7 @@
 
 #include "app/look/text.h"
 #include "app/widgets/follow_theme.h"
-#include "lessons/picture.h"
+#include "lessons/pages/picture.h"
 
 namespace app {
 

@@ -7,7 +7,7 @@ namespace app {
 // Markdown at its full height, in the theme's fonts: it grows with its text and leaves scrolling to
 // what it stands in. A letter N, L, V, R or H in bold italics is that vector, in its colour; "I_b" and "n^2"
 // outside code get a subscript and a superscript. The text is a stranger's: HTML in it is shown as it was typed, pictures
-// come from the lesson's folder (lessons/picture.h), a click leads to the web alone.
+// come from the lesson's folder (lessons/pages/picture.h), a click leads to the web alone.
 class ProseView : public QTextBrowser {
     Q_OBJECT
 public:

@@ -13,7 +13,7 @@
 #include "app/look/text.h"
 #include "app/widgets/fitting_stack.h"
 #include "app/widgets/follow_theme.h"
-#include "lessons/results.h"
+#include "lessons/questions/results.h"
 
 namespace app {
 

@@ -5,7 +5,7 @@
 #include <new>
 #include <thread>
 
-#include "lessons/live_page.h"
+#include "lessons/pages/live_page.h"
 #include "lessons/state/state_scene.h"
 #include "pipeline/buffers/palette.h"
 #include "pipeline/compare/compare_text.h"

@@ -13,7 +13,7 @@
 #include "app/tables/code_words.h"
 #include "app/widgets/folded_text.h"
 #include "app/widgets/follow_theme.h"
-#include "lessons/talk_words.h"
+#include "lessons/pages/talk_words.h"
 
 namespace app {
 

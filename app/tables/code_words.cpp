@@ -3,7 +3,7 @@
 #include <QFontMetrics>
 #include <QRegularExpression>
 
-#include "lessons/talk_words.h"
+#include "lessons/pages/talk_words.h"
 
 namespace app {
 

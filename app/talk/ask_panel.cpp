@@ -7,7 +7,7 @@
 
 #include "app/look/text.h"
 #include "app/look/theme.h"
-#include "lessons/talk_words.h"
+#include "lessons/pages/talk_words.h"
 
 namespace app {
 namespace {

@@ -19,7 +19,7 @@
 #include "app/talk/talk_work.h"
 #include "app/views/view_area.h"
 #include "app/widgets/follow_theme.h"
-#include "lessons/talk_html.h"
+#include "lessons/pages/talk_html.h"
 
 namespace app {
 namespace {

@@ -1,5 +1,5 @@
 #pragma once
-#include "lessons/talk_page.h"
+#include "lessons/pages/talk_page.h"
 
 namespace app {
 

@@ -9,7 +9,7 @@
 #include "app/tables/algorithm_view.h"
 #include "app/tables/step_tables.h"
 #include "app/widgets/follow_theme.h"
-#include "lessons/talk_words.h"
+#include "lessons/pages/talk_words.h"
 
 namespace app {
 

@@ -8,7 +8,7 @@
 #include "app/inspector/math_view.h"
 #include "app/look/number_format.h"
 #include "app/widgets/follow_theme.h"
-#include "lessons/talk_words.h"
+#include "lessons/pages/talk_words.h"
 
 namespace app {
 

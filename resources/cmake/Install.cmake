@@ -7,7 +7,8 @@ install(DIRECTORY resources/scenes resources/starter resources/assignments resou
 install(DIRECTORY resources/manual DESTINATION ${CMAKE_INSTALL_DATADIR}/shadescope FILES_MATCHING PATTERN "*.cues")
 install(DIRECTORY lessons/ DESTINATION ${CMAKE_INSTALL_DATADIR}/shadescope/lessons
   FILES_MATCHING PATTERN "*.md" PATTERN "*.scene" PATTERN "*.toml" PATTERN "*.des" PATTERN "*.png"
-  PATTERN expression EXCLUDE PATTERN state EXCLUDE)
+  PATTERN expression EXCLUDE PATTERN state EXCLUDE PATTERN questions EXCLUDE PATTERN grading EXCLUDE
+  PATTERN games EXCLUDE PATTERN pages EXCLUDE)
 # What live pages are made of; the core where the preset web has built it.
 install(DIRECTORY app/web/page/ DESTINATION ${CMAKE_INSTALL_DATADIR}/shadescope/web
   FILES_MATCHING PATTERN "*.html" PATTERN "*.css" PATTERN "*.js" PATTERN "*.txt")

@@ -95,7 +95,8 @@ TEST(Architecture, ToolkitsStayInTheirFolders) {
     expectOne(misplacedToolkits({{"app/cli/plan.cpp", {"#include <QImage>"}}}), "app/cli/plan.cpp:1:");
     expectOne(misplacedToolkits({{"app/inspector/plan_panel.h", {"#include <QWidget>", "#include <vtkActor.h>"}}}),
               "app/inspector/plan_panel.h:2:");
-    expectOne(misplacedToolkits({{"lessons/grade.cpp", {"#include <nlohmann/json.hpp>"}}}), "lessons/grade.cpp:1:");
+    expectOne(misplacedToolkits({{"lessons/grading/grade.cpp", {"#include <nlohmann/json.hpp>"}}}),
+              "lessons/grading/grade.cpp:1:");
     expectKept(misplacedToolkits({{"app/vtk/world_scene.cpp", {"#include <QOpenGLWidget>", "#include <vtkActor.h>"}}}));
     expectKept(misplacedToolkits(project()));
 }

@@ -1,7 +1,7 @@
-#include "lessons/attempt.h"
+#include "lessons/questions/attempt.h"
 
-#include "lessons/known_mistakes.h"
 #include "lessons/lesson.h"
+#include "lessons/questions/known_mistakes.h"
 #include "tests/lessons/pyramid_scene.h"
 
 namespace lessons {

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <sstream>
 
-#include "lessons/course.h"
+#include "lessons/grading/course.h"
 #include "pipeline/compare/own_blocks.h"
 #include "pipeline/formats/built_in_scenes.h"
 

@@ -1,4 +1,4 @@
-#include "lessons/drill.h"
+#include "lessons/games/drill.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "lessons/grade.h"
+#include "lessons/grading/grade.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -7,8 +7,8 @@
 #include <map>
 #include <set>
 
-#include "lessons/csv_text.h"
 #include "lessons/expression/changed_frames.h"
+#include "lessons/grading/csv_text.h"
 #include "lessons/library.h"
 #include "tests/support/files.h"
 

@@ -1,8 +1,8 @@
-#include "lessons/handout.h"
+#include "lessons/pages/handout.h"
 
-#include "lessons/handout_figure.h"
-#include "lessons/hidden.h"
 #include "lessons/library.h"
+#include "lessons/pages/handout_figure.h"
+#include "lessons/questions/hidden.h"
 #include "tests/lessons/html_of.h"
 #include "tests/lessons/pyramid_scene.h"
 #include "tests/support/files.h"

@@ -1,5 +1,5 @@
 #pragma once
-#include "lessons/prose_html.h"
+#include "lessons/pages/prose_html.h"
 
 namespace lessons {
 

@@ -6,8 +6,8 @@
 #include <sstream>
 
 #include "lessons/check.h"
-#include "lessons/judge.h"
 #include "lessons/library.h"
+#include "lessons/questions/judge.h"
 #include "pipeline/illumination/illumination.h"
 #include "tests/lessons/pyramid_scene.h"
 

@@ -1,10 +1,10 @@
-#include "lessons/live_page.h"
+#include "lessons/pages/live_page.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "lessons/library.h"
-#include "lessons/live_text.h"
+#include "lessons/pages/live_text.h"
 #include "pipeline/formats/toml_scene.h"
 #include "tests/lessons/pyramid_scene.h"
 

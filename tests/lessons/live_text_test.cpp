@@ -1,7 +1,7 @@
-#include "lessons/live_text.h"
+#include "lessons/pages/live_text.h"
 
-#include "lessons/judge.h"
 #include "lessons/library.h"
+#include "lessons/questions/judge.h"
 #include "tests/lessons/html_of.h"
 #include "tests/lessons/pyramid_scene.h"
 #include "tests/support/sweep.h"

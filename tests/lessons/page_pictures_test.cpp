@@ -10,8 +10,8 @@
 #include <sstream>
 
 #include "lessons/derived_buffer.h"
-#include "lessons/handout_figure.h"
 #include "lessons/library.h"
+#include "lessons/pages/handout_figure.h"
 #include "tests/support/hashes.h"
 
 namespace lessons {

@@ -1,11 +1,11 @@
-#include "lessons/picture.h"
+#include "lessons/pages/picture.h"
 
 #include <sys/stat.h>
 
 #include <fstream>
 
 #include <gtest/gtest.h>
-#include "lessons/handout.h"
+#include "lessons/pages/handout.h"
 #include "pipeline/export/html_text.h"
 #include "pipeline/export/png_file.h"
 #include "pipeline/formats/built_in_scenes.h"

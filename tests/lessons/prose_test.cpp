@@ -1,6 +1,6 @@
 #include "lessons/prose.h"
 
-#include "lessons/talk_words.h"
+#include "lessons/pages/talk_words.h"
 #include "tests/lessons/html_of.h"
 #include "tests/lessons/pyramid_scene.h"
 

@@ -1,11 +1,11 @@
 #include <set>
 
-#include "lessons/attempt.h"
-#include "lessons/hidden.h"
+#include "lessons/grading/sheet.h"
 #include "lessons/lesson.h"
 #include "lessons/library.h"
-#include "lessons/misconceptions.h"
-#include "lessons/sheet.h"
+#include "lessons/questions/attempt.h"
+#include "lessons/questions/hidden.h"
+#include "lessons/questions/misconceptions.h"
 #include "tests/lessons/pyramid_scene.h"
 
 namespace lessons {

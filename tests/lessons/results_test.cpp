@@ -1,4 +1,4 @@
-#include "lessons/results.h"
+#include "lessons/questions/results.h"
 
 #include "lessons/library.h"
 #include "tests/lessons/pyramid_scene.h"

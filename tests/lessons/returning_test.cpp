@@ -1,10 +1,10 @@
 // Questions that return at the start of another lesson: pages of it that it does not copy, and that move none of its own.
 #include <gtest/gtest.h>
 
-#include "lessons/grade.h"
-#include "lessons/handout.h"
-#include "lessons/judge.h"
+#include "lessons/grading/grade.h"
 #include "lessons/library.h"
+#include "lessons/pages/handout.h"
+#include "lessons/questions/judge.h"
 #include "pipeline/scene/settings_table.h"
 #include "tests/lessons/html_of.h"
 #include "tests/lessons/pyramid_scene.h"

@@ -1,8 +1,8 @@
-#include "lessons/sheet.h"
+#include "lessons/grading/sheet.h"
 
 #include <set>
 
-#include "lessons/sheet_blanks.h"
+#include "lessons/grading/sheet_blanks.h"
 #include "pipeline/export/file_hash.h"
 #include "tests/lessons/pyramid_scene.h"
 #include "tests/support/files.h"

@@ -1,4 +1,4 @@
-#include "lessons/site.h"
+#include "lessons/pages/site.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Questions of kind write: read, judged, and checked.
-#include "lessons/attempt.h"
 #include "lessons/lesson.h"
-#include "lessons/write_run.h"
+#include "lessons/questions/attempt.h"
+#include "lessons/questions/write_run.h"
 #include "pipeline/run/runner.h"
 #include "tests/lessons/pyramid_scene.h"
 

@@ -1,5 +1,5 @@
 // The game of the wrong picture.
-#include "lessons/wrong_picture.h"
+#include "lessons/games/wrong_picture.h"
 
 #include <gtest/gtest.h>
 
@@ -8,10 +8,10 @@
 #include <set>
 #include <sstream>
 
-#include "lessons/bug_quiz.h"
+#include "lessons/games/bug_quiz.h"
+#include "lessons/games/look_text.h"
 #include "lessons/library.h"
-#include "lessons/look_text.h"
-#include "lessons/misconceptions.h"
+#include "lessons/questions/misconceptions.h"
 #include "tests/support/sweep.h"
 
 namespace {

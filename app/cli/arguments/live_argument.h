@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "app/cli/interrupt.h"
-#include "lessons/live_page.h"
+#include "lessons/pages/live_page.h"
 
 namespace app {
 

@@ -13,7 +13,7 @@
 #include "app/cli/interrupt.h"
 #include "app/cli/message.h"
 #include "app/cli/progress_printer.h"
-#include "lessons/class_report.h"
+#include "lessons/grading/class_report.h"
 #include "pipeline/core/printable.h"
 #include "pipeline/core/text.h"
 #include "pipeline/export/staging.h"

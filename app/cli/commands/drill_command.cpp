@@ -8,7 +8,7 @@
 #include "app/cli/interrupt.h"
 #include "app/cli/message.h"
 #include "app/cli/progress_printer.h"
-#include "lessons/drill.h"
+#include "lessons/games/drill.h"
 
 namespace app {
 

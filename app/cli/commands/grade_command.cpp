@@ -11,7 +11,7 @@
 #include "app/cli/message.h"
 #include "app/cli/node_lines.h"
 #include "app/cli/progress_printer.h"
-#include "lessons/grade.h"
+#include "lessons/grading/grade.h"
 #include "pipeline/core/text.h"
 
 namespace app {

@@ -13,10 +13,10 @@
 #include "app/cli/progress_printer.h"
 #include "app/cli/watch.h"
 #include "lessons/check.h"
-#include "lessons/handout.h"
-#include "lessons/judge.h"
 #include "lessons/library.h"
-#include "lessons/results.h"
+#include "lessons/pages/handout.h"
+#include "lessons/questions/judge.h"
+#include "lessons/questions/results.h"
 #include "pipeline/core/text.h"
 #include "pipeline/export/json_value.h"
 

@@ -12,8 +12,8 @@
 #include "app/cli/interrupt.h"
 #include "app/cli/message.h"
 #include "app/cli/progress_printer.h"
+#include "lessons/pages/talk_page.h"
 #include "lessons/state/state_scene.h"
-#include "lessons/talk_page.h"
 #include "pipeline/core/printable.h"
 #include "pipeline/core/text.h"
 

@@ -9,8 +9,8 @@
 #include "app/cli/interrupt.h"
 #include "app/cli/message.h"
 #include "app/cli/progress_printer.h"
+#include "lessons/grading/sheet.h"
 #include "lessons/library.h"
-#include "lessons/sheet.h"
 #include "pipeline/core/text.h"
 
 namespace app {

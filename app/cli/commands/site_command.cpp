@@ -9,7 +9,7 @@
 #include "app/cli/interrupt.h"
 #include "app/cli/message.h"
 #include "app/cli/progress_printer.h"
-#include "lessons/site.h"
+#include "lessons/pages/site.h"
 #include "pipeline/core/text.h"
 #include "pipeline/export/size_text.h"
 #include "pipeline/export/staging.h"

@@ -8,7 +8,7 @@
 #include "app/cli/hand_in_folder.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/message.h"
-#include "lessons/class_report.h"
+#include "lessons/grading/class_report.h"
 #include "pipeline/core/text.h"
 #include "pipeline/export/staging.h"
 

@@ -7,10 +7,10 @@
 #include <string_view>
 #include <vector>
 
-#include "lessons/attempt.h"
 #include "lessons/derived_buffer.h"
 #include "lessons/expression/changed_frames.h"
 #include "lessons/lesson.h"
+#include "lessons/questions/attempt.h"
 #include "pipeline/export/json.h"
 #include "pipeline/inspect/own_calls.h"
 #include "pipeline/run/runner.h"

@@ -2,7 +2,7 @@
 
 #include "app/web/core/core.h"
 #include "app/web/core/scene_text.h"
-#include "lessons/wrong_picture.h"
+#include "lessons/games/wrong_picture.h"
 #include "pipeline/formats/built_in_scenes.h"
 #include "pipeline/formats/scene_folder.h"
 #include "pipeline/formats/scene_reader.h"

@@ -2,9 +2,9 @@
 
 #include "app/web/core/core.h"
 #include "app/web/core/scene_text.h"
-#include "lessons/hidden.h"
-#include "lessons/live_text.h"
-#include "lessons/results.h"
+#include "lessons/pages/live_text.h"
+#include "lessons/questions/hidden.h"
+#include "lessons/questions/results.h"
 #include "lessons/state/view_tree.h"
 #include "pipeline/core/text.h"
 #include "pipeline/defects/own_words.h"

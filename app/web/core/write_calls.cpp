@@ -4,7 +4,7 @@
 #include <cstring>
 
 #include "app/web/core/core.h"
-#include "lessons/live_text.h"
+#include "lessons/pages/live_text.h"
 #include "pipeline/defects/own_words.h"
 #include "pipeline/run/frame_data.h"
 
