@@ -8,7 +8,7 @@
 
 #include "app/cli/commands/foreign_program.h"
 #include "app/cli/message.h"
-#include "pipeline/export/byte_file.h"
+#include "pipeline/export/buffers/byte_file.h"
 
 namespace app {
 

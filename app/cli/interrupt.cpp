@@ -7,7 +7,7 @@
 
 #include "app/cli/cli.h"
 #include "app/cli/message.h"
-#include "pipeline/export/hidden_folders.h"
+#include "pipeline/export/folder/hidden_folders.h"
 
 namespace app {
 

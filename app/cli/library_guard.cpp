@@ -3,7 +3,7 @@
 #include <unistd.h>
 
 #include "app/cli/out_of_memory.h"
-#include "pipeline/export/hidden_folders.h"
+#include "pipeline/export/folder/hidden_folders.h"
 
 namespace app {
 namespace {

@@ -6,7 +6,7 @@
 #include "lessons/pages/page_parts.h"
 #include "pipeline/compare/own_blocks.h"
 #include "pipeline/defects/own_words.h"
-#include "pipeline/export/json_value.h"
+#include "pipeline/export/json/json_value.h"
 
 namespace app {
 

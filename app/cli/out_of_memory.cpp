@@ -15,7 +15,7 @@
 
 #include "app/cli/cli.h"
 #include "pipeline/core/memory.h"
-#include "pipeline/export/hidden_folders.h"
+#include "pipeline/export/folder/hidden_folders.h"
 
 namespace app {
 

@@ -3,8 +3,8 @@
 #include <QRegularExpression>
 
 #include "app/look/text.h"
-#include "pipeline/export/exporter.h"
-#include "pipeline/export/size_text.h"
+#include "pipeline/export/buffers/exporter.h"
+#include "pipeline/export/folder/size_text.h"
 
 namespace app {
 

@@ -9,7 +9,7 @@
 #include "app/look/text.h"
 #include "app/widgets/follow_theme.h"
 #include "app/widgets/wrapping_check_box.h"
-#include "pipeline/export/exporter.h"
+#include "pipeline/export/buffers/exporter.h"
 
 namespace app {
 

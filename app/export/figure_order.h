@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "lessons/derived_buffer.h"
-#include "pipeline/export/figure.h"
+#include "pipeline/export/figure/figure.h"
 
 namespace app {
 

@@ -3,7 +3,7 @@
 #include <functional>
 
 #include "app/jobs/background_job.h"
-#include "pipeline/export/figure.h"
+#include "pipeline/export/figure/figure.h"
 
 class QLabel;
 

@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "app/jobs/thread_job.h"
-#include "pipeline/export/film.h"
+#include "pipeline/export/film/film.h"
 
 namespace app {
 

@@ -13,7 +13,7 @@
 #include "app/look/theme.h"
 #include "app/view3d/view3d_panel.h"
 #include "app/views/view_area.h"
-#include "pipeline/export/png_file.h"
+#include "pipeline/export/buffers/png_file.h"
 #include "pipeline/formats/png_scene.h"
 #include "pipeline/formats/toml_writer.h"
 

@@ -6,7 +6,7 @@
 #include <QRegularExpression>
 #include <cstring>
 
-#include "pipeline/export/exr_file.h"
+#include "pipeline/export/buffers/exr_file.h"
 #include "pipeline/formats/scene_folder.h"
 #include "pipeline/scene/key_places.h"
 

@@ -1,6 +1,6 @@
 #include "app/headless/plan.h"
 
-#include "pipeline/export/json.h"
+#include "pipeline/export/json/json.h"
 #include "pipeline/plan/memory_limit.h"
 #include "pipeline/plan/needs.h"
 #include "pipeline/plan/scene_remarks.h"

@@ -11,7 +11,7 @@
 #include "app/look/accessible.h"
 #include "app/look/text.h"
 #include "app/widgets/follow_theme.h"
-#include "pipeline/export/json.h"
+#include "pipeline/export/json/json.h"
 #include "pipeline/inspect/equation_text.h"
 
 namespace app {

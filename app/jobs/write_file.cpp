@@ -2,7 +2,7 @@
 
 #include <QFile>
 
-#include "pipeline/export/staging.h"
+#include "pipeline/export/folder/staging.h"
 
 namespace app {
 

@@ -11,7 +11,7 @@
 #include "app/look/text.h"
 #include "app/widgets/follow_theme.h"
 #include "lessons/pages/live_page.h"
-#include "pipeline/export/staging.h"
+#include "pipeline/export/folder/staging.h"
 
 namespace app {
 

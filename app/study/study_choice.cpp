@@ -10,7 +10,7 @@
 #include "app/look/text.h"
 #include "app/widgets/elided_label.h"
 #include "app/widgets/follow_theme.h"
-#include "pipeline/export/study_text.h"
+#include "pipeline/export/study/study_text.h"
 #include "pipeline/study/analysis.h"
 
 namespace app {

@@ -1,7 +1,7 @@
 #include "app/study/study_images.h"
 
 #include "app/look/shown_name.h"
-#include "pipeline/export/study_pictures.h"
+#include "pipeline/export/study/study_pictures.h"
 
 namespace app {
 namespace {

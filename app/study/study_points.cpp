@@ -7,7 +7,7 @@
 #include "app/look/text.h"
 #include "app/widgets/follow_theme.h"
 #include "app/widgets/padded_cells.h"
-#include "pipeline/export/study_text.h"
+#include "pipeline/export/study/study_text.h"
 #include "pipeline/study/analysis_text.h"
 
 namespace app {

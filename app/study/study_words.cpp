@@ -12,7 +12,7 @@
 #include "app/widgets/follow_theme.h"
 #include "app/widgets/padded_cells.h"
 #include "pipeline/core/text.h"
-#include "pipeline/export/study_text.h"
+#include "pipeline/export/study/study_text.h"
 #include "pipeline/study/analysis_text.h"
 
 namespace app {

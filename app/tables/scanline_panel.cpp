@@ -12,7 +12,7 @@
 #include "app/widgets/elided_label.h"
 #include "app/widgets/follow_theme.h"
 #include "app/widgets/save_dialog.h"
-#include "pipeline/export/plot_file.h"
+#include "pipeline/export/figure/plot_file.h"
 
 namespace app {
 

@@ -7,8 +7,8 @@
 #include "lessons/games/wrong_picture.h"
 #include "lessons/pages/handout_figure.h"
 #include "pipeline/core/version.h"
-#include "pipeline/export/html_text.h"
-#include "pipeline/export/staging.h"
+#include "pipeline/export/folder/staging.h"
+#include "pipeline/export/html/html_text.h"
 
 namespace lessons {
 namespace {

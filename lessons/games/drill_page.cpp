@@ -6,9 +6,9 @@
 #include "lessons/games/drill.h"
 #include "lessons/pages/handout_figure.h"
 #include "pipeline/core/version.h"
-#include "pipeline/export/formula_html.h"
-#include "pipeline/export/html_text.h"
-#include "pipeline/export/staging.h"
+#include "pipeline/export/folder/staging.h"
+#include "pipeline/export/html/formula_html.h"
+#include "pipeline/export/html/html_text.h"
 #include "pipeline/inspect/formula_parts.h"
 #include "pipeline/inspect/pixel_report.h"
 

@@ -9,8 +9,8 @@
 #include "pipeline/compare/compare_html.h"
 #include "pipeline/core/printable.h"
 #include "pipeline/core/text.h"
-#include "pipeline/export/contents.h"
-#include "pipeline/export/file_hash.h"
+#include "pipeline/export/folder/contents.h"
+#include "pipeline/export/folder/file_hash.h"
 #include "pipeline/formats/number_file.h"
 #include "pipeline/formats/scene_folder.h"
 

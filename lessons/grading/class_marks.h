@@ -6,7 +6,7 @@
 
 #include "lessons/grading/course.h"
 #include "pipeline/compare/verdict.h"
-#include "pipeline/export/json_value.h"
+#include "pipeline/export/json/json_value.h"
 
 // A hand-in, of renderers' files or of programs, marked.
 

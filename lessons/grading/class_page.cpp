@@ -4,7 +4,7 @@
 
 #include "lessons/pages/handout_figure.h"
 #include "pipeline/core/version.h"
-#include "pipeline/export/html_text.h"
+#include "pipeline/export/html/html_text.h"
 
 namespace lessons {
 

@@ -8,8 +8,8 @@
 #include "lessons/grading/class_page.h"
 #include "lessons/grading/csv_text.h"
 #include "pipeline/core/text.h"
-#include "pipeline/export/contents.h"
-#include "pipeline/export/html_text.h"
+#include "pipeline/export/folder/contents.h"
+#include "pipeline/export/html/html_text.h"
 
 namespace lessons {
 

@@ -8,7 +8,7 @@
 #include "lessons/library.h"
 #include "pipeline/core/printable.h"
 #include "pipeline/core/text.h"
-#include "pipeline/export/json_value.h"
+#include "pipeline/export/json/json_value.h"
 #include "pipeline/formats/scene_folder.h"
 #include "pipeline/scene/key_places.h"
 

@@ -10,9 +10,9 @@
 #include "lessons/questions/misconceptions.h"
 #include "pipeline/core/printable.h"
 #include "pipeline/core/text.h"
-#include "pipeline/export/html_text.h"
-#include "pipeline/export/json_value.h"
-#include "pipeline/export/staging.h"
+#include "pipeline/export/folder/staging.h"
+#include "pipeline/export/html/html_text.h"
+#include "pipeline/export/json/json_value.h"
 
 namespace lessons {
 

@@ -8,7 +8,7 @@
 #include "pipeline/compare/compare_html.h"
 #include "pipeline/core/printable.h"
 #include "pipeline/core/text.h"
-#include "pipeline/export/html_text.h"
+#include "pipeline/export/html/html_text.h"
 
 namespace lessons {
 

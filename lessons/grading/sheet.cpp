@@ -12,7 +12,7 @@
 #include "lessons/questions/judge.h"
 #include "pipeline/core/printable.h"
 #include "pipeline/core/text.h"
-#include "pipeline/export/file_hash.h"
+#include "pipeline/export/folder/file_hash.h"
 #include "pipeline/formats/scene_folder.h"
 #include "pipeline/run/runner.h"
 #include "pipeline/scene/key_places.h"

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "pipeline/export/file_hash.h"
+#include "pipeline/export/folder/file_hash.h"
 
 namespace lessons {
 

@@ -4,7 +4,7 @@
 
 #include "lessons/lesson.h"
 #include "lessons/state/window_state.h"
-#include "pipeline/export/json_value.h"
+#include "pipeline/export/json/json_value.h"
 
 namespace lessons {
 

@@ -12,9 +12,9 @@
 #include "lessons/pages/page_parts.h"
 #include "pipeline/core/text.h"
 #include "pipeline/core/version.h"
-#include "pipeline/export/file_hash.h"
-#include "pipeline/export/gzip.h"
-#include "pipeline/export/html_text.h"
+#include "pipeline/export/folder/file_hash.h"
+#include "pipeline/export/folder/gzip.h"
+#include "pipeline/export/html/html_text.h"
 
 namespace lessons {
 

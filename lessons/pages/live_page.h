@@ -8,7 +8,7 @@
 #include "lessons/pages/page_parts.h"
 #include "lessons/state/window_state.h"
 #include "pipeline/core/stop.h"
-#include "pipeline/export/json_value.h"
+#include "pipeline/export/json/json_value.h"
 
 // A lesson or a scene as one HTML file with the pipeline in it, compiled to WebAssembly: it works without network, server
 // and installation. app/web/ has the page and the core's calls.

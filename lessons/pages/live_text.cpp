@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "pipeline/export/html_text.h"
+#include "pipeline/export/html/html_text.h"
 
 namespace lessons {
 

@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
-#include "pipeline/export/file_hash.h"
-#include "pipeline/export/html_text.h"
+#include "pipeline/export/folder/file_hash.h"
+#include "pipeline/export/html/html_text.h"
 #include "pipeline/formats/built_in_scenes.h"
 #include "pipeline/formats/scene_folder.h"
 

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "pipeline/export/formula_html.h"
-#include "pipeline/export/html_text.h"
+#include "pipeline/export/html/formula_html.h"
+#include "pipeline/export/html/html_text.h"
 #include "pipeline/inspect/formula_parts.h"
 
 namespace lessons {

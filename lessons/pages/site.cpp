@@ -13,7 +13,7 @@
 #include "lessons/pages/manual_page.h"
 #include "lessons/pages/page_parts.h"
 #include "pipeline/core/version.h"
-#include "pipeline/export/html_text.h"
+#include "pipeline/export/html/html_text.h"
 #include "pipeline/formats/built_in_scenes.h"
 #include "pipeline/formats/scene_folder.h"
 #include "pipeline/formats/scene_reader.h"

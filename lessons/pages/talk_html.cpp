@@ -8,8 +8,8 @@
 
 #include "lessons/pages/talk_words.h"
 #include "pipeline/core/text.h"
-#include "pipeline/export/formula_mathml.h"
-#include "pipeline/export/html_text.h"
+#include "pipeline/export/html/formula_mathml.h"
+#include "pipeline/export/html/html_text.h"
 
 namespace lessons {
 

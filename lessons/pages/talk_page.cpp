@@ -10,7 +10,7 @@
 #include "lessons/state/state_scene.h"
 #include "pipeline/core/text.h"
 #include "pipeline/core/version.h"
-#include "pipeline/export/html_text.h"
+#include "pipeline/export/html/html_text.h"
 #include "pipeline/inspect/pixel_report.h"
 #include "pipeline/run/runner.h"
 #include "pipeline/steps/steps.h"

@@ -5,8 +5,8 @@
 #include <cstdlib>
 
 #include "pipeline/core/printable.h"
-#include "pipeline/export/json_value.h"
-#include "pipeline/export/staging.h"
+#include "pipeline/export/folder/staging.h"
+#include "pipeline/export/json/json_value.h"
 #include "pipeline/formats/scene_folder.h"
 #include "pipeline/scene/key_places.h"
 

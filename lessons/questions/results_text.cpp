@@ -4,7 +4,7 @@
 
 #include "lessons/questions/misconceptions.h"
 #include "lessons/questions/results.h"
-#include "pipeline/export/json_value.h"
+#include "pipeline/export/json/json_value.h"
 
 namespace lessons {
 

@@ -1,6 +1,6 @@
 #pragma once
 #include "pipeline/check/case.h"
-#include "pipeline/export/json_value.h"
+#include "pipeline/export/json/json_value.h"
 
 namespace pipeline::check {
 

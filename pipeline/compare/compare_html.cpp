@@ -9,9 +9,9 @@
 #include "pipeline/compare/compare_text.h"
 #include "pipeline/core/text.h"
 #include "pipeline/core/version.h"
-#include "pipeline/export/formula_html.h"
-#include "pipeline/export/html_text.h"
-#include "pipeline/export/png_file.h"
+#include "pipeline/export/buffers/png_file.h"
+#include "pipeline/export/html/formula_html.h"
+#include "pipeline/export/html/html_text.h"
 #include "pipeline/inspect/pixel_report.h"
 
 namespace pipeline::foreign {

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "pipeline/compare/verdict.h"
-#include "pipeline/export/json.h"
+#include "pipeline/export/json/json.h"
 
 namespace pipeline::foreign {
 

@@ -7,8 +7,8 @@
 #include "pipeline/compare/compare_html_style.h"
 #include "pipeline/core/text.h"
 #include "pipeline/defects/own_words.h"
-#include "pipeline/export/html_text.h"
-#include "pipeline/export/png_file.h"
+#include "pipeline/export/buffers/png_file.h"
+#include "pipeline/export/html/html_text.h"
 #include "pipeline/run/frame_data.h"
 
 namespace pipeline::foreign {

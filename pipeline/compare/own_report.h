@@ -1,6 +1,6 @@
 #pragma once
 #include "pipeline/buffers/buffer2d.h"
-#include "pipeline/export/json_value.h"
+#include "pipeline/export/json/json_value.h"
 #include "pipeline/inspect/own_calls.h"
 
 namespace pipeline::foreign {

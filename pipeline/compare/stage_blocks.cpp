@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "pipeline/compare/reference.h"
-#include "pipeline/export/json.h"
+#include "pipeline/export/json/json.h"
 #include "pipeline/run/frame_data.h"
 #include "pipeline/run/runner.h"
 

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
-#include "pipeline/export/byte_file.h"
-#include "pipeline/export/contracts_json.h"
-#include "pipeline/export/exporter.h"
+#include "pipeline/export/buffers/byte_file.h"
+#include "pipeline/export/buffers/exporter.h"
+#include "pipeline/export/buffers/png_file.h"
+#include "pipeline/export/json/contracts_json.h"
 #include "pipeline/export/manifest.h"
-#include "pipeline/export/png_file.h"
 #include "pipeline/formats/scene_folder.h"
 #include "pipeline/formats/toml_writer.h"
 

@@ -1,10 +1,10 @@
 #include <algorithm>
 
-#include "pipeline/export/byte_file.h"
-#include "pipeline/export/contents.h"
+#include "pipeline/export/buffers/byte_file.h"
 #include "pipeline/export/export_frame.h"
+#include "pipeline/export/folder/contents.h"
+#include "pipeline/export/folder/staging.h"
 #include "pipeline/export/manifest.h"
-#include "pipeline/export/staging.h"
 #include "pipeline/formats/scene_folder.h"
 
 namespace pipeline {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "pipeline/core/result.h"
-#include "pipeline/export/json_value.h"
+#include "pipeline/export/json/json_value.h"
 #include "pipeline/run/frame.h"
 
 namespace pipeline {

@@ -7,10 +7,10 @@
 
 #include "pipeline/core/text.h"
 #include "pipeline/core/version.h"
-#include "pipeline/export/contents.h"
-#include "pipeline/export/exporter.h"
-#include "pipeline/export/file_hash.h"
-#include "pipeline/export/png_file.h"
+#include "pipeline/export/buffers/exporter.h"
+#include "pipeline/export/buffers/png_file.h"
+#include "pipeline/export/folder/contents.h"
+#include "pipeline/export/folder/file_hash.h"
 #include "pipeline/stages/cull.h"
 
 namespace pipeline {

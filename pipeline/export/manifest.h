@@ -3,8 +3,8 @@
 #include <string_view>
 #include <vector>
 
-#include "pipeline/export/exporter.h"
-#include "pipeline/export/json.h"
+#include "pipeline/export/buffers/exporter.h"
+#include "pipeline/export/json/json.h"
 
 namespace pipeline {
 
@@ -29,7 +29,7 @@ struct WrittenScene {
 };
 
 // The text of manifest.json: which program made this of what, with which settings and plan,
-// and what each file holds; its "contents" (pipeline/export/contents.h) and "contracts" are for the caller to add. `asked` are the
+// and what each file holds; its "contents" (pipeline/export/folder/contents.h) and "contracts" are for the caller to add. `asked` are the
 // buffers that were to be exported.
 Json manifest(const Frame& frame, const std::vector<BufferName>& asked, const std::vector<WrittenBuffer>& buffers,
               const std::vector<WrittenScene>& whole, const std::vector<std::string>& views, const std::string& at);

@@ -7,7 +7,7 @@
 
 namespace pipeline {
 
-// The text chunks in which a picture that this program exported (pipeline/export/png_file.h) carries its scene and what the
+// The text chunks in which a picture that this program exported (pipeline/export/buffers/png_file.h) carries its scene and what the
 // window showed, as TOML; the scene stands beside it.
 inline constexpr char kSceneChunk[] = "Shadescope scene";
 inline constexpr char kStateChunk[] = "Shadescope state";

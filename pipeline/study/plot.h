@@ -10,7 +10,7 @@
 namespace pipeline {
 
 // A plot of error against run time: what it shows, and what it looks like as a plain list of lines,
-// markers and texts, which painters for files (pipeline/export/plot_file.h) and for the window draw.
+// markers and texts, which painters for files (pipeline/export/figure/plot_file.h) and for the window draw.
 
 // One setting in the plot.
 struct PlotPoint {

@@ -8,7 +8,7 @@
 #include "pipeline/check/case.h"
 #include "pipeline/core/stage.h"
 #include "pipeline/defects/own.h"
-#include "pipeline/export/exporter.h"
+#include "pipeline/export/buffers/exporter.h"
 #include "pipeline/formats/built_in_scenes.h"
 #include "pipeline/scene/settings_table.h"
 #include "pipeline/study/sweep.h"

@@ -18,8 +18,8 @@
 #include "app/compare/stage_differences.h"
 #include "app/frames/picture_file.h"
 #include "app/look/luminance.h"
-#include "pipeline/export/exr_file.h"
-#include "pipeline/export/npy_file.h"
+#include "pipeline/export/buffers/exr_file.h"
+#include "pipeline/export/buffers/npy_file.h"
 #include "tests/support/scenes.h"
 
 // A real view on a real document, compared with frames that the tests compute by themselves.

@@ -20,7 +20,7 @@
 #include "app/look/theme.h"
 #include "app/widgets/folding_panes.h"
 #include "app/widgets/value_slider.h"
-#include "pipeline/export/json_value.h"
+#include "pipeline/export/json/json_value.h"
 #include "pipeline/scene/settings_table.h"
 #include "tests/app/small_screen.h"
 

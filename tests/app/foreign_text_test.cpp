@@ -29,7 +29,7 @@
 #include "app/talk/cue_panel.h"
 #include "app/widgets/error_list.h"
 #include "pipeline/export/export_frame.h"
-#include "pipeline/export/study_json.h"
+#include "pipeline/export/json/study_json.h"
 #include "pipeline/run/runner.h"
 #include "tests/app/window_fixture.h"
 #include "tests/support/scenes.h"

@@ -9,7 +9,7 @@
 #include "app/document/document.h"
 #include "app/document/renderer_check.h"
 #include "pipeline/defects/defect_table.h"
-#include "pipeline/export/npy_file.h"
+#include "pipeline/export/buffers/npy_file.h"
 #include "pipeline/formats/built_in_scenes.h"
 #include "pipeline/formats/scene_reader.h"
 #include "tests/support/scenes.h"

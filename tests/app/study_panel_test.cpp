@@ -17,7 +17,7 @@
 #include "app/study/study_pictures.h"
 #include "app/study/study_run.h"
 #include "app/study/study_sweep.h"
-#include "pipeline/export/study_json.h"
+#include "pipeline/export/json/study_json.h"
 #include "pipeline/scene/settings_table.h"
 #include "tests/app/study_panel_fixture.h"
 

@@ -211,9 +211,10 @@ Breaches misplacedToolkits(const SourceTree& tree) {
         // A test reads with VTK what export writes for it.
         const bool vtkHere = path.starts_with("app/vtk/") || path == "tests/app/vtk_file_test.cpp";
         if (include.target.starts_with("vtk") && !vtkHere) return "VTK stands in app/vtk";
-        const bool jsonHere = path == "pipeline/export/json_value.cpp" || path == "pipeline/formats/json_error.cpp" ||
-                              path == "pipeline/formats/gltf_value.h" || path.starts_with("tests/");
-        if (include.target.starts_with("nlohmann/") && !jsonHere) return "JSON is pipeline/export/json_value.h";
+        const bool jsonHere = path == "pipeline/export/json/json_value.cpp" ||
+                              path == "pipeline/formats/json_error.cpp" || path == "pipeline/formats/gltf_value.h" ||
+                              path.starts_with("tests/");
+        if (include.target.starts_with("nlohmann/") && !jsonHere) return "JSON is pipeline/export/json/json_value.h";
         return "";
     });
 }

@@ -12,7 +12,7 @@
 
 #include "pipeline/core/memory.h"
 #include "pipeline/core/text.h"
-#include "pipeline/export/json_value.h"
+#include "pipeline/export/json/json_value.h"
 #include "pipeline/run/runner.h"
 #include "pipeline/study/memory_share.h"
 #include "tests/bench/gl_scene.h"

@@ -1,7 +1,7 @@
 // Any bytes as a study file: what is read is written so that it reads back equal.
 #include <cstdint>
 
-#include "pipeline/export/study_json.h"
+#include "pipeline/export/json/study_json.h"
 #include "tests/fuzz/promises.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

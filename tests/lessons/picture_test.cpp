@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 #include "lessons/pages/handout.h"
-#include "pipeline/export/html_text.h"
-#include "pipeline/export/png_file.h"
+#include "pipeline/export/buffers/png_file.h"
+#include "pipeline/export/html/html_text.h"
 #include "pipeline/formats/built_in_scenes.h"
 #include "tests/lessons/html_of.h"
 #include "tests/support/files.h"

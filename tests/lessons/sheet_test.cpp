@@ -3,7 +3,7 @@
 #include <set>
 
 #include "lessons/grading/sheet_blanks.h"
-#include "pipeline/export/file_hash.h"
+#include "pipeline/export/folder/file_hash.h"
 #include "tests/lessons/pyramid_scene.h"
 #include "tests/support/files.h"
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pipeline/export/gl_calls.h"
+#include "pipeline/export/buffers/gl_calls.h"
 #include "pipeline/illumination/model_table.h"
 #include "pipeline/inspect/equation_terms.h"
 #include "pipeline/scene/settings_table.h"

@@ -3,7 +3,7 @@
 #include <variant>
 
 #include "pipeline/buffers/any_buffer.h"
-#include "pipeline/export/file_hash.h"
+#include "pipeline/export/folder/file_hash.h"
 
 namespace test {
 

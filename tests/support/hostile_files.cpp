@@ -4,7 +4,7 @@
 
 #include "lessons/lesson.h"
 #include "lessons/state/cue_list.h"
-#include "pipeline/export/study_json.h"
+#include "pipeline/export/json/study_json.h"
 #include "pipeline/formats/lecture_formats.h"
 #include "pipeline/formats/model_reader.h"
 #include "pipeline/formats/mtl_reader.h"

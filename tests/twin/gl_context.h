@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/export/gl_calls.h"
+#include "pipeline/export/buffers/gl_calls.h"
 
 namespace twin {
 

@@ -8,7 +8,7 @@
 #include <set>
 
 #include "pipeline/contracts/contract.h"
-#include "pipeline/export/contracts_json.h"
+#include "pipeline/export/json/contracts_json.h"
 #include "pipeline/formats/built_in_scenes.h"
 #include "pipeline/formats/scene_reader.h"
 #include "tests/support/scenes.h"

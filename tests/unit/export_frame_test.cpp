@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <thread>
 
-#include "pipeline/export/byte_file.h"
-#include "pipeline/export/json.h"
+#include "pipeline/export/buffers/byte_file.h"
+#include "pipeline/export/json/json.h"
 #include "pipeline/formats/scene_reader.h"
 #include "pipeline/plan/needs.h"
 #include "tests/support/files.h"

@@ -1,4 +1,4 @@
-#include "pipeline/export/exporter.h"
+#include "pipeline/export/buffers/exporter.h"
 
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
@@ -9,8 +9,8 @@
 #include <cmath>
 #include <limits>
 
-#include "pipeline/export/file_hash.h"
-#include "pipeline/export/size_text.h"
+#include "pipeline/export/folder/file_hash.h"
+#include "pipeline/export/folder/size_text.h"
 #include "tests/support/files.h"
 
 namespace pipeline {

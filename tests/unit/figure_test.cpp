@@ -1,4 +1,4 @@
-#include "pipeline/export/figure.h"
+#include "pipeline/export/figure/figure.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Step films: which moments they show, what a picture holds, and that a GIF is what a reader of GIFs takes it for.
-#include "pipeline/export/film.h"
+#include "pipeline/export/film/film.h"
 
 #include <gif_lib.h>
 #include <gtest/gtest.h>

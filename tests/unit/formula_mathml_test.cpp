@@ -1,4 +1,4 @@
-#include "pipeline/export/formula_mathml.h"
+#include "pipeline/export/html/formula_mathml.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "pipeline/export/formula_html.h"
+#include "pipeline/export/html/formula_html.h"
 #include "pipeline/inspect/formula_parts.h"
 
 namespace pipeline {

@@ -1,4 +1,4 @@
-#include "pipeline/export/gl_calls.h"
+#include "pipeline/export/buffers/gl_calls.h"
 
 #include <gtest/gtest.h>
 

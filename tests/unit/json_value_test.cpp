@@ -1,5 +1,5 @@
 // Written as the library writes it, which is the reference here.
-#include "pipeline/export/json_value.h"
+#include "pipeline/export/json/json_value.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "pipeline/export/plot_file.h"
+#include "pipeline/export/figure/plot_file.h"
 #include "pipeline/study/plot_axis.h"
 #include "tests/support/files.h"
 #include "tests/support/studies.h"

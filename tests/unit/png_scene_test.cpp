@@ -8,8 +8,8 @@
 #include <fstream>
 #include <random>
 
+#include "pipeline/export/buffers/png_file.h"
 #include "pipeline/export/export_frame.h"
-#include "pipeline/export/png_file.h"
 #include "pipeline/formats/scene_reader.h"
 #include "tests/support/files.h"
 #include "tests/support/scenes.h"

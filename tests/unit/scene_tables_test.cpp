@@ -10,8 +10,8 @@
 #include <set>
 
 #include "pipeline/core/csv.h"
-#include "pipeline/export/csv_file.h"
-#include "pipeline/export/table_json.h"
+#include "pipeline/export/buffers/csv_file.h"
+#include "pipeline/export/json/table_json.h"
 #include "pipeline/inspect/table_text.h"
 #include "pipeline/plan/needs.h"
 #include "pipeline/stages/cull.h"

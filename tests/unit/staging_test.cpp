@@ -1,5 +1,5 @@
 // Files that appear in a folder together or not at all.
-#include "pipeline/export/staging.h"
+#include "pipeline/export/folder/staging.h"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 #include <mutex>
 #include <thread>
 
-#include "pipeline/export/owner.h"
+#include "pipeline/export/folder/owner.h"
 #include "tests/support/files.h"
 
 namespace pipeline {

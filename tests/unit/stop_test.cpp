@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "lessons/state/cue_list.h"
-#include "pipeline/export/study_json.h"
+#include "pipeline/export/json/study_json.h"
 #include "pipeline/formats/model_reader.h"
 #include "pipeline/formats/png_scene.h"
 #include "pipeline/run/stage_parts.h"

@@ -1,4 +1,4 @@
-#include "pipeline/export/study_json.h"
+#include "pipeline/export/json/study_json.h"
 
 #include <gtest/gtest.h>
 

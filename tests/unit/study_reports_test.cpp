@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <sstream>
 
-#include "pipeline/export/html_text.h"
-#include "pipeline/export/study_csv.h"
-#include "pipeline/export/study_files.h"
-#include "pipeline/export/study_html.h"
-#include "pipeline/export/study_json.h"
-#include "pipeline/export/study_text.h"
+#include "pipeline/export/html/html_text.h"
+#include "pipeline/export/json/study_json.h"
+#include "pipeline/export/study/study_csv.h"
+#include "pipeline/export/study/study_files.h"
+#include "pipeline/export/study/study_html.h"
+#include "pipeline/export/study/study_text.h"
 #include "pipeline/study/analysis_text.h"
 #include "tests/support/files.h"
 #include "tests/support/studies.h"

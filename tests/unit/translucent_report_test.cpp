@@ -1,8 +1,8 @@
 // What files may say about translucent surfaces, and what is said about them.
 #include <gtest/gtest.h>
 
-#include "pipeline/export/gl_calls.h"
-#include "pipeline/export/json.h"
+#include "pipeline/export/buffers/gl_calls.h"
+#include "pipeline/export/json/json.h"
 #include "pipeline/formats/mtl_reader.h"
 #include "pipeline/formats/scene_reader.h"
 #include "pipeline/formats/toml_scene.h"

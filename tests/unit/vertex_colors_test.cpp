@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "pipeline/contracts/contract.h"
-#include "pipeline/export/gl_calls.h"
+#include "pipeline/export/buffers/gl_calls.h"
 #include "pipeline/formats/model_reader.h"
 #include "pipeline/formats/model_scene.h"
 #include "pipeline/formats/toml_scene.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <map>
 
-#include "pipeline/export/gl_calls.h"
+#include "pipeline/export/buffers/gl_calls.h"
 #include "pipeline/inspect/pixel_report.h"
 #include "pipeline/scene/settings_table.h"
 #include "tests/support/scenes.h"

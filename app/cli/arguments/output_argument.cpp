@@ -8,11 +8,11 @@
 
 #include "app/cli/arguments/scene_argument.h"
 #include "app/cli/message.h"
-#include "pipeline/export/contents.h"
-#include "pipeline/export/exporter.h"
-#include "pipeline/export/publish.h"
-#include "pipeline/export/size_text.h"
-#include "pipeline/export/staging.h"
+#include "pipeline/export/buffers/exporter.h"
+#include "pipeline/export/folder/contents.h"
+#include "pipeline/export/folder/publish.h"
+#include "pipeline/export/folder/size_text.h"
+#include "pipeline/export/folder/staging.h"
 
 namespace app {
 

@@ -14,7 +14,7 @@
 #include "app/cli/interrupt.h"
 #include "app/cli/message.h"
 #include "pipeline/core/sample.h"
-#include "pipeline/export/json.h"
+#include "pipeline/export/json/json.h"
 #include "pipeline/formats/scene_reader.h"
 #include "pipeline/run/runner.h"
 #include "pipeline/study/memory_share.h"

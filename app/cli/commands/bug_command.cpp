@@ -17,8 +17,8 @@
 #include "lessons/games/wrong_picture.h"
 #include "pipeline/buffers/buffer_table.h"
 #include "pipeline/core/text.h"
-#include "pipeline/export/png_file.h"
-#include "pipeline/export/staging.h"
+#include "pipeline/export/buffers/png_file.h"
+#include "pipeline/export/folder/staging.h"
 #include "pipeline/run/frame_data.h"
 
 namespace app {

@@ -16,7 +16,7 @@
 #include "lessons/grading/class_report.h"
 #include "pipeline/core/printable.h"
 #include "pipeline/core/text.h"
-#include "pipeline/export/staging.h"
+#include "pipeline/export/folder/staging.h"
 #include "pipeline/formats/scene_folder.h"
 
 namespace app {

@@ -14,7 +14,7 @@
 #include "app/cli/library_guard.h"
 #include "app/cli/message.h"
 #include "pipeline/core/text.h"
-#include "pipeline/export/figure.h"
+#include "pipeline/export/figure/figure.h"
 #include "pipeline/run/runner.h"
 
 namespace app {

@@ -11,8 +11,8 @@
 #include "app/cli/message.h"
 #include "app/cli/progress_printer.h"
 #include "pipeline/core/text.h"
-#include "pipeline/export/film.h"
-#include "pipeline/export/size_text.h"
+#include "pipeline/export/film/film.h"
+#include "pipeline/export/folder/size_text.h"
 #include "pipeline/run/runner.h"
 
 namespace app {

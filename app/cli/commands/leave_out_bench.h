@@ -2,7 +2,7 @@
 #include <optional>
 #include <vector>
 
-#include "pipeline/export/json.h"
+#include "pipeline/export/json/json.h"
 #include "pipeline/run/frame.h"
 
 namespace app {

@@ -18,7 +18,7 @@
 #include "lessons/questions/judge.h"
 #include "lessons/questions/results.h"
 #include "pipeline/core/text.h"
-#include "pipeline/export/json_value.h"
+#include "pipeline/export/json/json_value.h"
 
 namespace app {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "pipeline/core/stage.h"
-#include "pipeline/export/json_value.h"
+#include "pipeline/export/json/json_value.h"
 
 namespace app {
 

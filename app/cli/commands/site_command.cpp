@@ -11,8 +11,8 @@
 #include "app/cli/progress_printer.h"
 #include "lessons/pages/site.h"
 #include "pipeline/core/text.h"
-#include "pipeline/export/size_text.h"
-#include "pipeline/export/staging.h"
+#include "pipeline/export/folder/size_text.h"
+#include "pipeline/export/folder/staging.h"
 
 namespace app {
 

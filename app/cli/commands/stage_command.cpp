@@ -20,7 +20,7 @@
 #include "pipeline/compare/compare_text.h"
 #include "pipeline/compare/trial.h"
 #include "pipeline/core/text.h"
-#include "pipeline/export/staging.h"
+#include "pipeline/export/folder/staging.h"
 
 namespace app {
 

@@ -10,7 +10,7 @@
 #include "app/cli/message.h"
 #include "lessons/grading/class_report.h"
 #include "pipeline/core/text.h"
-#include "pipeline/export/staging.h"
+#include "pipeline/export/folder/staging.h"
 
 namespace app {
 

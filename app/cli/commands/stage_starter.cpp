@@ -6,7 +6,7 @@
 #include <array>
 #include <map>
 
-#include "pipeline/export/byte_file.h"
+#include "pipeline/export/buffers/byte_file.h"
 #include "pipeline/formats/built_in_scenes.h"
 #include "pipeline/formats/scene_folder.h"
 

@@ -14,8 +14,8 @@
 #include "app/cli/commands/study_job.h"
 #include "app/cli/message.h"
 #include "pipeline/core/text.h"
-#include "pipeline/export/study_files.h"
-#include "pipeline/export/study_pictures.h"
+#include "pipeline/export/study/study_files.h"
+#include "pipeline/export/study/study_pictures.h"
 #include "pipeline/formats/text_scanner.h"
 #include "pipeline/scene/shape_stop.h"
 

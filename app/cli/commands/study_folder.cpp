@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "pipeline/export/staging.h"
-#include "pipeline/export/study_json.h"
+#include "pipeline/export/folder/staging.h"
+#include "pipeline/export/json/study_json.h"
 #include "pipeline/formats/inputs.h"
 #include "pipeline/scene/key_places.h"
 

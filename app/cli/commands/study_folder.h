@@ -10,7 +10,7 @@
 namespace app {
 
 // What a study leaves in its folder.
-//   study.json and the rest    pipeline/export/study_files.h
+//   study.json and the rest    pipeline/export/study/study_files.h
 //   study-3-of-16.json         a part of a study that is shared out
 //   *.part.json                as far as a study has come that was interrupted
 

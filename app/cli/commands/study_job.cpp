@@ -13,11 +13,11 @@
 #include "app/cli/library_guard.h"
 #include "app/cli/message.h"
 #include "app/cli/progress_printer.h"
-#include "pipeline/export/contents.h"
-#include "pipeline/export/staging.h"
-#include "pipeline/export/study_files.h"
-#include "pipeline/export/study_json.h"
-#include "pipeline/export/study_text.h"
+#include "pipeline/export/folder/contents.h"
+#include "pipeline/export/folder/staging.h"
+#include "pipeline/export/json/study_json.h"
+#include "pipeline/export/study/study_files.h"
+#include "pipeline/export/study/study_text.h"
 #include "pipeline/study/machine.h"
 
 namespace app {

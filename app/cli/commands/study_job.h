@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/cli/interrupt.h"
-#include "pipeline/export/study_html.h"
+#include "pipeline/export/study/study_html.h"
 #include "pipeline/study/analysis.h"
 #include "pipeline/study/run_study.h"
 

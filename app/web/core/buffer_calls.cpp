@@ -1,6 +1,6 @@
 #include "app/web/core/core.h"
 #include "pipeline/buffers/buffer_table.h"
-#include "pipeline/export/frame_json.h"
+#include "pipeline/export/json/frame_json.h"
 #include "pipeline/inspect/term_mix.h"
 #include "pipeline/plan/needs.h"
 

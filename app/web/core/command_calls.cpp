@@ -9,7 +9,7 @@
 #include "app/web/core/core.h"
 #include "app/web/core/written_files.h"
 #include "pipeline/core/printable.h"
-#include "pipeline/export/contents.h"
+#include "pipeline/export/folder/contents.h"
 #include "pipeline/export/manifest.h"
 #include "pipeline/plan/memory_limit.h"
 

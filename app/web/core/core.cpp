@@ -2,7 +2,7 @@
 
 #include <cstdlib>
 
-#include "pipeline/export/frame_json.h"
+#include "pipeline/export/json/frame_json.h"
 
 namespace web {
 

@@ -11,7 +11,7 @@
 #include "lessons/expression/changed_frames.h"
 #include "lessons/lesson.h"
 #include "lessons/questions/attempt.h"
-#include "pipeline/export/json.h"
+#include "pipeline/export/json/json.h"
 #include "pipeline/inspect/own_calls.h"
 #include "pipeline/run/runner.h"
 #include "pipeline/steps/steps.h"

@@ -8,7 +8,7 @@
 #include "lessons/state/view_tree.h"
 #include "pipeline/core/text.h"
 #include "pipeline/defects/own_words.h"
-#include "pipeline/export/html_text.h"
+#include "pipeline/export/html/html_text.h"
 
 // The lesson's pages and their questions, judged by the engine of the program.
 

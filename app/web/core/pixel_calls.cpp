@@ -1,7 +1,7 @@
 #include "app/web/core/core.h"
-#include "pipeline/export/algorithm_json.h"
-#include "pipeline/export/formula_mathml.h"
-#include "pipeline/export/frame_json.h"
+#include "pipeline/export/html/formula_mathml.h"
+#include "pipeline/export/json/algorithm_json.h"
+#include "pipeline/export/json/frame_json.h"
 
 // Why a pixel has its colour; steps inside the frame; the mesh.
 

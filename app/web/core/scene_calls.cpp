@@ -1,6 +1,6 @@
 #include "app/web/core/core.h"
 #include "app/web/core/scene_text.h"
-#include "pipeline/export/frame_json.h"
+#include "pipeline/export/json/frame_json.h"
 #include "pipeline/formats/format_table.h"
 #include "pipeline/formats/text_scanner.h"
 #include "pipeline/formats/toml_writer.h"

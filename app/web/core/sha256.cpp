@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "app/web/core/core.h"
-#include "pipeline/export/file_hash.h"
+#include "pipeline/export/folder/file_hash.h"
 
 namespace pipeline {
 

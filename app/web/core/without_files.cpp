@@ -1,5 +1,5 @@
 // What the page of one lesson has no use for: hashes of files, scenes by their names.
-#include "pipeline/export/file_hash.h"
+#include "pipeline/export/folder/file_hash.h"
 #include "pipeline/formats/built_in_scenes.h"
 #include "pipeline/formats/scene_reader.h"
 

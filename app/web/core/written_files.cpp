@@ -5,11 +5,11 @@
 #include <cstdint>
 
 #include "app/web/core/core.h"
-#include "pipeline/export/byte_file.h"
-#include "pipeline/export/csv_file.h"
-#include "pipeline/export/exporter.h"
-#include "pipeline/export/npy_file.h"
-#include "pipeline/export/png_file.h"
+#include "pipeline/export/buffers/byte_file.h"
+#include "pipeline/export/buffers/csv_file.h"
+#include "pipeline/export/buffers/exporter.h"
+#include "pipeline/export/buffers/npy_file.h"
+#include "pipeline/export/buffers/png_file.h"
 
 // Files without a disk, and pictures without a library that packs them.
 
