@@ -14,7 +14,7 @@
 #include "app/look/text.h"
 #include "app/widgets/follow_theme.h"
 #include "pipeline/core/text.h"
-#include "pipeline/formats/text_scanner.h"
+#include "pipeline/formats/text/text_scanner.h"
 
 namespace app {
 

@@ -15,7 +15,7 @@
 #include "pipeline/core/printable.h"
 #include "pipeline/core/text.h"
 #include "pipeline/core/version.h"
-#include "pipeline/formats/inputs.h"
+#include "pipeline/formats/text/inputs.h"
 
 namespace app {
 

@@ -12,7 +12,7 @@
 #include "app/look/text.h"
 #include "app/widgets/error_list.h"
 #include "lessons/state/cue_list.h"
-#include "pipeline/formats/toml_writer.h"
+#include "pipeline/formats/toml/toml_writer.h"
 
 namespace app {
 

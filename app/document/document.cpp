@@ -15,7 +15,7 @@
 #include "app/look/shown_name.h"
 #include "app/look/text.h"
 #include "pipeline/core/text.h"
-#include "pipeline/formats/toml_writer.h"
+#include "pipeline/formats/toml/toml_writer.h"
 #include "pipeline/plan/memory_limit.h"
 
 namespace app {

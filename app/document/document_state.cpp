@@ -4,7 +4,7 @@
 #include "app/frames/mix_model.h"
 #include "app/look/text.h"
 #include "lessons/state/state_scene.h"
-#include "pipeline/formats/toml_writer.h"
+#include "pipeline/formats/toml/toml_writer.h"
 
 namespace app {
 

@@ -6,7 +6,7 @@
 
 #include "lessons/state/window_state.h"
 #include "pipeline/core/stage.h"
-#include "pipeline/formats/read_progress.h"
+#include "pipeline/formats/text/read_progress.h"
 #include "pipeline/scene/scene.h"
 
 namespace app {

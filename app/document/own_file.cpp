@@ -6,7 +6,7 @@
 #include "app/document/document.h"
 #include "app/look/text.h"
 #include "pipeline/formats/built_in_scenes.h"
-#include "pipeline/formats/toml_writer.h"
+#include "pipeline/formats/toml/toml_writer.h"
 
 namespace app {
 

@@ -9,7 +9,7 @@
 
 #include "app/jobs/write_file.h"
 #include "pipeline/formats/scene_folder.h"
-#include "pipeline/formats/toml_scene.h"
+#include "pipeline/formats/toml/toml_scene.h"
 
 namespace app {
 

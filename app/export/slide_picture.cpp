@@ -15,7 +15,7 @@
 #include "app/views/view_area.h"
 #include "pipeline/export/buffers/png_file.h"
 #include "pipeline/formats/png_scene.h"
-#include "pipeline/formats/toml_writer.h"
+#include "pipeline/formats/toml/toml_writer.h"
 
 namespace app {
 namespace {

@@ -11,7 +11,7 @@
 #include "pipeline/core/text.h"
 #include "pipeline/export/folder/contents.h"
 #include "pipeline/export/folder/file_hash.h"
-#include "pipeline/formats/number_file.h"
+#include "pipeline/formats/numbers/number_file.h"
 #include "pipeline/formats/scene_folder.h"
 
 namespace lessons {

@@ -11,7 +11,7 @@
 #include "pipeline/core/version.h"
 #include "pipeline/export/folder/file_hash.h"
 #include "pipeline/export/json/json.h"
-#include "pipeline/formats/toml_values.h"
+#include "pipeline/formats/toml/toml_values.h"
 #include "pipeline/plan/memory_limit.h"
 #include "pipeline/scene/key_places.h"
 

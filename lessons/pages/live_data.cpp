@@ -10,7 +10,7 @@
 #include "lessons/questions/misconceptions.h"
 #include "pipeline/core/printable.h"
 #include "pipeline/core/version.h"
-#include "pipeline/formats/toml_writer.h"
+#include "pipeline/formats/toml/toml_writer.h"
 #include "pipeline/run/runner.h"
 #include "pipeline/scene/key_places.h"
 

@@ -3,9 +3,9 @@
 #include <charconv>
 
 #include "pipeline/core/text.h"
-#include "pipeline/formats/bytes.h"
 #include "pipeline/formats/scene_folder.h"
-#include "pipeline/formats/text_scanner.h"
+#include "pipeline/formats/text/bytes.h"
+#include "pipeline/formats/text/text_scanner.h"
 
 namespace lessons {
 namespace {

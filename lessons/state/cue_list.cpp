@@ -9,8 +9,8 @@
 #include "pipeline/core/text.h"
 #include "pipeline/formats/built_in_scenes.h"
 #include "pipeline/formats/scene_folder.h"
-#include "pipeline/formats/toml_scene.h"
-#include "pipeline/formats/toml_writer.h"
+#include "pipeline/formats/toml/toml_scene.h"
+#include "pipeline/formats/toml/toml_writer.h"
 
 namespace lessons {
 

@@ -6,8 +6,8 @@
 
 #include "pipeline/core/text.h"
 #include "pipeline/formats/scene_reader.h"
-#include "pipeline/formats/toml_scene.h"
-#include "pipeline/formats/toml_writer.h"
+#include "pipeline/formats/toml/toml_scene.h"
+#include "pipeline/formats/toml/toml_writer.h"
 #include "pipeline/scene/key_places.h"
 #include "pipeline/scene/settings_table.h"
 

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "lessons/state/window_state.h"
-#include "pipeline/formats/read_progress.h"
+#include "pipeline/formats/text/read_progress.h"
 #include "pipeline/scene/scene.h"
 
 namespace lessons {

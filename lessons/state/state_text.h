@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "lessons/state/window_state.h"
-#include "pipeline/formats/toml_values.h"
+#include "pipeline/formats/toml/toml_values.h"
 
 // A state as a part of a TOML file.
 namespace lessons {

@@ -2,7 +2,7 @@
 #include <fmt/ranges.h>
 
 #include "lessons/state/state_text.h"
-#include "pipeline/formats/toml_writer.h"
+#include "pipeline/formats/toml/toml_writer.h"
 
 namespace lessons {
 

@@ -4,9 +4,9 @@
 
 #include "pipeline/check/scenes.h"
 #include "pipeline/core/text.h"
-#include "pipeline/formats/lecture_formats.h"
+#include "pipeline/formats/lecture/lecture_formats.h"
 #include "pipeline/formats/model_reader.h"
-#include "pipeline/formats/toml_scene.h"
+#include "pipeline/formats/toml/toml_scene.h"
 #include "pipeline/scene/settings_table.h"
 
 namespace pipeline::check {

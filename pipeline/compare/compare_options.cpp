@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "pipeline/core/text.h"
-#include "pipeline/formats/text_scanner.h"
+#include "pipeline/formats/text/text_scanner.h"
 
 namespace pipeline::foreign {
 

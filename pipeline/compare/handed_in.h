@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "pipeline/core/stop.h"
-#include "pipeline/formats/number_file.h"
+#include "pipeline/formats/numbers/number_file.h"
 #include "pipeline/run/frame.h"
 
 namespace pipeline::foreign {

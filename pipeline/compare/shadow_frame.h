@@ -1,6 +1,6 @@
 #pragma once
 #include "pipeline/compare/values.h"
-#include "pipeline/formats/number_file.h"
+#include "pipeline/formats/numbers/number_file.h"
 
 namespace pipeline::foreign {
 

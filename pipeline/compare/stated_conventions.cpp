@@ -2,7 +2,7 @@
 #include <array>
 
 #include "pipeline/compare/conventions.h"
-#include "pipeline/formats/toml_values.h"
+#include "pipeline/formats/toml/toml_values.h"
 
 namespace pipeline::foreign {
 

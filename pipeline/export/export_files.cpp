@@ -8,7 +8,7 @@
 #include "pipeline/export/json/contracts_json.h"
 #include "pipeline/export/manifest.h"
 #include "pipeline/formats/scene_folder.h"
-#include "pipeline/formats/toml_writer.h"
+#include "pipeline/formats/toml/toml_writer.h"
 
 namespace pipeline {
 

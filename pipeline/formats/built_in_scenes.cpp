@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "pipeline/formats/scene_folder.h"
-#include "pipeline/formats/toml_scene.h"
+#include "pipeline/formats/toml/toml_scene.h"
 
 namespace pipeline {
 namespace {

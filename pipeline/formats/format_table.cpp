@@ -4,11 +4,11 @@
 #include <array>
 
 #include "pipeline/core/text.h"
-#include "pipeline/formats/lecture_formats.h"
+#include "pipeline/formats/lecture/lecture_formats.h"
 #include "pipeline/formats/model_reader.h"
 #include "pipeline/formats/model_scene.h"
 #include "pipeline/formats/png_scene.h"
-#include "pipeline/formats/toml_scene.h"
+#include "pipeline/formats/toml/toml_scene.h"
 
 namespace pipeline {
 namespace {

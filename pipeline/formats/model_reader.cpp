@@ -9,10 +9,10 @@
 #include <new>
 
 #include "pipeline/core/text.h"
-#include "pipeline/formats/lecture_values.h"
-#include "pipeline/formats/line_scanner.h"
+#include "pipeline/formats/lecture/lecture_values.h"
 #include "pipeline/formats/model_formats.h"
-#include "pipeline/formats/no_memory.h"
+#include "pipeline/formats/text/line_scanner.h"
+#include "pipeline/formats/text/no_memory.h"
 #include "pipeline/scene/make_mesh.h"
 
 namespace pipeline {

@@ -5,10 +5,10 @@
 #include <fmt/format.h>
 
 #include "pipeline/core/text.h"
-#include "pipeline/formats/lecture_values.h"
-#include "pipeline/formats/line_scanner.h"
+#include "pipeline/formats/lecture/lecture_values.h"
 #include "pipeline/formats/model_formats.h"
-#include "pipeline/formats/tally.h"
+#include "pipeline/formats/text/line_scanner.h"
+#include "pipeline/formats/text/tally.h"
 
 // OFF as text (Geomview manual, "OFF Files"): vertices, of COFF with their colours, and polygons. What else follows the
 // coordinates of a vertex or the indices of a polygon on its line is left out with a remark.

@@ -6,7 +6,7 @@
 #include <csetjmp>
 #include <cstring>
 
-#include "pipeline/formats/toml_scene.h"
+#include "pipeline/formats/toml/toml_scene.h"
 
 namespace pipeline {
 namespace {

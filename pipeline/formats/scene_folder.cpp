@@ -12,10 +12,10 @@
 #include <set>
 
 #include "pipeline/core/text.h"
-#include "pipeline/formats/inputs.h"
 #include "pipeline/formats/model_reader.h"
-#include "pipeline/formats/text_scanner.h"
-#include "pipeline/formats/utf16.h"
+#include "pipeline/formats/text/inputs.h"
+#include "pipeline/formats/text/text_scanner.h"
+#include "pipeline/formats/text/utf16.h"
 
 namespace pipeline {
 namespace {

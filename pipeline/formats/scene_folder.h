@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "pipeline/core/result.h"
-#include "pipeline/formats/read_progress.h"
+#include "pipeline/formats/text/read_progress.h"
 
 namespace pipeline {
 

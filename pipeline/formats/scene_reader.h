@@ -3,7 +3,7 @@
 
 #include "pipeline/core/result.h"
 #include "pipeline/formats/built_in_scenes.h"
-#include "pipeline/formats/read_progress.h"
+#include "pipeline/formats/text/read_progress.h"
 #include "pipeline/scene/scene.h"
 
 namespace pipeline {

@@ -7,10 +7,10 @@
 
 #include "pipeline/core/memory.h"
 #include "pipeline/core/text.h"
-#include "pipeline/formats/bytes.h"
-#include "pipeline/formats/lecture_values.h"
-#include "pipeline/formats/line_scanner.h"
+#include "pipeline/formats/lecture/lecture_values.h"
 #include "pipeline/formats/model_formats.h"
+#include "pipeline/formats/text/bytes.h"
+#include "pipeline/formats/text/line_scanner.h"
 #include "pipeline/formats/welded_vertices.h"
 
 // STL in both forms (3D Systems, StereoLithography Interface Specification, 1989). The normals of

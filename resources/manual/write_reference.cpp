@@ -15,7 +15,7 @@
 #include "pipeline/core/text.h"
 #include "pipeline/defects/defect_table.h"
 #include "pipeline/defects/own.h"
-#include "pipeline/formats/toml_scene.h"
+#include "pipeline/formats/toml/toml_scene.h"
 #include "pipeline/scene/settings_table.h"
 
 namespace {

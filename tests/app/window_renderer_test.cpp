@@ -12,7 +12,7 @@
 #include "app/start/start_line.h"
 #include "app/views/view_area.h"
 #include "app/widgets/error_list.h"
-#include "pipeline/formats/toml_writer.h"
+#include "pipeline/formats/toml/toml_writer.h"
 #include "tests/app/renderer_files.h"
 #include "tests/app/window_fixture.h"
 

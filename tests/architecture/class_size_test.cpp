@@ -34,7 +34,7 @@ const std::map<std::string, ClassSize>& largerThanMost() {
         {"app/check/check_panel.h CheckPanel", {22, 19}},
         {"app/inspector/inspector_panel.h InspectorPanel", {11, 20}},
         {"lessons/expression/parser.h Parser", {48, 11}},
-        {"pipeline/formats/line_scanner.h LineScanner", {14, 16}},
+        {"pipeline/formats/text/line_scanner.h LineScanner", {14, 16}},
         {"pipeline/simd/surfaces.h Surfaces", {12, 20}},
         {"pipeline/steps/steps.h Steps", {42, 5}},
     };

@@ -212,8 +212,8 @@ Breaches misplacedToolkits(const SourceTree& tree) {
         const bool vtkHere = path.starts_with("app/vtk/") || path == "tests/app/vtk_file_test.cpp";
         if (include.target.starts_with("vtk") && !vtkHere) return "VTK stands in app/vtk";
         const bool jsonHere = path == "pipeline/export/json/json_value.cpp" ||
-                              path == "pipeline/formats/json_error.cpp" || path == "pipeline/formats/gltf_value.h" ||
-                              path.starts_with("tests/");
+                              path == "pipeline/formats/text/json_error.cpp" ||
+                              path == "pipeline/formats/gltf/gltf_value.h" || path.starts_with("tests/");
         if (include.target.starts_with("nlohmann/") && !jsonHere) return "JSON is pipeline/export/json/json_value.h";
         return "";
     });

@@ -2,7 +2,7 @@
 // scene that keeps its promises, or there are errors that point into the text.
 #include <cstdint>
 
-#include "pipeline/formats/lecture_formats.h"
+#include "pipeline/formats/lecture/lecture_formats.h"
 #include "tests/fuzz/promises.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

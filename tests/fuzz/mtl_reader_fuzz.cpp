@@ -1,7 +1,7 @@
 // Any bytes as a file of materials.
 #include <cstdint>
 
-#include "pipeline/formats/mtl_reader.h"
+#include "pipeline/formats/obj/mtl_reader.h"
 #include "tests/fuzz/promises.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

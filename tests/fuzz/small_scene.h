@@ -1,5 +1,5 @@
 #pragma once
-#include "pipeline/formats/toml_scene.h"
+#include "pipeline/formats/toml/toml_scene.h"
 #include "tests/fuzz/promises.h"
 
 namespace fuzz {

@@ -1,7 +1,7 @@
 // Any bytes as a scene in TOML; what follows a zero byte is every file that the scene names.
 #include <cstdint>
 
-#include "pipeline/formats/toml_scene.h"
+#include "pipeline/formats/toml/toml_scene.h"
 #include "pipeline/scene/settings_table.h"
 #include "tests/fuzz/promises.h"
 

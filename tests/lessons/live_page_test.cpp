@@ -5,7 +5,7 @@
 
 #include "lessons/library.h"
 #include "lessons/pages/live_text.h"
-#include "pipeline/formats/toml_scene.h"
+#include "pipeline/formats/toml/toml_scene.h"
 #include "tests/lessons/pyramid_scene.h"
 
 namespace lessons {

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "pipeline/formats/toml_scene.h"
-#include "pipeline/formats/toml_writer.h"
+#include "pipeline/formats/toml/toml_scene.h"
+#include "pipeline/formats/toml/toml_writer.h"
 #include "tests/support/scenes.h"
 
 namespace pipeline {

@@ -9,8 +9,8 @@
 
 #include "pipeline/core/angles.h"
 #include "pipeline/formats/model_scene.h"
-#include "pipeline/formats/toml_scene.h"
-#include "pipeline/formats/toml_writer.h"
+#include "pipeline/formats/toml/toml_scene.h"
+#include "pipeline/formats/toml/toml_writer.h"
 #include "pipeline/plan/scene_remarks.h"
 #include "pipeline/run/frame_remarks.h"
 #include "pipeline/scene/framing.h"

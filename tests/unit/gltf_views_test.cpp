@@ -1,5 +1,5 @@
 // The cameras and lights of a glTF file, in place of those that the program adds.
-#include "pipeline/formats/gltf_views.h"
+#include "pipeline/formats/gltf/gltf_views.h"
 
 #include <gtest/gtest.h>
 

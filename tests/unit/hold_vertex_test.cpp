@@ -6,10 +6,10 @@
 #include <gtest/gtest.h>
 
 #include "pipeline/formats/built_in_scenes.h"
-#include "pipeline/formats/lecture_formats.h"
+#include "pipeline/formats/lecture/lecture_formats.h"
 #include "pipeline/formats/scene_reader.h"
-#include "pipeline/formats/toml_scene.h"
-#include "pipeline/formats/toml_writer.h"
+#include "pipeline/formats/toml/toml_scene.h"
+#include "pipeline/formats/toml/toml_writer.h"
 #include "pipeline/scene/hold.h"
 #include "pipeline/scene/lecture_text.h"
 #include "tests/support/scenes.h"

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "pipeline/formats/lecture_formats.h"
-#include "pipeline/formats/toml_scene.h"
+#include "pipeline/formats/lecture/lecture_formats.h"
+#include "pipeline/formats/toml/toml_scene.h"
 #include "tests/support/scenes.h"
 
 namespace pipeline {

@@ -2,7 +2,7 @@
 // lecture's page.
 #include <gtest/gtest.h>
 
-#include "pipeline/formats/lecture_formats.h"
+#include "pipeline/formats/lecture/lecture_formats.h"
 #include "pipeline/formats/scene_reader.h"
 
 namespace pipeline {

@@ -10,7 +10,7 @@
 #include <sstream>
 
 #include "pipeline/core/memory.h"
-#include "pipeline/formats/number_file.h"
+#include "pipeline/formats/numbers/number_file.h"
 #include "tests/support/files.h"
 
 namespace pipeline {

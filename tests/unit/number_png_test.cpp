@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "pipeline/formats/number_file.h"
+#include "pipeline/formats/numbers/number_file.h"
 
 namespace pipeline {
 namespace {

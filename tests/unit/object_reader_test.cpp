@@ -4,8 +4,8 @@
 
 #include <clocale>
 
-#include "pipeline/formats/lecture_formats.h"
-#include "pipeline/formats/text_scanner.h"
+#include "pipeline/formats/lecture/lecture_formats.h"
+#include "pipeline/formats/text/text_scanner.h"
 
 namespace pipeline {
 namespace {

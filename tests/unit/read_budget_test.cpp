@@ -1,5 +1,5 @@
 // What opening a file costs: how often a stop is looked at while it is read, and what is built of a few words.
-#include "pipeline/formats/read_budget.h"
+#include "pipeline/formats/text/read_budget.h"
 
 #include <gtest/gtest.h>
 
@@ -12,8 +12,8 @@
 
 #include "pipeline/formats/model_reader.h"
 #include "pipeline/formats/scene_reader.h"
-#include "pipeline/formats/stoppable_text.h"
-#include "pipeline/formats/toml_scene.h"
+#include "pipeline/formats/text/stoppable_text.h"
+#include "pipeline/formats/toml/toml_scene.h"
 #include "pipeline/scene/make_mesh.h"
 #include "tests/support/files.h"
 #include "tests/support/gltf_files.h"

@@ -1,5 +1,5 @@
 // How far a file has been read, for who waits, and reading that is given up.
-#include "pipeline/formats/read_progress.h"
+#include "pipeline/formats/text/read_progress.h"
 
 #include <gtest/gtest.h>
 

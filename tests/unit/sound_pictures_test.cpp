@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "pipeline/contracts/contract.h"
-#include "pipeline/formats/toml_scene.h"
+#include "pipeline/formats/toml/toml_scene.h"
 #include "pipeline/plan/scene_remarks.h"
 #include "pipeline/run/frame_remarks.h"
 #include "tests/support/scenes.h"

@@ -1,5 +1,5 @@
-#include "pipeline/formats/toml_scene.h"
-#include "pipeline/formats/toml_text.h"
+#include "pipeline/formats/toml/toml_scene.h"
+#include "pipeline/formats/toml/toml_text.h"
 
 #include <gtest/gtest.h>
 

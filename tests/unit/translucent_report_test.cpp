@@ -3,9 +3,9 @@
 
 #include "pipeline/export/buffers/gl_calls.h"
 #include "pipeline/export/json/json.h"
-#include "pipeline/formats/mtl_reader.h"
+#include "pipeline/formats/obj/mtl_reader.h"
 #include "pipeline/formats/scene_reader.h"
-#include "pipeline/formats/toml_scene.h"
+#include "pipeline/formats/toml/toml_scene.h"
 #include "pipeline/inspect/pixel_report.h"
 #include "tests/support/scenes.h"
 

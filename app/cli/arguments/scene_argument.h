@@ -10,7 +10,7 @@
 #include "lessons/state/window_state.h"
 #include "pipeline/core/result.h"
 #include "pipeline/core/stop.h"
-#include "pipeline/formats/gltf_views.h"
+#include "pipeline/formats/gltf/gltf_views.h"
 #include "pipeline/run/frame.h"
 #include "pipeline/scene/scene.h"
 

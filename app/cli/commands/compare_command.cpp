@@ -26,7 +26,7 @@
 #include "pipeline/formats/built_in_scenes.h"
 #include "pipeline/formats/scene_folder.h"
 #include "pipeline/formats/scene_reader.h"
-#include "pipeline/formats/text_scanner.h"
+#include "pipeline/formats/text/text_scanner.h"
 
 namespace app {
 

@@ -16,7 +16,7 @@
 #include "pipeline/core/text.h"
 #include "pipeline/export/study/study_files.h"
 #include "pipeline/export/study/study_pictures.h"
-#include "pipeline/formats/text_scanner.h"
+#include "pipeline/formats/text/text_scanner.h"
 #include "pipeline/scene/shape_stop.h"
 
 namespace app {

@@ -4,7 +4,7 @@
 
 #include "pipeline/export/folder/staging.h"
 #include "pipeline/export/json/study_json.h"
-#include "pipeline/formats/inputs.h"
+#include "pipeline/formats/text/inputs.h"
 #include "pipeline/scene/key_places.h"
 
 namespace app {

@@ -4,7 +4,7 @@
 
 #include "pipeline/export/buffers/byte_file.h"
 #include "pipeline/export/buffers/png_file.h"
-#include "pipeline/formats/toml_writer.h"
+#include "pipeline/formats/toml/toml_writer.h"
 
 namespace pipeline {
 

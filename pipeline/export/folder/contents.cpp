@@ -8,7 +8,7 @@
 
 #include "pipeline/core/version.h"
 #include "pipeline/export/folder/file_hash.h"
-#include "pipeline/formats/inputs.h"
+#include "pipeline/formats/text/inputs.h"
 
 namespace pipeline {
 

@@ -16,7 +16,7 @@
 #include "pipeline/export/folder/contents.h"
 #include "pipeline/export/folder/owner.h"
 #include "pipeline/export/folder/publish.h"
-#include "pipeline/formats/inputs.h"
+#include "pipeline/formats/text/inputs.h"
 
 namespace pipeline {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "pipeline/formats/stoppable_text.h"
+#include "pipeline/formats/text/stoppable_text.h"
 
 namespace pipeline {
 

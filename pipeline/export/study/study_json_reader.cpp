@@ -6,8 +6,8 @@
 #include "pipeline/core/printable.h"
 #include "pipeline/core/text.h"
 #include "pipeline/export/json/study_json.h"
-#include "pipeline/formats/json_error.h"
-#include "pipeline/formats/read_progress.h"
+#include "pipeline/formats/text/json_error.h"
+#include "pipeline/formats/text/read_progress.h"
 #include "pipeline/study/sweep.h"
 
 namespace pipeline {
