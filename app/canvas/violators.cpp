@@ -4,7 +4,7 @@
 
 #include "app/look/numbers.h"
 #include "app/look/text.h"
-#include "pipeline/compare/compare_html.h"
+#include "pipeline/compare/report/compare_html.h"
 
 namespace app {
 

@@ -4,7 +4,7 @@
 
 #include "app/cli/commands/foreign_program.h"
 #include "lessons/pages/page_parts.h"
-#include "pipeline/compare/own_blocks.h"
+#include "pipeline/compare/own/own_blocks.h"
 #include "pipeline/defects/own_words.h"
 #include "pipeline/export/json/json_value.h"
 

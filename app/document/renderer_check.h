@@ -10,7 +10,7 @@
 #include "app/document/renderer_watch.h"
 #include "app/frames/scene_step.h"
 #include "app/jobs/background_job.h"
-#include "pipeline/compare/convention_choices.h"
+#include "pipeline/compare/handed_in/convention_choices.h"
 
 namespace app {
 

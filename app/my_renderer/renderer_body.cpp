@@ -18,7 +18,7 @@
 #include "app/widgets/follow_theme.h"
 #include "app/widgets/section.h"
 #include "app/widgets/standing_row.h"
-#include "pipeline/compare/compare_text.h"
+#include "pipeline/compare/report/compare_text.h"
 
 namespace app {
 

@@ -2,7 +2,7 @@
 #include <QWidget>
 
 #include "app/document/renderer_check.h"
-#include "pipeline/compare/convention_choices.h"
+#include "pipeline/compare/handed_in/convention_choices.h"
 
 class QGridLayout;
 

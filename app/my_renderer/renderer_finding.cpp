@@ -8,8 +8,8 @@
 
 #include "app/document/document.h"
 #include "app/look/text.h"
-#include "pipeline/compare/compare_text.h"
-#include "pipeline/compare/worst_pixels.h"
+#include "pipeline/compare/report/compare_text.h"
+#include "pipeline/compare/report/worst_pixels.h"
 
 namespace app {
 

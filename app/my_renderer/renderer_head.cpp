@@ -13,7 +13,7 @@
 #include "app/my_renderer/renderer_finding.h"
 #include "app/widgets/follow_theme.h"
 #include "app/widgets/standing_row.h"
-#include "pipeline/compare/compare_text.h"
+#include "pipeline/compare/report/compare_text.h"
 
 namespace app {
 

@@ -8,7 +8,7 @@
 #include "lessons/pages/live_page.h"
 #include "lessons/state/state_scene.h"
 #include "pipeline/buffers/palette.h"
-#include "pipeline/compare/compare_text.h"
+#include "pipeline/compare/report/compare_text.h"
 #include "pipeline/core/text.h"
 #include "pipeline/core/version.h"
 #include "pipeline/export/buffers/png_file.h"

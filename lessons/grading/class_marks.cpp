@@ -6,7 +6,7 @@
 
 #include "lessons/grading/class_page.h"
 #include "lessons/grading/program_marks.h"
-#include "pipeline/compare/compare_html.h"
+#include "pipeline/compare/report/compare_html.h"
 #include "pipeline/core/printable.h"
 #include "pipeline/core/text.h"
 #include "pipeline/export/folder/contents.h"

@@ -6,7 +6,7 @@
 #include <array>
 
 #include "lessons/lesson.h"
-#include "pipeline/compare/values.h"
+#include "pipeline/compare/handed_in/values.h"
 #include "pipeline/core/text.h"
 #include "pipeline/core/version.h"
 #include "pipeline/export/folder/file_hash.h"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/compare/handed_in.h"
+#include "pipeline/compare/handed_in/handed_in.h"
 #include "pipeline/compare/trial.h"
 
 // What a course asks its students' renderers to draw, or their programs to compute, and the points for it.

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "lessons/grading/class_page.h"
-#include "pipeline/compare/compare_html.h"
+#include "pipeline/compare/report/compare_html.h"
 #include "pipeline/core/printable.h"
 #include "pipeline/core/text.h"
 #include "pipeline/export/html/html_text.h"

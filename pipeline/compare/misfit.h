@@ -1,6 +1,6 @@
 #pragma once
 #include "pipeline/compare/finding.h"
-#include "pipeline/compare/picture_sample.h"
+#include "pipeline/compare/handed_in/picture_sample.h"
 
 namespace pipeline::foreign {
 

@@ -2,7 +2,7 @@
 #include <map>
 #include <memory>
 
-#include "pipeline/compare/conventions.h"
+#include "pipeline/compare/handed_in/conventions.h"
 #include "pipeline/core/stop.h"
 #include "pipeline/defects/defect_table.h"
 #include "pipeline/run/frame.h"

@@ -4,7 +4,7 @@
 #include <mutex>
 #include <string>
 
-#include "pipeline/compare/values.h"
+#include "pipeline/compare/handed_in/values.h"
 #include "pipeline/run/frame.h"
 
 // What a comparison reads of a frame.

@@ -1,5 +1,5 @@
 #pragma once
-#include "pipeline/compare/conventions.h"
+#include "pipeline/compare/handed_in/conventions.h"
 #include "pipeline/compare/reference.h"
 #include "pipeline/contracts/contract.h"
 

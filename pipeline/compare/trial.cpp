@@ -2,8 +2,7 @@
 
 #include <fmt/format.h>
 
-
-#include "pipeline/compare/own_blocks.h"
+#include "pipeline/compare/own/own_blocks.h"
 #include "pipeline/compare/reference.h"
 
 namespace pipeline::foreign {

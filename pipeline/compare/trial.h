@@ -1,6 +1,6 @@
 #pragma once
-#include "pipeline/compare/own_report.h"
-#include "pipeline/compare/stage_blocks.h"
+#include "pipeline/compare/own/stage_blocks.h"
+#include "pipeline/compare/report/own_report.h"
 #include "pipeline/compare/verdict.h"
 
 // A program with one function or stage of somebody's own, run in a scene and judged. What the pipeline makes of the scene is

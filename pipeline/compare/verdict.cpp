@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pipeline/compare/settle_readings.h"
-#include "pipeline/compare/shadow_frame.h"
+#include "pipeline/compare/handed_in/settle_readings.h"
+#include "pipeline/compare/handed_in/shadow_frame.h"
 #include "pipeline/core/text.h"
 
 namespace pipeline::foreign {

@@ -3,7 +3,7 @@
 
 #include "pipeline/compare/evidence.h"
 #include "pipeline/compare/hypotheses.h"
-#include "pipeline/compare/own_stage.h"
+#include "pipeline/compare/own/own_stage.h"
 #include "pipeline/compare/their_contracts.h"
 
 namespace pipeline::foreign {

@@ -12,7 +12,7 @@
 #include "app/stages/stage_card.h"
 #include "app/stages/stage_strip.h"
 #include "app/widgets/standing_row.h"
-#include "pipeline/compare/worst_pixels.h"
+#include "pipeline/compare/report/worst_pixels.h"
 #include "tests/app/renderer_files.h"
 
 namespace app {

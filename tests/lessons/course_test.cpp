@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "lessons/grading/course.h"
-#include "pipeline/compare/own_blocks.h"
+#include "pipeline/compare/own/own_blocks.h"
 #include "pipeline/formats/built_in_scenes.h"
 
 namespace {

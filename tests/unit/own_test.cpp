@@ -4,7 +4,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "pipeline/compare/own_blocks.h"
+#include "pipeline/compare/own/own_blocks.h"
 #include "pipeline/defects/own_judge.h"
 #include "pipeline/formats/built_in_scenes.h"
 #include "pipeline/formats/scene_reader.h"

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/compare/stage_blocks.h"
+#include "pipeline/compare/own/stage_blocks.h"
 
 namespace app {
 

@@ -1,9 +1,9 @@
 #include "app/web/core/core.h"
-#include "pipeline/compare/compare_html.h"
 #include "pipeline/compare/compare_options.h"
-#include "pipeline/compare/compare_text.h"
-#include "pipeline/compare/convention_choices.h"
-#include "pipeline/compare/worst_pixels.h"
+#include "pipeline/compare/handed_in/convention_choices.h"
+#include "pipeline/compare/report/compare_html.h"
+#include "pipeline/compare/report/compare_text.h"
+#include "pipeline/compare/report/worst_pixels.h"
 #include "pipeline/core/printable.h"
 
 // Somebody else's renderer: its files, the verdict, pictures of it.

@@ -1,4 +1,4 @@
-#include "pipeline/compare/own_stage.h"
+#include "pipeline/compare/own/own_stage.h"
 
 #include <algorithm>
 #include <cmath>

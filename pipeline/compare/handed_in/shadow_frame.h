@@ -1,5 +1,5 @@
 #pragma once
-#include "pipeline/compare/values.h"
+#include "pipeline/compare/handed_in/values.h"
 #include "pipeline/formats/numbers/number_file.h"
 
 namespace pipeline::foreign {

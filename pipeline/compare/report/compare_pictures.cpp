@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "pipeline/buffers/palette.h"
-#include "pipeline/compare/compare_html.h"
+#include "pipeline/compare/report/compare_html.h"
 
 namespace pipeline::foreign {
 

@@ -1,4 +1,4 @@
-#include "pipeline/compare/worst_pixels.h"
+#include "pipeline/compare/report/worst_pixels.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 #pragma once
-#include "pipeline/compare/reading.h"
+#include "pipeline/compare/handed_in/reading.h"
 
 namespace pipeline::foreign {
 

@@ -1,4 +1,4 @@
-#include "pipeline/compare/picture_sample.h"
+#include "pipeline/compare/handed_in/picture_sample.h"
 
 #include <algorithm>
 

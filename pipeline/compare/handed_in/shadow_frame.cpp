@@ -1,4 +1,4 @@
-#include "pipeline/compare/shadow_frame.h"
+#include "pipeline/compare/handed_in/shadow_frame.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "pipeline/compare/handed_in.h"
-#include "pipeline/compare/values.h"
+#include "pipeline/compare/handed_in/handed_in.h"
+#include "pipeline/compare/handed_in/values.h"
 #include "pipeline/scene/view.h"
 
 namespace pipeline::foreign {

@@ -1,4 +1,4 @@
-#include "pipeline/compare/compare_text.h"
+#include "pipeline/compare/report/compare_text.h"
 
 #include <fmt/format.h>
 

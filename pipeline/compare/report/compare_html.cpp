@@ -1,12 +1,12 @@
-#include "pipeline/compare/compare_html.h"
+#include "pipeline/compare/report/compare_html.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "pipeline/compare/compare_html_style.h"
-#include "pipeline/compare/compare_text.h"
+#include "pipeline/compare/report/compare_html_style.h"
+#include "pipeline/compare/report/compare_text.h"
 #include "pipeline/core/text.h"
 #include "pipeline/core/version.h"
 #include "pipeline/export/buffers/png_file.h"

@@ -1,8 +1,8 @@
 #pragma once
 #include <span>
 
-#include "pipeline/compare/handed_in.h"
-#include "pipeline/compare/own_blocks.h"
+#include "pipeline/compare/handed_in/handed_in.h"
+#include "pipeline/compare/own/own_blocks.h"
 
 namespace pipeline::foreign {
 

@@ -1,7 +1,7 @@
 #include <cmath>
 
-#include "pipeline/compare/compare_text.h"
-#include "pipeline/compare/convention_choices.h"
+#include "pipeline/compare/handed_in/convention_choices.h"
+#include "pipeline/compare/report/compare_text.h"
 #include "pipeline/core/version.h"
 
 namespace pipeline::foreign {

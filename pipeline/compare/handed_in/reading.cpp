@@ -1,5 +1,5 @@
-#include "pipeline/compare/reading.h"
-#include "pipeline/compare/shadow_frame.h"
+#include "pipeline/compare/handed_in/reading.h"
+#include "pipeline/compare/handed_in/shadow_frame.h"
 #include "pipeline/core/elementary.h"
 
 #include <algorithm>

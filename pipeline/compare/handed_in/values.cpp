@@ -1,4 +1,4 @@
-#include "pipeline/compare/values.h"
+#include "pipeline/compare/handed_in/values.h"
 #include "pipeline/core/elementary.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #pragma once
 #include <map>
 
-#include "pipeline/compare/reading.h"
+#include "pipeline/compare/handed_in/reading.h"
 #include "pipeline/compare/reference_values.h"
 
 namespace pipeline::foreign {

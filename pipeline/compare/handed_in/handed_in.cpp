@@ -1,11 +1,11 @@
-#include "pipeline/compare/handed_in.h"
+#include "pipeline/compare/handed_in/handed_in.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 
-#include "pipeline/compare/values.h"
+#include "pipeline/compare/handed_in/values.h"
 #include "pipeline/core/text.h"
 #include "pipeline/formats/scene_folder.h"
 

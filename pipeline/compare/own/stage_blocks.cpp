@@ -1,4 +1,4 @@
-#include "pipeline/compare/stage_blocks.h"
+#include "pipeline/compare/own/stage_blocks.h"
 
 #include <fmt/format.h>
 

@@ -1,9 +1,9 @@
-#include "pipeline/compare/convention_choices.h"
+#include "pipeline/compare/handed_in/convention_choices.h"
 
 #include <algorithm>
 #include <utility>
 
-#include "pipeline/compare/compare_text.h"
+#include "pipeline/compare/report/compare_text.h"
 
 namespace pipeline::foreign {
 

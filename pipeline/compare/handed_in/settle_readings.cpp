@@ -1,4 +1,4 @@
-#include "pipeline/compare/settle_readings.h"
+#include "pipeline/compare/handed_in/settle_readings.h"
 
 #include <algorithm>
 

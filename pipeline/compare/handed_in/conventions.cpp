@@ -1,4 +1,4 @@
-#include "pipeline/compare/conventions.h"
+#include "pipeline/compare/handed_in/conventions.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <limits>
 #include <memory>
 
-#include "pipeline/compare/picture_sample.h"
+#include "pipeline/compare/handed_in/picture_sample.h"
 
 namespace pipeline::foreign {
 

@@ -1,4 +1,4 @@
-#include "pipeline/compare/own_blocks.h"
+#include "pipeline/compare/own/own_blocks.h"
 
 #include <fmt/format.h>
 

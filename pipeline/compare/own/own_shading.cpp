@@ -2,7 +2,7 @@
 #include <cmath>
 #include <map>
 
-#include "pipeline/compare/own_stage.h"
+#include "pipeline/compare/own/own_stage.h"
 #include "pipeline/core/elementary.h"
 #include "pipeline/illumination/illumination.h"
 #include "pipeline/run/frame_data.h"

@@ -1,10 +1,10 @@
-#include "pipeline/compare/own_report.h"
+#include "pipeline/compare/report/own_report.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "pipeline/compare/compare_html_style.h"
+#include "pipeline/compare/report/compare_html_style.h"
 #include "pipeline/core/text.h"
 #include "pipeline/defects/own_words.h"
 #include "pipeline/export/buffers/png_file.h"

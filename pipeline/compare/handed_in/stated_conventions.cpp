@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <array>
 
-#include "pipeline/compare/conventions.h"
+#include "pipeline/compare/handed_in/conventions.h"
 #include "pipeline/formats/toml/toml_values.h"
 
 namespace pipeline::foreign {

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pipeline/compare/reading.h"
+#include "pipeline/compare/handed_in/reading.h"
 
 namespace pipeline::foreign {
 
