@@ -5,8 +5,8 @@
 
 #include "lessons/lesson_text.h"
 #include "lessons/prose.h"
-#include "pipeline/scene/hold.h"
-#include "pipeline/scene/lecture_text.h"
+#include "pipeline/scene/hold/hold.h"
+#include "pipeline/scene/hold/lecture_text.h"
 
 // What half a page lets a hand move, and what follows the hand: the keys hold, shows, figure, play, strip, pixels and
 // file.

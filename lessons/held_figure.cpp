@@ -8,7 +8,7 @@
 
 #include "pipeline/core/elementary.h"
 #include "pipeline/core/text.h"
-#include "pipeline/scene/code_figure.h"
+#include "pipeline/scene/hold/code_figure.h"
 
 namespace lessons {
 

@@ -8,7 +8,7 @@
 #include "pipeline/formats/scene_folder.h"
 #include "pipeline/formats/scene_reader.h"
 #include "pipeline/scene/key_places.h"
-#include "pipeline/scene/same_shapes.h"
+#include "pipeline/scene/mesh/same_shapes.h"
 
 namespace lessons {
 

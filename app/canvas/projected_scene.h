@@ -8,7 +8,7 @@
 
 #include "lessons/state/selection.h"
 #include "pipeline/run/frame.h"
-#include "pipeline/scene/topology.h"
+#include "pipeline/scene/mesh/topology.h"
 
 namespace app {
 

@@ -22,7 +22,7 @@
 #include "lessons/games/drill.h"
 #include "lessons/state/cue_list.h"
 #include "pipeline/formats/built_in_scenes.h"
-#include "pipeline/scene/shape.h"
+#include "pipeline/scene/mesh/shape.h"
 
 namespace app {
 namespace {

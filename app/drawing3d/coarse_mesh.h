@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "pipeline/scene/topology.h"
+#include "pipeline/scene/mesh/topology.h"
 
 namespace app {
 

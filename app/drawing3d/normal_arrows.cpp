@@ -4,7 +4,7 @@
 #include <cmath>
 #include <span>
 
-#include "pipeline/scene/topology.h"
+#include "pipeline/scene/mesh/topology.h"
 
 namespace app {
 

@@ -9,7 +9,7 @@
 #include "app/drawing3d/handles.h"
 #include "app/drawing3d/view_mesh.h"
 #include "pipeline/illumination/illumination.h"
-#include "pipeline/scene/topology.h"
+#include "pipeline/scene/mesh/topology.h"
 
 namespace app {
 

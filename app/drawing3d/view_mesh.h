@@ -1,6 +1,6 @@
 #pragma once
 #include "app/drawing3d/view_content.h"
-#include "pipeline/scene/topology.h"
+#include "pipeline/scene/mesh/topology.h"
 
 namespace app {
 

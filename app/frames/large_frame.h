@@ -1,6 +1,6 @@
 #pragma once
 #include "pipeline/run/frame.h"
-#include "pipeline/scene/topology.h"
+#include "pipeline/scene/mesh/topology.h"
 
 namespace app {
 

@@ -1,6 +1,6 @@
 #include "app/lesson/pick_watch.h"
 
-#include "pipeline/scene/topology.h"
+#include "pipeline/scene/mesh/topology.h"
 
 namespace app {
 

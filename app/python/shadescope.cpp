@@ -21,7 +21,7 @@
 #include "pipeline/plan/memory_limit.h"
 #include "pipeline/plan/needs.h"
 #include "pipeline/run/runner.h"
-#include "pipeline/scene/hold.h"
+#include "pipeline/scene/hold/hold.h"
 #include "pipeline/study/analysis.h"
 #include "pipeline/study/machine.h"
 #include "pipeline/study/run_study.h"

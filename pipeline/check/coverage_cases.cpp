@@ -7,7 +7,7 @@
 
 #include "pipeline/check/case.h"
 #include "pipeline/check/coverage.h"
-#include "pipeline/scene/topology.h"
+#include "pipeline/scene/mesh/topology.h"
 #include "pipeline/stages/rasterize.h"
 
 // Which pixels a triangle covers: every pixel of a surface once, whatever stands on its centres and edges.

@@ -8,7 +8,7 @@
 #include "pipeline/check/case.h"
 #include "pipeline/check/scenes.h"
 #include "pipeline/illumination/illumination.h"
-#include "pipeline/scene/shape.h"
+#include "pipeline/scene/mesh/shape.h"
 
 // The specular term: powers, from exponent 0 to 10^6.
 namespace pipeline::check {

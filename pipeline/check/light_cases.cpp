@@ -11,8 +11,8 @@
 #include "pipeline/illumination/illumination.h"
 #include "pipeline/illumination/opengl.h"
 #include "pipeline/plan/scene_remarks.h"
+#include "pipeline/scene/mesh/shape.h"
 #include "pipeline/scene/settings_table.h"
-#include "pipeline/scene/shape.h"
 #include "pipeline/stages/shading.h"
 
 // Lights in strange places and of strange strength, and what becomes of intensities.

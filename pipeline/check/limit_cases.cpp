@@ -9,8 +9,8 @@
 #include "pipeline/check/scenes.h"
 #include "pipeline/plan/memory_limit.h"
 #include "pipeline/plan/scene_remarks.h"
+#include "pipeline/scene/mesh/shape.h"
 #include "pipeline/scene/settings_table.h"
-#include "pipeline/scene/shape.h"
 
 // Order, translucency, and sizes at both ends.
 namespace pipeline::check {

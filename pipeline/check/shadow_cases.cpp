@@ -8,7 +8,7 @@
 #include "pipeline/check/case.h"
 #include "pipeline/check/scenes.h"
 #include "pipeline/run/frame_data.h"
-#include "pipeline/scene/shape.h"
+#include "pipeline/scene/mesh/shape.h"
 #include "pipeline/scene/view.h"
 
 // Shadow buffers: bias, resolution, where lights stand.

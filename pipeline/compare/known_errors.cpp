@@ -13,7 +13,7 @@
 #include "pipeline/core/text.h"
 #include "pipeline/defects/defect_table.h"
 #include "pipeline/defects/defect_ways.h"
-#include "pipeline/scene/make_mesh.h"
+#include "pipeline/scene/mesh/make_mesh.h"
 #include "pipeline/scene/object_matrix.h"
 #include "pipeline/scene/settings_table.h"
 #include "pipeline/scene/view.h"

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "pipeline/contracts/contract.h"
-#include "pipeline/scene/topology.h"
+#include "pipeline/scene/mesh/topology.h"
 #include "pipeline/scene/view.h"
 #include "pipeline/stages/depth.h"
 

@@ -4,8 +4,8 @@
 #include "pipeline/contracts/contract_data.h"
 #include "pipeline/core/elementary.h"
 #include "pipeline/core/numerics.h"
+#include "pipeline/scene/mesh/topology.h"
 #include "pipeline/scene/model_facts.h"
-#include "pipeline/scene/topology.h"
 
 namespace pipeline {
 namespace {

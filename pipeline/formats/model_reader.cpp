@@ -13,7 +13,7 @@
 #include "pipeline/formats/model_formats.h"
 #include "pipeline/formats/text/line_scanner.h"
 #include "pipeline/formats/text/no_memory.h"
-#include "pipeline/scene/make_mesh.h"
+#include "pipeline/scene/mesh/make_mesh.h"
 
 namespace pipeline {
 namespace {

@@ -13,8 +13,8 @@
 #include "pipeline/formats/text/no_memory.h"
 #include "pipeline/formats/text/text_scanner.h"
 #include "pipeline/scene/alike_remarks.h"
-#include "pipeline/scene/closed_mesh.h"
-#include "pipeline/scene/coplanar.h"
+#include "pipeline/scene/mesh/closed_mesh.h"
+#include "pipeline/scene/mesh/coplanar.h"
 #include "pipeline/scene/settings_table.h"
 
 namespace pipeline {

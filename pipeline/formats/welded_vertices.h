@@ -4,7 +4,7 @@
 
 #include <tsl/robin_set.h>
 
-#include "pipeline/scene/mesh.h"
+#include "pipeline/scene/mesh/mesh.h"
 
 namespace pipeline {
 

@@ -4,7 +4,7 @@
 
 #include "pipeline/core/angles.h"
 #include "pipeline/inspect/pixel_report.h"
-#include "pipeline/scene/hold.h"
+#include "pipeline/scene/hold/hold.h"
 #include "pipeline/scene/view.h"
 
 namespace pipeline {

@@ -6,7 +6,7 @@
 
 #include "pipeline/inspect/formula_parts.h"
 #include "pipeline/inspect/pixel_report.h"
-#include "pipeline/scene/topology.h"
+#include "pipeline/scene/mesh/topology.h"
 
 namespace pipeline {
 namespace {

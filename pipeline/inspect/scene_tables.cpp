@@ -9,7 +9,7 @@
 
 #include "pipeline/inspect/table_columns.h"
 #include "pipeline/plan/needs.h"
-#include "pipeline/scene/topology.h"
+#include "pipeline/scene/mesh/topology.h"
 #include "pipeline/stages/cull.h"
 
 namespace pipeline {

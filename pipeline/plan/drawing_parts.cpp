@@ -8,7 +8,7 @@
 #include "pipeline/plan/part_rows.h"
 #include "pipeline/plan/shadow_reach.h"
 #include "pipeline/scene/area_light.h"
-#include "pipeline/scene/topology.h"
+#include "pipeline/scene/mesh/topology.h"
 #include "pipeline/simd/kernels.h"
 
 namespace pipeline {

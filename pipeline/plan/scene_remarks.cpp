@@ -17,7 +17,7 @@
 #include "pipeline/illumination/illumination.h"
 #include "pipeline/plan/black.h"
 #include "pipeline/scene/alike_remarks.h"
-#include "pipeline/scene/closed_mesh.h"
+#include "pipeline/scene/mesh/closed_mesh.h"
 #include "pipeline/scene/opacity.h"
 #include "pipeline/scene/settings_table.h"
 #include "pipeline/stages/transform.h"

@@ -7,7 +7,7 @@
 #include "pipeline/illumination/illumination.h"
 #include "pipeline/plan/lit_scene.h"
 #include "pipeline/plan/part_rows.h"
-#include "pipeline/scene/topology.h"
+#include "pipeline/scene/mesh/topology.h"
 #include "pipeline/simd/kernels.h"
 
 namespace pipeline {

@@ -43,7 +43,7 @@ struct FrameRequest {
 };
 
 struct FrameStages;  // the stages' outputs; pipeline/run/frame_data.h
-struct Topology;     // pipeline/scene/topology.h
+struct Topology;     // pipeline/scene/mesh/topology.h
 
 // One computed frame. Immutable and shared: reuse is copying a pointer.
 class Frame {

@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "pipeline/core/real.h"
-#include "pipeline/scene/mesh.h"
+#include "pipeline/scene/mesh/mesh.h"
+#include "pipeline/scene/mesh/shape.h"
 #include "pipeline/scene/model_facts.h"
 #include "pipeline/scene/remark.h"
 #include "pipeline/scene/settings.h"
-#include "pipeline/scene/shape.h"
 
 namespace pipeline {
 

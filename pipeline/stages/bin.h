@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "pipeline/scene/topology.h"
+#include "pipeline/scene/mesh/topology.h"
 #include "pipeline/stages/cull.h"
 #include "pipeline/stages/rasterize.h"
 

@@ -9,7 +9,7 @@
 #include "pipeline/buffers/buffer_table.h"
 #include "pipeline/buffers/late_buffer.h"
 #include "pipeline/buffers/verdict.h"
-#include "pipeline/scene/topology.h"
+#include "pipeline/scene/mesh/topology.h"
 #include "pipeline/scene/view.h"
 #include "pipeline/stages/vertex_array.h"
 

@@ -6,8 +6,8 @@
 
 #include "pipeline/buffers/screen_position.h"
 #include "pipeline/defects/hooks.h"
+#include "pipeline/scene/mesh/topology.h"
 #include "pipeline/scene/object_matrix.h"
-#include "pipeline/scene/topology.h"
 #include "pipeline/scene/view.h"
 #include "pipeline/stages/depth.h"
 #include "pipeline/stages/hand_on.h"

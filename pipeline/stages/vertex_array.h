@@ -4,7 +4,7 @@
 #include <span>
 
 #include "pipeline/buffers/buffer2d.h"
-#include "pipeline/scene/mesh.h"
+#include "pipeline/scene/mesh/mesh.h"
 
 namespace pipeline {
 

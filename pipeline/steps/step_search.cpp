@@ -1,7 +1,7 @@
 // The search for the next step at a pixel, polygon, vertex or object.
 #include <algorithm>
 
-#include "pipeline/scene/topology.h"
+#include "pipeline/scene/mesh/topology.h"
 #include "pipeline/steps/step_source.h"
 #include "pipeline/steps/steps.h"
 

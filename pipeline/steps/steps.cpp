@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "pipeline/scene/topology.h"
+#include "pipeline/scene/mesh/topology.h"
 #include "pipeline/steps/step_source.h"
 
 namespace pipeline {

@@ -2,7 +2,7 @@
 #include <array>
 
 #include "pipeline/core/triangle_tree.h"
-#include "pipeline/scene/shape.h"
+#include "pipeline/scene/mesh/shape.h"
 #include "pipeline/study/ray_math.h"
 
 namespace pipeline::rays {

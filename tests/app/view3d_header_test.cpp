@@ -8,7 +8,7 @@
 #include "app/look/theme.h"
 #include "app/view3d/view3d_header.h"
 #include "app/view3d/view_corner.h"
-#include "pipeline/scene/shape.h"
+#include "pipeline/scene/mesh/shape.h"
 #include "tests/app/shown_view3d.h"
 
 namespace {

@@ -9,7 +9,7 @@
 #include <vtkStructuredPoints.h>
 
 #include "pipeline/export/export_frame.h"
-#include "pipeline/scene/topology.h"
+#include "pipeline/scene/mesh/topology.h"
 #include "tests/support/files.h"
 #include "tests/support/scenes.h"
 

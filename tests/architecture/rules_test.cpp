@@ -102,7 +102,8 @@ TEST(Architecture, ToolkitsStayInTheirFolders) {
 }
 
 TEST(Architecture, ThePipelineIsPure) {
-    expectOne(impurePipeline({{"pipeline/scene/mesh.cpp", {"#include <iostream>"}}}), "pipeline/scene/mesh.cpp:1:");
+    expectOne(impurePipeline({{"pipeline/scene/mesh/mesh.cpp", {"#include <iostream>"}}}),
+              "pipeline/scene/mesh/mesh.cpp:1:");
     expectOne(impurePipeline({{"pipeline/formats/reader.cpp", {"    std::fprintf(stderr, \"bad\");"}}}),
               "pipeline/formats/reader.cpp:1:");
     expectOne(impurePipeline({{"pipeline/stages/cull.cpp", {"#include <tbb/parallel_for.h>"}}}),

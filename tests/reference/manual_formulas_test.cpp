@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "pipeline/scene/topology.h"
+#include "pipeline/scene/mesh/topology.h"
 #include "tests/support/scenes.h"
 
 namespace pipeline {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "pipeline/scene/topology.h"
+#include "pipeline/scene/mesh/topology.h"
 #include "tests/support/scenes.h"
 #include "tests/twin/comparison.h"
 #include "tests/twin/twin_scenes.h"

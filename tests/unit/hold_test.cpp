@@ -5,8 +5,8 @@
 
 #include "pipeline/formats/built_in_scenes.h"
 #include "pipeline/formats/scene_reader.h"
-#include "pipeline/scene/code_figure.h"
-#include "pipeline/scene/hold.h"
+#include "pipeline/scene/hold/code_figure.h"
+#include "pipeline/scene/hold/hold.h"
 #include "pipeline/scene/view.h"
 
 namespace pipeline {

@@ -10,8 +10,8 @@
 #include "pipeline/formats/scene_reader.h"
 #include "pipeline/formats/toml/toml_scene.h"
 #include "pipeline/formats/toml/toml_writer.h"
-#include "pipeline/scene/hold.h"
-#include "pipeline/scene/lecture_text.h"
+#include "pipeline/scene/hold/hold.h"
+#include "pipeline/scene/hold/lecture_text.h"
 #include "tests/support/scenes.h"
 
 namespace pipeline {

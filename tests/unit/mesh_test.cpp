@@ -1,4 +1,4 @@
-#include "pipeline/scene/mesh.h"
+#include "pipeline/scene/mesh/mesh.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <numbers>
 #include <random>
 
-#include "pipeline/scene/make_mesh.h"
-#include "pipeline/scene/topology.h"
+#include "pipeline/scene/mesh/make_mesh.h"
+#include "pipeline/scene/mesh/topology.h"
 #include "tests/support/looks.h"
 #include "tests/support/scenes.h"
 

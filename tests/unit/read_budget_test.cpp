@@ -14,7 +14,7 @@
 #include "pipeline/formats/scene_reader.h"
 #include "pipeline/formats/text/stoppable_text.h"
 #include "pipeline/formats/toml/toml_scene.h"
-#include "pipeline/scene/make_mesh.h"
+#include "pipeline/scene/mesh/make_mesh.h"
 #include "tests/support/files.h"
 #include "tests/support/gltf_files.h"
 #include "tests/support/looks.h"

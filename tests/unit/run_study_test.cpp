@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "pipeline/scene/shape.h"
+#include "pipeline/scene/mesh/shape.h"
 #include "pipeline/study/analysis.h"
 #include "pipeline/study/ray_caster.h"
 #include "pipeline/study/run_study.h"

@@ -1,12 +1,12 @@
-#include "pipeline/scene/shape.h"
+#include "pipeline/scene/mesh/shape.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "pipeline/scene/make_mesh.h"
-#include "pipeline/scene/same_shapes.h"
+#include "pipeline/scene/mesh/make_mesh.h"
+#include "pipeline/scene/mesh/same_shapes.h"
 
 namespace pipeline {
 namespace {

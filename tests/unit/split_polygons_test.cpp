@@ -6,9 +6,9 @@
 #include <numbers>
 #include <random>
 
-#include "pipeline/scene/ear_clipper.h"
-#include "pipeline/scene/index_set.h"
-#include "pipeline/scene/mesh.h"
+#include "pipeline/scene/mesh/ear_clipper.h"
+#include "pipeline/scene/mesh/index_set.h"
+#include "pipeline/scene/mesh/mesh.h"
 
 namespace pipeline {
 namespace {

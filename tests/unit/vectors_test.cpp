@@ -7,7 +7,7 @@
 #include <set>
 
 #include "pipeline/run/frame_data.h"
-#include "pipeline/scene/shape.h"
+#include "pipeline/scene/mesh/shape.h"
 #include "pipeline/simd/model_kernels.h"
 #include "pipeline/simd/seen_blocks.h"
 #include "pipeline/simd/shade_pixels.h"

@@ -1,4 +1,4 @@
-#include "pipeline/scene/vertex_vectors.h"
+#include "pipeline/scene/mesh/vertex_vectors.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "pipeline/run/frame_data.h"
-#include "pipeline/scene/shape.h"
+#include "pipeline/scene/mesh/shape.h"
 #include "tests/support/scenes.h"
 
 namespace pipeline {

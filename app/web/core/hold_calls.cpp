@@ -2,7 +2,7 @@
 
 #include "app/web/core/core.h"
 #include "pipeline/inspect/picture_vectors.h"
-#include "pipeline/scene/code_figure.h"
+#include "pipeline/scene/hold/code_figure.h"
 #include "pipeline/scene/view.h"
 
 // What a hand can move on the page, and what follows it.

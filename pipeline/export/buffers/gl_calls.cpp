@@ -7,7 +7,7 @@
 #include <numeric>
 
 #include "pipeline/run/frame_data.h"
-#include "pipeline/scene/topology.h"
+#include "pipeline/scene/mesh/topology.h"
 #include "pipeline/stages/translucent.h"
 
 namespace pipeline {

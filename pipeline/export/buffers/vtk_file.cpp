@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "pipeline/export/buffers/byte_file.h"
-#include "pipeline/scene/topology.h"
+#include "pipeline/scene/mesh/topology.h"
 
 namespace pipeline {
 

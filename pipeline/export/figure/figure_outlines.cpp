@@ -5,7 +5,7 @@
 #include "pipeline/buffers/verdict.h"
 #include "pipeline/export/figure/figure.h"
 #include "pipeline/run/frame_data.h"
-#include "pipeline/scene/topology.h"
+#include "pipeline/scene/mesh/topology.h"
 
 namespace pipeline {
 namespace {

@@ -1,6 +1,6 @@
 #include "pipeline/export/json/frame_json.h"
 
-#include "pipeline/scene/topology.h"
+#include "pipeline/scene/mesh/topology.h"
 
 namespace pipeline {
 

@@ -11,7 +11,7 @@
 #include "pipeline/formats/model_formats.h"
 #include "pipeline/formats/text/read_budget.h"
 #include "pipeline/formats/welded_vertices.h"
-#include "pipeline/scene/make_mesh.h"
+#include "pipeline/scene/mesh/make_mesh.h"
 
 // glTF 2.0 (Khronos Group, glTF 2.0 Specification, 2021): the triangles of a scene's nodes, their
 // normals, and the factors of their materials.

@@ -4,7 +4,7 @@
 #include "pipeline/formats/lecture/lecture_formats.h"
 #include "pipeline/formats/lecture/lecture_values.h"
 #include "pipeline/scene/framing.h"
-#include "pipeline/scene/make_mesh.h"
+#include "pipeline/scene/mesh/make_mesh.h"
 
 namespace pipeline {
 namespace {

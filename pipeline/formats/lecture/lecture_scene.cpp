@@ -6,7 +6,7 @@
 #include "pipeline/formats/lecture/lecture_formats.h"
 #include "pipeline/formats/lecture/lecture_values.h"
 #include "pipeline/formats/object_names.h"
-#include "pipeline/scene/make_mesh.h"
+#include "pipeline/scene/mesh/make_mesh.h"
 
 namespace pipeline {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "pipeline/formats/obj/obj_materials.h"
 #include "pipeline/formats/text/tally.h"
-#include "pipeline/scene/mesh.h"
+#include "pipeline/scene/mesh/mesh.h"
 
 // An OBJ file as it is written, before its objects have meshes.
 namespace pipeline {

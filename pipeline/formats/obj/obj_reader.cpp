@@ -12,7 +12,7 @@
 #include "pipeline/formats/obj/obj_file.h"
 #include "pipeline/formats/obj/obj_smoothing.h"
 #include "pipeline/formats/text/text_scanner.h"
-#include "pipeline/scene/make_mesh.h"
+#include "pipeline/scene/mesh/make_mesh.h"
 
 // Wavefront OBJ as its manual describes polygons (Object Files, 1995, appendix B1). Curves, surfaces, points, lines and
 // texture coordinates are left out.

@@ -6,7 +6,7 @@
 #include "pipeline/core/result.h"
 #include "pipeline/formats/text/byte_window.h"
 #include "pipeline/formats/text/read_progress.h"
-#include "pipeline/scene/mesh.h"
+#include "pipeline/scene/mesh/mesh.h"
 
 namespace pipeline {
 

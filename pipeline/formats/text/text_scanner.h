@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "pipeline/core/result.h"
-#include "pipeline/scene/mesh.h"
+#include "pipeline/scene/mesh/mesh.h"
 
 namespace pipeline {
 

@@ -3,8 +3,8 @@
 #include <string>
 
 #include "pipeline/formats/toml/toml_values.h"
-#include "pipeline/scene/mesh.h"
-#include "pipeline/scene/shape.h"
+#include "pipeline/scene/mesh/mesh.h"
+#include "pipeline/scene/mesh/shape.h"
 
 namespace pipeline {
 

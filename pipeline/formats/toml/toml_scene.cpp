@@ -21,7 +21,7 @@
 #include "pipeline/formats/toml/toml_values.h"
 #include "pipeline/formats/toml/toml_vectors.h"
 #include "pipeline/scene/key_places.h"
-#include "pipeline/scene/make_mesh.h"
+#include "pipeline/scene/mesh/make_mesh.h"
 
 namespace pipeline {
 namespace {

@@ -3,7 +3,7 @@
 #include <string_view>
 
 #include "pipeline/core/stop.h"
-#include "pipeline/scene/mesh.h"
+#include "pipeline/scene/mesh/mesh.h"
 
 namespace pipeline {
 

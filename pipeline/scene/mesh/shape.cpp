@@ -1,4 +1,4 @@
-#include "pipeline/scene/shape.h"
+#include "pipeline/scene/mesh/shape.h"
 
 #include <array>
 #include <map>
@@ -6,10 +6,10 @@
 
 #include "pipeline/core/angles.h"
 #include "pipeline/core/numerics.h"
-#include "pipeline/scene/make_mesh.h"
-#include "pipeline/scene/same_shapes.h"
+#include "pipeline/scene/mesh/make_mesh.h"
+#include "pipeline/scene/mesh/same_shapes.h"
+#include "pipeline/scene/mesh/teapot.h"
 #include "pipeline/scene/shape_stop.h"
-#include "pipeline/scene/teapot.h"
 
 namespace pipeline {
 namespace {

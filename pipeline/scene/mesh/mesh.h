@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "pipeline/core/real.h"
-#include "pipeline/scene/vertex_vectors.h"
+#include "pipeline/scene/mesh/vertex_vectors.h"
 
 namespace pipeline {
 

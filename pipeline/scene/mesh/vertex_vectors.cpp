@@ -1,4 +1,4 @@
-#include "pipeline/scene/vertex_vectors.h"
+#include "pipeline/scene/mesh/vertex_vectors.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "pipeline/scene/code_figure.h"
+#include "pipeline/scene/hold/code_figure.h"
 
 #include <algorithm>
 #include <cmath>

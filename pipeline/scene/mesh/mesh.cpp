@@ -1,12 +1,12 @@
-#include "pipeline/scene/mesh.h"
+#include "pipeline/scene/mesh/mesh.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "pipeline/core/numerics.h"
-#include "pipeline/scene/closed_mesh.h"
-#include "pipeline/scene/ear_clipper.h"
-#include "pipeline/scene/make_mesh.h"
+#include "pipeline/scene/mesh/closed_mesh.h"
+#include "pipeline/scene/mesh/ear_clipper.h"
+#include "pipeline/scene/mesh/make_mesh.h"
 
 namespace pipeline {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 #include "pipeline/core/stop.h"
-#include "pipeline/scene/mesh.h"
+#include "pipeline/scene/mesh/mesh.h"
 
 namespace pipeline {
 

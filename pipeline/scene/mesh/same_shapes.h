@@ -2,7 +2,7 @@
 #include <memory>
 #include <vector>
 
-#include "pipeline/scene/shape.h"
+#include "pipeline/scene/mesh/shape.h"
 
 namespace pipeline {
 

@@ -1,4 +1,4 @@
-#include "pipeline/scene/closed_mesh.h"
+#include "pipeline/scene/mesh/closed_mesh.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "pipeline/scene/hold.h"
+#include "pipeline/scene/hold/hold.h"
 
 #include <algorithm>
 #include <array>
@@ -12,7 +12,7 @@
 #include "pipeline/core/elementary.h"
 #include "pipeline/core/numerics.h"
 #include "pipeline/core/text.h"
-#include "pipeline/scene/hold_kinds.h"
+#include "pipeline/scene/hold/hold_kinds.h"
 #include "pipeline/scene/object_matrix.h"
 #include "pipeline/scene/view.h"
 

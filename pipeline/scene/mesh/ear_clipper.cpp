@@ -1,4 +1,4 @@
-#include "pipeline/scene/ear_clipper.h"
+#include "pipeline/scene/mesh/ear_clipper.h"
 
 #include <algorithm>
 

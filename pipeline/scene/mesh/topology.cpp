@@ -1,4 +1,4 @@
-#include "pipeline/scene/topology.h"
+#include "pipeline/scene/mesh/topology.h"
 
 #include <algorithm>
 

@@ -4,7 +4,7 @@
 
 #include "pipeline/core/elementary.h"
 #include "pipeline/core/text.h"
-#include "pipeline/scene/hold_kinds.h"
+#include "pipeline/scene/hold/hold_kinds.h"
 #include "pipeline/scene/view.h"
 
 // Values of a hold as settings take them, and places as pictures have them.

@@ -5,7 +5,7 @@
 #include "pipeline/core/angles.h"
 #include "pipeline/core/elementary.h"
 #include "pipeline/core/numerics.h"
-#include "pipeline/scene/hold_kinds.h"
+#include "pipeline/scene/hold/hold_kinds.h"
 #include "pipeline/scene/object_matrix.h"
 #include "pipeline/scene/view.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "pipeline/scene/hold.h"
+#include "pipeline/scene/hold/hold.h"
 
 // Kinds of holds with a file of their own, for hold.cpp alone. Places are pixels of the picture, values are always finite.
 

@@ -1,4 +1,4 @@
-#include "pipeline/scene/point_tree.h"
+#include "pipeline/scene/mesh/point_tree.h"
 
 #include <algorithm>
 #include <array>

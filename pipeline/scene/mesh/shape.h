@@ -3,7 +3,7 @@
 #include <memory>
 #include <string_view>
 
-#include "pipeline/scene/mesh.h"
+#include "pipeline/scene/mesh/mesh.h"
 
 namespace pipeline {
 

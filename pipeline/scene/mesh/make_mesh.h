@@ -2,8 +2,8 @@
 #include <memory>
 
 #include "pipeline/core/stop.h"
-#include "pipeline/scene/mesh.h"
-#include "pipeline/scene/shape.h"
+#include "pipeline/scene/mesh/mesh.h"
+#include "pipeline/scene/mesh/shape.h"
 
 // Making a mesh takes seconds where it is large. Once stopped, these give an unfinished mesh of no use.
 namespace pipeline {

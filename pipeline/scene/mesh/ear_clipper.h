@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "pipeline/core/stop.h"
-#include "pipeline/scene/index_set.h"
-#include "pipeline/scene/point_tree.h"
+#include "pipeline/scene/mesh/index_set.h"
+#include "pipeline/scene/mesh/point_tree.h"
 
 namespace pipeline {
 

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pipeline/scene/hold_kinds.h"
+#include "pipeline/scene/hold/hold_kinds.h"
 #include "pipeline/scene/object_matrix.h"
 #include "pipeline/scene/view.h"
 

@@ -1,4 +1,4 @@
-#include "pipeline/scene/lecture_text.h"
+#include "pipeline/scene/hold/lecture_text.h"
 
 #include <algorithm>
 #include <initializer_list>

@@ -1,4 +1,4 @@
-#include "pipeline/scene/same_shapes.h"
+#include "pipeline/scene/mesh/same_shapes.h"
 
 #include <algorithm>
 

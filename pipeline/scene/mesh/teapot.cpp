@@ -1,7 +1,7 @@
 // M. Newell, "The Utilization of Procedure Models in Digital Image Synthesis", dissertation,
 // University of Utah, 1975; with the bottom that was added to it later, as F. Crow, "The Origins
 // of the Teapot", 1987, tells.
-#include "pipeline/scene/teapot.h"
+#include "pipeline/scene/mesh/teapot.h"
 
 namespace pipeline {
 namespace {

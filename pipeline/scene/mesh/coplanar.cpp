@@ -1,4 +1,4 @@
-#include "pipeline/scene/coplanar.h"
+#include "pipeline/scene/mesh/coplanar.h"
 
 #include <algorithm>
 #include <array>
