@@ -192,9 +192,7 @@ TEST_P(Starters, agreeWhenTheyAreRightAndAreNamedWhenTheyAreWrong) {
         for (const std::string& setting : task.settings) arguments.insert(arguments.end(), {"--set", setting});
         const auto judged = starterStage(arguments);
         EXPECT_EQ(judged.status, version == 0 ? 0 : 1) << title << judged.out << judged.err;
-        const std::string expected = version == 0   ? "Right: all"
-                                     : version == 4 ? " differ."
-                                                    : "The mistake: ";
+        const std::string expected = version == 0 ? "Right: all" : version == 4 ? " differ." : "The mistake: ";
         EXPECT_TRUE(has(judged.out, expected)) << title << judged.out;
         const std::string name = version % 4 == 0 ? "" : "(" + task.wrong[version - 1].first + ").";
         EXPECT_TRUE(has(judged.out, name)) << title << judged.out;
