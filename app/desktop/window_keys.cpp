@@ -12,6 +12,7 @@
 #include "app/docks/window_layout.h"
 #include "app/document/document.h"
 #include "app/document/scene_opener.h"
+#include "app/look/accessible.h"
 
 namespace app {
 namespace {
@@ -22,7 +23,7 @@ bool keepsKey(QObject* watched, const QKeyEvent& key) {
     const bool edge = key.key() == Qt::Key_Home || key.key() == Qt::Key_End || key.key() == Qt::Key_PageUp ||
                       key.key() == Qt::Key_PageDown;
     const bool list = qobject_cast<QAbstractItemView*>(watched) || qobject_cast<QComboBox*>(watched);
-    if (edge) return list || qobject_cast<QAbstractSlider*>(watched);
+    if (edge) return list || qobject_cast<QAbstractSlider*>(watched) || dynamic_cast<AccessibleSlider*>(watched);
     return key.key() == Qt::Key_Space && (list || qobject_cast<QAbstractButton*>(watched));
 }
 

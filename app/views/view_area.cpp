@@ -6,8 +6,8 @@
 
 #include "app/buffer_view/buffer_holds.h"
 #include "app/buffer_view/buffer_view.h"
+#include "app/canvas/thumbnail_strip.h"
 #include "app/view3d/view3d_panel.h"
-#include "app/views/thumbnail_strip.h"
 #include "app/widgets/follow_theme.h"
 
 namespace app {

@@ -173,6 +173,9 @@ TEST_F(HeldLesson, TheNearPlaneIsMovedOnTheAxisOfTheCodes) {
     const QLineF track = band.track().value();
     dragTo(placeOfGrip() + QPoint(int(track.dx() / 2), 0));
     EXPECT_NEAR(near(), std::sqrt(0.05 * 15), 0.03) << "half of the way is the geometric mean";
+    grip().setFocus();
+    QTest::keyClick(&grip(), Qt::Key_Home);
+    EXPECT_EQ(near(), 0.05) << "and not the timeline's first step";
 }
 
 // "How much red light leaves the ringed point in the dark?" 0.8 · 60 = 48, whatever the lamp does.

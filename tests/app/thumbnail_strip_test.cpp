@@ -1,4 +1,4 @@
-#include "app/views/thumbnail_strip.h"
+#include "app/canvas/thumbnail_strip.h"
 
 #include <gtest/gtest.h>
 

@@ -332,12 +332,12 @@ TEST_F(WindowViews, AStateHasMarksAndComparisons) {
         for (const CompareMode mode : {CompareMode::A, CompareMode::B, CompareMode::Wipe, CompareMode::Difference}) {
             compare.compareWith(source);
             if (compare.mode() != mode) compare.setMode(mode);
-            compare.setMetric(pipeline::DifferenceMetric::Squared);
+            compare.difference().setMetric(pipeline::DifferenceMetric::Squared);
             const auto kept = window.shown().now();
             ASSERT_TRUE(kept);
             ASSERT_TRUE(kept->views[0].compared);
             compare.compareWith(std::nullopt);
-            compare.setMetric(pipeline::DifferenceMetric::Error);
+            compare.difference().setMetric(pipeline::DifferenceMetric::Error);
             document().pointing().pins().clear();
             document().pointing().select(std::nullopt);
             window.files().showState(*kept, {}, SceneChanges::Given);
