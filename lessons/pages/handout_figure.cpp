@@ -290,6 +290,7 @@ std::string_view paperStyle() {
     return R"(
 body { margin: 0; background: #FFFFFF; color: #171A1F; font: 16px/1.5 Inter, system-ui, sans-serif; }
 main { max-width: 50rem; margin: 0 auto; padding: 2rem 1.25rem 4rem; }
+pre { white-space: pre-wrap; overflow-wrap: anywhere; }
 h1 { font-size: 1.75rem; line-height: 1.2; margin: 0 0 .25rem; }
 h2 { font-size: 1.25rem; margin: 0 0 .5rem; }
 .pictures { display: flex; flex-wrap: wrap; gap: 1rem; margin: .75rem 0; }

@@ -158,6 +158,8 @@ constexpr std::array kOwnNames{
             kPower},
     OwnName{Defect::RFlip, 2, "r-parenthesis", "brackets in the mirror direction", StageId::Shading,
             "R = 2 (N·L) (N − L)", "R = 2 (N·L) N − L"},
+    OwnName{Defect::RFlip, 3, "r-parenthesis", "brackets in the mirror direction", StageId::Shading,
+            "R = unit(2 (N·L) (N − L))", "R = 2 (N·L) N − L"},
     OwnName{Defect::EyeAtOrigin, 1, "v-reversed", "V from the eye to the surface", StageId::Shading,
             "V = (p − eye) / |p − eye|", kTowardsEye},
     OwnName{Defect::EyeAtOrigin, 2, "v-axis", "the viewing axis is taken for V", StageId::Shading, "V = −forward",

@@ -15,7 +15,7 @@ constexpr std::string_view kShadowSumWays[]{"in the sum alone", "the highlight l
 constexpr std::string_view kMaxWays[]{"the absolute value, |N·L|", "half Lambert, (N·L + 1) / 2",
                                       "half Lambert, squared"};
 constexpr std::string_view kViewVectorWays[]{"V from the eye to the surface", "V along the viewing axis"};
-constexpr std::string_view kReflectWays[]{"the factor 2 forgotten", "2 (N·L) (N − L)"};
+constexpr std::string_view kReflectWays[]{"the factor 2 forgotten", "2 (N·L) (N − L)", "2 (N·L) (N − L), made unit"};
 constexpr std::string_view kHalfwayWays[]{"the mean of L and V, not made unit"};
 constexpr std::string_view kGammaWays[]{"with 1.8", "with 2.4"};
 

@@ -75,6 +75,7 @@ void spoilDirections(const Illumination& illumination, const Light& light, const
             s.R = planted.way == 0   ? s.L - 2 * s.nDotL * at.N
                   : planted.way == 1 ? s.nDotL * at.N - s.L
                                      : 2 * s.nDotL * (at.N - s.L);
+            if (planted.way == 3) s.R = normalized(s.R, unit);
             s.rDotV = glm::dot(s.R, at.V);
             return;
         case Defect::NormalShort:

@@ -131,7 +131,7 @@ const Layer* layerOf(std::string_view path) {
 // The rooms of app/ that are made with Qt.
 bool isOfWindow(std::string_view path) {
     return path.starts_with("app/") &&
-           std::ranges::none_of(std::array{"app/cli/", "app/python/", "app/web/"},
+           std::ranges::none_of(std::array{"app/cli/", "app/headless/", "app/python/", "app/web/"},
                                 [&](const char* folder) { return path.starts_with(folder); });
 }
 
@@ -203,10 +203,7 @@ Breaches panelsIncludingPanels(const SourceTree& tree) {
 Breaches misplacedToolkits(const SourceTree& tree) {
     return checkIncludes(tree, [](const SourceFile& file, const Include& include) -> std::string_view {
         const std::string_view path = file.path;
-        const bool qtHere =
-            (path.starts_with("app/") && !path.starts_with("app/cli/") && !path.starts_with("app/headless/") &&
-             !path.starts_with("app/python/") && !path.starts_with("app/web/")) ||
-            path.starts_with("tests/app/");
+        const bool qtHere = isOfWindow(path) || path.starts_with("tests/app/");
         if (isQt(include.target) && !qtHere) return "Qt stands in app, outside app/cli, app/python and app/web";
         // A test reads with VTK what export writes for it.
         const bool vtkHere = path.starts_with("app/vtk/") || path == "tests/app/vtk_file_test.cpp";

@@ -54,7 +54,7 @@ TEST(Lesson, IsWrittenAsAHandoutWholeOrNotAtAll) {
 TEST(Lesson, IsCheckedForItsAuthor) {
     const auto good = run({"lesson", "check", "pyramid"});
     EXPECT_EQ(good.status, 0) << good.err;
-    EXPECT_EQ(good.out, "The pyramid from its file to its last pixel: 8 pages and 8 questions are right.\n");
+    EXPECT_EQ(good.out, "The pyramid from its file to its last pixel: 9 pages and 9 questions are right.\n");
     const test::TemporaryFolder folder;
     test::writeText(
         folder / "lesson.md",
@@ -80,7 +80,7 @@ TEST(Lesson, ResultsAreListedAndForgotten) {
                                   {"given": "310", "right": true, "mistake": "", "hints": 0, "seconds": 20}]}}}})");
     const auto listed = results({});
     EXPECT_EQ(listed.status, 0) << listed.err;
-    EXPECT_TRUE(has(listed.out, "1.5 of 13 points")) << listed.out;  // 2 less a quarter; five pages of 2, three of 1
+    EXPECT_TRUE(has(listed.out, "1.5 of 15 points")) << listed.out;  // 2 less a quarter; five pages of 2, three of 1
     EXPECT_TRUE(has(listed.out, "rows counted from the bottom")) << listed.out;
     EXPECT_EQ(Json::parse(results({"--json"}).out)["lessons"].size(), 1u);
     EXPECT_EQ(results({"--forget"}).status, 0);

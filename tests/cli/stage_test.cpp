@@ -83,14 +83,14 @@ TEST(Stage, aWholeStageIsComparedWithWhatItWasHanded) {
     EXPECT_TRUE(has(wrong.err, "found \"4\", expected 5 rows of polygons.normal")) << wrong.err;
 }
 
-// Three lights of different colours: the starter as it is differs first at a pixel, for the first of them.
-TEST(Stage, aCallOfShadingIsOfAPixelAndALight) {
+// Three lights of different colours: the starter as it is differs first for the first of them, at polygon 0, since terms of
+// polygons are computed before those of pixels.
+TEST(Stage, aCallOfShadingIsOfAPlaceAndALight) {
     const test::TemporaryFolder folder;
     ASSERT_EQ(stage({"lambert", "--starter", "python", "-o", folder.path().string()}).status, 0);
     const auto judged = stage(
         {"lambert", "coloured_lights", "--size", "40x30", "--with", "python3 " + (folder / "lambert.py").string()});
-    EXPECT_TRUE(has(judged.out, "The first is pixel ")) << judged.out;
-    EXPECT_TRUE(has(judged.out, ", light 0: lambert returns (0, 0, 0)")) << judged.out;
+    EXPECT_TRUE(has(judged.out, "The first is polygon 0, light 0: lambert returns (0, 0, 0)")) << judged.out;
 }
 
 TEST(Stage, whatAProgramSaysNeverBecomesMarkup) {

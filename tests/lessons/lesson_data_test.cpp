@@ -149,8 +149,9 @@ protected:
 //   page 6   N·L = (22500 + 20250)/(30270.65·√3) = 0.81537, the angle 35.376°
 //   page 7   acos(0.3974) = 66.6°
 //   page 8   N·L = (0, 40500, 20250)·(1, 1, 1)/(45280.4·√3) = 0.77460, 255·(0.2·50 + 100·0.2·0.7746 + 0.025)/175 = 37.18
+//   page 9   asks for lines, which tests/web/write.mjs runs
 TEST_F(PyramidLesson, AnswersAreThoseOfTheLecture) {
-    ASSERT_EQ(m_lesson.pages.size(), 8u);
+    ASSERT_EQ(m_lesson.pages.size(), 9u);
     EXPECT_EQ(holding(0), std::vector<std::size_t>{2});
     EXPECT_EQ(answer(1), 310);
     EXPECT_EQ(holding(2), (std::vector<std::size_t>{0, 4}));

@@ -77,7 +77,7 @@ TEST(Summary, SaysWhatWasReachedAndWhichMistakesWereMade) {
     results.put(lesson, lesson.pages[1], someProgress());  // of 2 points, after a wrong try and a hint
     results.put(lesson, lesson.pages[2], {Progress::Outcome::Shown, 0, {{"A", false, "y-up", 0, 0}}});
     const Summary summary = summaryOf(lesson, results);
-    ASSERT_EQ(summary.pages.size(), 8u);
+    ASSERT_EQ(summary.pages.size(), lesson.pages.size());
     EXPECT_EQ(summary.pages[1].state, Attempt::State::Right);
     EXPECT_TRUE(summary.pages[1].hadMistake);
     EXPECT_EQ(summary.pages[1].points, 1);

@@ -348,36 +348,6 @@ TEST(ExportFrame, CancellingAtAnyFileLeavesNothing) {
     }
 }
 
-// Of a large buffer a file takes a second and more. Of an even picture hardly a byte of PNG comes out: pixels count, too.
-TEST(ExportFrame, CancellingWithinAFileLeavesNothing) {
-    Scene scene;
-    scene.settings.width = 1024, scene.settings.height = 768;
-    const FramePtr frame = test::frameOf(scene, setOf({BufferId::Depth}));
-    // Bytes of npy; pixels of PNG; numbers and pixels of EXR; at least "0,0,1\n" a line of CSV.
-    constexpr std::size_t kPixels = 1024 * 768;
-    for (const auto& [format, items] :
-         {std::pair("npy", 4 * kPixels), {"png", kPixels}, {"exr", 2 * kPixels}, {"csv", 6 * kPixels}}) {
-        const test::TemporaryFolder folder;
-        const ExportRequest request{folder / "out", {{BufferId::Depth}}, {format}, {}};
-        std::size_t calls = 0;
-        const std::string file = std::string("depth.") + format;
-        const auto whole = exportFrame(*frame, request, [&](double, std::string_view of) {
-            calls += of == file;
-            return true;
-        });
-        ASSERT_TRUE(whole);
-        EXPECT_GE(calls, items / WriterWatch::kItems) << format;
-        fs::remove_all(folder / "out");
-        const std::size_t last = calls / 2;
-        calls = 0;
-        const auto stopped = exportFrame(*frame, request, [&](double, std::string_view) { return ++calls < last; });
-        ASSERT_TRUE(stopped);
-        EXPECT_TRUE(stopped->cancelled) << format;
-        EXPECT_EQ(calls, last) << format;
-        EXPECT_EQ(folder.names(), std::vector<std::string>{});
-    }
-}
-
 TEST(ExportFrame, ADiskThatIsFullLeavesTheOldFiles) {
     const test::TemporaryFolder folder;
     fs::create_directory(folder / "out");
@@ -409,22 +379,6 @@ TEST(ExportFrame, MoreFilesStandInTheManifestOrNothingDoes) {
     ASSERT_FALSE(failed);
     EXPECT_EQ(failed.errors()[0].found, "no OpenGL");
     EXPECT_FALSE(fs::exists(folder / "second"));
-}
-
-TEST(Json, HoldsAWholePixelReport) {
-    const FramePtr frame = test::frameOf(test::pyramid(), {});
-    const Json json = toJson(*frame, inspectPixel(*frame, {268, 281}));
-    // Lecture 1's right face by hand: I_max = 0.9·50 + 100·(0.9 + 0.4) = 175.
-    EXPECT_EQ(json["covered"], true);
-    EXPECT_EQ(json["polygon"], 2);
-    EXPECT_EQ(json["i_max"], 175);
-    EXPECT_EQ(json["color"], Json::array({37, 93, 167}));
-    EXPECT_EQ(json["equation"]["b"][0]["role"], "symbols");
-    EXPECT_EQ(json["fragments"][0]["stored"], Json(INFINITY));
-    EXPECT_EQ(Json::parse(json.dump())["fragments"][0]["stored"], nullptr);
-    const Json background = toJson(*frame, inspectPixel(*frame, {0, 0}));
-    EXPECT_EQ(background["covered"], false);
-    EXPECT_FALSE(background.find("polygon"));
 }
 
 }  // namespace

@@ -7,6 +7,9 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "pipeline/export/json/json.h"
+#include "tests/support/scenes.h"
+
 namespace pipeline {
 namespace {
 
@@ -88,6 +91,22 @@ TEST(JsonValue, DeepLevelsAreFreedAndLeftOut) {
     EXPECT_EQ(Json::read(deep, {.levels = 3})->dump(), "[[[]]]");
     EXPECT_EQ(Json::read(R"({"s": {"s": 1}, "a": {"s": 2}, "b": [[3]]})", {.levels = 3, .without = "s"})->dump(),
               R"({"a":{"s":2},"b":[[]]})");
+}
+
+TEST(Json, HoldsAWholePixelReport) {
+    const FramePtr frame = test::frameOf(test::pyramid(), {});
+    const Json json = toJson(*frame, inspectPixel(*frame, {268, 281}));
+    // Lecture 1's right face by hand: I_max = 0.9·50 + 100·(0.9 + 0.4) = 175.
+    EXPECT_EQ(json["covered"], true);
+    EXPECT_EQ(json["polygon"], 2);
+    EXPECT_EQ(json["i_max"], 175);
+    EXPECT_EQ(json["color"], Json::array({37, 93, 167}));
+    EXPECT_EQ(json["equation"]["b"][0]["role"], "symbols");
+    EXPECT_EQ(json["fragments"][0]["stored"], Json(INFINITY));
+    EXPECT_EQ(Json::parse(json.dump())["fragments"][0]["stored"], nullptr);
+    const Json background = toJson(*frame, inspectPixel(*frame, {0, 0}));
+    EXPECT_EQ(background["covered"], false);
+    EXPECT_FALSE(background.find("polygon"));
 }
 
 }  // namespace

@@ -9,14 +9,18 @@
 #include <fmt/format.h>
 
 #include "lessons/state/cue_list.h"
+#include "pipeline/export/buffers/byte_file.h"
+#include "pipeline/export/export_frame.h"
 #include "pipeline/export/json/study_json.h"
 #include "pipeline/formats/model_reader.h"
 #include "pipeline/formats/png_scene.h"
 #include "pipeline/run/stage_parts.h"
 #include "pipeline/scene/settings_table.h"
 #include "pipeline/scene/shape_stop.h"
+#include "tests/support/files.h"
 #include "tests/support/gltf_files.h"
 #include "tests/support/looks.h"
+#include "tests/support/scenes.h"
 #include "tests/support/studies.h"
 
 namespace pipeline {
@@ -164,6 +168,36 @@ TEST(StopInShadowBuffers, LeavesNoRoomForFacesThatAreNotDrawn) {
         drawShadows<double>(in, ShadowCull::None, {}, out.lights[0], threads);
         for (const LightView<double>& sample : out.lights[0])
             for (const auto& depth : sample.depth) EXPECT_EQ(depth->pixels.size(), isStopped ? 0u : 64u * 64u);
+    }
+}
+
+// Of a large buffer a file takes a second and more. Of an even picture hardly a byte of PNG comes out: pixels count, too.
+TEST(ExportFrame, CancellingWithinAFileLeavesNothing) {
+    Scene scene;
+    scene.settings.width = 1024, scene.settings.height = 768;
+    const FramePtr frame = test::frameOf(scene, setOf({BufferId::Depth}));
+    // Bytes of npy; pixels of PNG; numbers and pixels of EXR; at least "0,0,1\n" a line of CSV.
+    constexpr std::size_t kPixels = 1024 * 768;
+    for (const auto& [format, items] :
+         {std::pair("npy", 4 * kPixels), {"png", kPixels}, {"exr", 2 * kPixels}, {"csv", 6 * kPixels}}) {
+        const test::TemporaryFolder folder;
+        const ExportRequest request{folder / "out", {{BufferId::Depth}}, {format}, {}};
+        std::size_t calls = 0;
+        const std::string file = std::string("depth.") + format;
+        const auto whole = exportFrame(*frame, request, [&](double, std::string_view of) {
+            calls += of == file;
+            return true;
+        });
+        ASSERT_TRUE(whole);
+        EXPECT_GE(calls, items / WriterWatch::kItems) << format;
+        std::filesystem::remove_all(folder / "out");
+        const std::size_t last = calls / 2;
+        calls = 0;
+        const auto stopped = exportFrame(*frame, request, [&](double, std::string_view) { return ++calls < last; });
+        ASSERT_TRUE(stopped);
+        EXPECT_TRUE(stopped->cancelled) << format;
+        EXPECT_EQ(calls, last) << format;
+        EXPECT_EQ(folder.names(), std::vector<std::string>{});
     }
 }
 
