@@ -138,7 +138,8 @@ try {
       await firefox.until(`document.documentElement.dataset.place === ${JSON.stringify(/[a-z]+/.exec(hash)[0])}`);
       expect(`${hash} does not scroll sideways at ${width}`, await firefox.run('document.documentElement.scrollWidth <= innerWidth'), await firefox.run('[document.documentElement.scrollWidth, innerWidth]'));
     }
-  expect('nothing is fetched and nothing evaluated', await firefox.run('fetch("https://example.org/").then(() => false, () => true)') && await firefox.run('(() => { try { (0, eval)("1"); return false; } catch { return true; } })()'));
+  // Scripts of this test run beside the page's, where the page's policy forbids no eval: Chromium's test asks for that.
+  expect('nothing is fetched', await firefox.run('fetch("https://example.org/").then(() => false, () => true)'));
   expect('the page has asked for its file alone', await firefox.run('performance.getEntriesByType("resource").every(entry => /^(file|data|blob):/.test(entry.name))'), await firefox.run('performance.getEntriesByType("resource").map(entry => entry.name)'));
   if (process.env.SHADESCOPE_SHOTS) await firefox.shot(path.join(process.env.SHADESCOPE_SHOTS, 'firefox-check.png'));
 

@@ -263,7 +263,7 @@ try {
 
   // No question of another lesson returns: the page does not know whether its reader has done that.
   const c = await browser.open('file://' + write('camera.html', 'lesson', 'export', 'camera'));
-  expect('the first page is page 1', /^page 1 of 9$/.test(await c.run('document.querySelector("#count").textContent')));
+  expect('the first page is page 1', /^page 1 of 10$/.test(await c.run('document.querySelector("#count").textContent')));
   await c.close();
   const d = await browser.open('file://' + path.join(folder, 'camera.html') + '?page=3');
   expect('?page=3 opens page 3', (await d.run('page.name')) === '3', await d.run('page.name'));

@@ -76,8 +76,10 @@ async function compareMine(names = true) {
   Object.assign(mine, { isBusy: mine.scene !== null && mine.files.length > 0, wasStopped: false });
   drawMine();
   if (!mine.isBusy) return;
+  // Chosen one by one, the file of the scene is none of the renderer's; of a folder the core tells them apart.
+  const handed = mine.files.filter(file => mine.name || lastName(file.path) !== mine.scene.name);
   const isNumbers = file => kNumbers.test(file.path) || kOfScene.test(file.path);
-  const begin = () => [...callsOfScene(mine.scene), ['take_back'], ...mine.files.map(file => ['hand', file.path, isNumbers(file) ? file.bytes : '', mine.name ? 0 : 1]),
+  const begin = () => [...callsOfScene(mine.scene), ['take_back'], ...handed.map(file => ['hand', file.path, isNumbers(file) ? file.bytes : '', mine.name ? 0 : 1]),
     ['verdict_options', JSON.stringify({ known: false, hints: mine.hints, stated: mine.stated })], ['verdict', mine.name || 'files']];
   try {
     for (const known of names ? [false, true] : [false]) {
