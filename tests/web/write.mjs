@@ -80,8 +80,8 @@ try {
     expect(`${name}: place and both numbers`, /first\s+\S.*expected\s+\(.*got\s+\(/s.test(said), said);
     expect(`${name}: a sentence`, said.split('\n').length > 4, said);
   }
-  expect('both pictures', await p.run('document.querySelectorAll("#mine canvas").length === 2'));
-  expect('they differ', await p.run('/of \\d+ pixels differ/.test(document.querySelector("#mine .note").textContent)'));
+  expect('both pictures', await p.run('document.querySelectorAll("#withlines canvas").length === 2'));
+  expect('they differ', await p.run('/of \\d+ pixels differ/.test(document.querySelector("#withlines .note").textContent)'));
   await p.until('document.querySelector("#trace .now")');
   await p.run('goToVisit(0)');
   expect('own lines have their values', await p.run('/kd = \\(/.test(document.querySelector("#trace .values").textContent)'), await p.run('document.querySelector("#trace").innerText'));
@@ -91,10 +91,10 @@ try {
   await p.key(',');
   expect(', steps back', await p.run('writing.at === 0'));
   for (const [i, mode] of ['wipe', 'difference'].entries()) {
-    await p.run(`document.querySelectorAll('#mine .segments button')[${i + 1}].click()`);
-    expect(`${mode} shows one picture`, await p.run('document.querySelectorAll("#mine canvas").length === 1'));
+    await p.run(`document.querySelectorAll('#withlines .segments button')[${i + 1}].click()`);
+    expect(`${mode} shows one picture`, await p.run('document.querySelectorAll("#withlines canvas").length === 1'));
   }
-  await p.run(`document.querySelector('#mine .segments button').click()`);
+  await p.run(`document.querySelector('#withlines .segments button').click()`);
   // The keyboard alone.
   await p.run('document.querySelector("#code").focus(), document.querySelector("#code").select()');
   await p.ask('Input.insertText', { text: 'const lambert = (kd, I, N, L) => kd;' });
@@ -142,7 +142,7 @@ try {
     const [top, bottom, height] = await p.run('(b => [b.top, b.bottom, innerHeight])(document.querySelector("#said .mark").getBoundingClientRect())');
     expect(`the verdict is in sight at ${size}`, top >= 0 && bottom <= height, [top, bottom, height]);
     if (shots) await p.shot(path.join(shots, `write-${size}.png`));
-    if (shots && size === '390') await p.run('document.querySelector("#mine").scrollIntoView()'), await p.shot(path.join(shots, 'write-390-below.png'));
+    if (shots && size === '390') await p.run('document.querySelector("#withlines").scrollIntoView()'), await p.shot(path.join(shots, 'write-390-below.png'));
     await p.close();
   }
 

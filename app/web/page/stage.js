@@ -58,7 +58,7 @@ function boxDrawn(margin) {
 function buildStage() {
   const svg = () => document.createElementNS('http://www.w3.org/2000/svg', 'svg');
   drag = null, undo = [], playDone = page.then;
-  one('#mine')?.remove();
+  one('#withlines')?.remove();
   cells = page.buffers.slice(0, 4).map(shown => {
     const canvases = [element('canvas'), element('canvas')], over = svg(), field = element('div', { className: 'field' }, ...canvases, over);
     canvases.forEach((canvas, i) => { canvas.setAttribute('role', 'img'); if (i) canvas.hidden = true; });

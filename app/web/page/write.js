@@ -83,7 +83,7 @@ async function runLines() {
   verdict = null, writing.trace = null;
   markLine(0);
   drawQuestion();
-  one('#mine')?.remove();
+  one('#withlines')?.remove();
   const late = setTimeout(() => { if (isHere()) setBusy('Stop'); }, kStopAfter);
   setBusy('Running …');
   try {
@@ -158,7 +158,7 @@ const pictureOf = which => {
 
 /** With these lines, right, and where they differ. */
 function drawMine() {
-  one('#mine')?.remove();
+  one('#withlines')?.remove();
   const { write } = page.question, right = pictureOf(0), mine = write.picture ? pictureOf(1) : right, { width, height } = right;
   let apart = 0;
   const off = i => Math.max(...[0, 1, 2].map(k => Math.abs(mine.bytes[3 * i + k] - right.bytes[3 * i + k])));
@@ -196,7 +196,7 @@ function drawMine() {
   }));
   fill();
   const note = !write.picture ? 'Of this function the numbers alone are compared.' : apart ? `${apart} of ${width * height} pixels differ.` : 'The two pictures are equal; the numbers decide.';
-  one('#stage').append(element('section', { id: 'mine', ariaLabel: 'With your lines' },
+  one('#stage').append(element('section', { id: 'withlines', ariaLabel: 'With your lines' },
     element('p', { className: 'bar' }, element('b', { textContent: ['Transform', 'Cull', 'Normals', 'Shadow buffer', 'Z-buffer', 'Shading'][write.stage] + ': your lines' }), write.picture ? segments : '',
       element('span', { className: 'note', textContent: (writing.scene ? `In ${writing.scene}. ` : '') + note })), box, element('section', { id: 'trace', ariaLabel: 'Your lines with their values', hidden: true })));
 }
