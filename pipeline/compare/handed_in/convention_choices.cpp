@@ -58,7 +58,9 @@ std::vector<ConventionChoice> conventionChoices(const Report& report) {
         std::string codingKey;
         for (const Reading& reading : readings)
             if (const auto key = codingInfo(reading.coding).key; !key.empty()) codingKey = key;
-        for (const auto& [key, now] : valuesOf(file.reading, isPicture, hasChannels, codingKey)) {
+        for (const auto& row : valuesOf(file.reading, isPicture, hasChannels, codingKey)) {
+            const auto& key = row.first;
+            const auto& now = row.second;
             auto choice = std::ranges::find(choices, key, &ConventionChoice::key);
             if (choice == choices.end()) choice = choices.insert(choice, {key, now, {}, {}, {}});
             for (const Reading& reading : readings)
@@ -77,7 +79,8 @@ std::vector<ConventionChoice> conventionChoices(const Report& report) {
         }
     }
     std::erase_if(choices, [](const ConventionChoice& choice) { return choice.values.size() < 2; });
-    std::ranges::stable_partition(choices, [](const ConventionChoice& choice) { return !choice.certainty.empty(); });
+    std::stable_partition(choices.begin(), choices.end(),
+                          [](const ConventionChoice& choice) { return !choice.certainty.empty(); });
     return choices;
 }
 
