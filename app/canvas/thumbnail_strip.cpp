@@ -268,7 +268,7 @@ void ThumbnailStrip::want() {
     if (m_document.hasScene() && isVisible())
         for (int i = 0; i < int(m_items.size()); ++i) {
             const BufferId id = m_items[std::size_t(i)].name.id;
-            const bool isOwn = !pipeline::isDerived(id);  // the others are made for who looks at them
+            const bool isOwn = !pipeline::isDerived(id);  // a derived buffer is computed once a view shows it
             if (isOwn && itemRect(i).intersects(rect()) && whyUseless(m_document.scene(), id).empty())
                 wanted.set(index(id));
         }

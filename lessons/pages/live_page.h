@@ -25,8 +25,9 @@ struct LiveParts {
     std::string sharedCore = {};
     std::string index = {};  // the file beside the page that lists all pages; empty: none
 };
-// Of a page of one lesson, of pages that share a core, or of the page that is the whole program. Found beside the installed program's resources, or in
-// the source tree and its folder build/web. An error says how to build the core where it is not there.
+// Of a page of one lesson, of pages that share a core, or of the page that is the whole program. Found beside the installed
+// program's resources, or in the source tree and its folder build/web. An error says how to build the core where it is not
+// there.
 enum class LiveKind : std::uint8_t { Lesson, Site, Whole };
 pipeline::Result<LiveParts> liveParts(LiveKind kind = LiveKind::Lesson);
 
