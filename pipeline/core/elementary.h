@@ -7,7 +7,7 @@ namespace pipeline {
 // frame has the same bits on every machine: a library chooses its own by the processor, and they change from version to
 // version. Nothing is multiplied and added at once; the project is compiled with -ffp-contract=off.
 // Special values are those of C (ISO/IEC 9899, annex F). Bounds are in units in the last place of a normal result, one
-// more below; tests/unit/elementary_test.cpp measures them over two million arguments each.
+// more below; tests/unit/numerics/elementary_test.cpp measures them over two million arguments each.
 
 // Of x + rest radians, |x + rest| <= pi/4, |rest| at most half a unit in the last place of x.
 double sinNearZero(double x, double rest);  // within 0.8

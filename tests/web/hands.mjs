@@ -118,7 +118,10 @@ async function byFinger(name, file, answers) {
       await touch('touchEnd', []), await settle(p);
       expect(`${name}, page ${i + 1}: a drag scrolls nothing`, (await p.run('scrollY')) === before);
     }
+    if (answer.kind === 'write') await tap('#code'), await p.run('document.activeElement.select()'), await p.ask('Input.insertText', { text: answer.said });
     if (answer.kind !== 'none' && answer.kind !== 'click') await tap('#answer button[type=submit]');
+    // Written lines run in a worker, and what is said of them moves what stands below.
+    if (answer.kind === 'write') await p.until('page.question.settled').catch(() => {});
     if (await isSettled(p)) ++right;
     else await tap('#giveup');
     expect(`${name}, page ${i + 1} is settled by a finger`, await isSettled(p), answer);
