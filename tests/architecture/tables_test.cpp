@@ -21,8 +21,8 @@ class StageFiles : public testing::TestWithParam<pipeline::StageId> {};
 TEST_P(StageFiles, AreNamedAsItsRow) {
     const std::filesystem::path root = SHADESCOPE_ROOT;
     const std::string stem = fileStem(pipeline::stageInfo(GetParam()).name);
-    for (const std::string& path :
-         {"pipeline/stages/" + stem + ".h", "pipeline/stages/" + stem + ".cpp", "tests/unit/stages/" + stem + "_test.cpp"}) {
+    for (const std::string& path : {"pipeline/stages/" + stem + ".h", "pipeline/stages/" + stem + ".cpp",
+                                    "tests/unit/stages/" + stem + "_test.cpp"}) {
         EXPECT_TRUE(std::filesystem::is_regular_file(root / path)) << path << " is missing";
     }
 }

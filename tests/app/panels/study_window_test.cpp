@@ -13,8 +13,8 @@
 #include "app/study/study_run.h"
 #include "app/study/study_sweep.h"
 #include "app/widgets/folding_panes.h"
-#include "tests/app/window/small_screen.h"
 #include "tests/app/panels/study_panel_fixture.h"
+#include "tests/app/window/small_screen.h"
 
 namespace {
 
