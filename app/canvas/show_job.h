@@ -13,10 +13,10 @@
 
 namespace app {
 
-// B, which a view compares what it shows with.
+// B of a comparison.
 struct OtherRequest {
     OtherSource source;
-    pipeline::FramePtr frame;  // where it is of none, as a file, that of what is shown
+    pipeline::FramePtr frame;  // that has B; of a file, the frame of A
     pipeline::AnyBuffer buffer;
 };
 

@@ -9,7 +9,7 @@ class ExportDialog;
 class ShownState;
 class ViewArea;
 
-// What the frame is written as: buffers, figures, pictures for slides, step films.
+// Exports the frame: buffers, figures, pictures for slides, step films.
 class Exports : public QObject {
     Q_OBJECT
 public:

@@ -5,7 +5,7 @@ namespace app {
 class Document;
 class ErrorList;
 
-// Lists what the document could not do, as long as the list lives.
+// Adds the document's failures to a list until it is destroyed.
 void reportFailures(Document& document, ErrorList& errors);
 
 }  // namespace app

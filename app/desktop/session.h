@@ -19,7 +19,7 @@ public:
             QObject* parent);
 
     SessionFile& file() { return m_file; }
-    // Not later with each change: while something plays it would never come.
+    // Changes do not put the write off: while something plays it would never come.
     void saveSoon() {
         if (!m_soon.isActive()) m_soon.start();
     }
@@ -28,7 +28,7 @@ public:
     // withChanges: what was not saved too; else the next session begins with the file. False where nothing is shown, or
     // the file cannot be written: it stays as it is.
     bool save(bool withChanges = true);
-    // The same as the program ends. A session that is still being restored stays for the next start.
+    // Writes at the program's end. A session that is still being restored stays in its file for the next start.
     void end(bool withChanges);
     void forget();  // the scene has been closed
 

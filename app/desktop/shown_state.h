@@ -24,7 +24,7 @@ public:
     void lookAt(const lessons::WindowState& state);     // the views; what cannot be shown is reported
     void showPlace(const lessons::WindowState& state);  // place and views, in the scene that is open
     void showBuffers(const std::vector<pipeline::BufferName>& buffers);
-    // To be shown with a step of undo and its way back; nothing if the window's state cannot be kept.
+    // A state for a step of undo, to show again on undo; nothing if the window's state cannot be kept.
     StepLooks looksTo(const lessons::WindowState& next);
 
 private:

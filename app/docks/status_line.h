@@ -30,12 +30,12 @@ private:
     void showHovered();
     void showCheck();
     void showRemarks();
-    void makeRoom(bool anew);  // for the sentence: what is said elsewhere too gives way
+    void makeRoom(bool anew);  // for the sentence: hides what other parts of the window show too
 
     Document& m_document;
     ElidedLabel* m_sentence;
     QLabel* m_hovered;
-    QPushButton* m_turn;  // the other way up, where which axis is up was guessed
+    QPushButton* m_turn;  // turns a model whose up axis was guessed
     QLabel* m_remarks;
     QLabel* m_nan;
     QLabel* m_error;

@@ -7,15 +7,15 @@
 
 namespace app {
 
-// When a 3D view shows the next frame. While the scene moves, the buffers go first: the view pauses as long as its
-// picture took, which is nothing where the machine is fast. Of the frames that come meanwhile it shows the last.
+// Decides when a 3D view shows the next frame. Buffers go first while the scene moves: after each picture the view
+// pauses for as long as the picture took. Of the frames that come during a pause it shows the last.
 class PictureTurns : public QObject {
     Q_OBJECT
 public:
-    // panel: what wants the buffers of the frames.
+    // panel: the object that asks the document for buffers.
     PictureTurns(Document& document, SceneView& view, QObject* panel);
 
-    bool skips();  // the frame that has come; due() follows
+    bool skips();  // true: the new frame waits; due() says when to show it
 
 signals:
     void due();

@@ -35,17 +35,17 @@ public:
     void setOptions(const ViewOptions& options);
     void changeOptions(const ViewOptions& options);  // by the view itself
     const ViewOptions& options() const { return m_options; }
-    // These vectors strong and the other ones faint, for as long as another view points at them, shown even where they
-    // are hidden; none: all as they are.
+    // Draws these vectors strongly, the others faintly, and shows them even where they are switched off; an empty list
+    // ends that. Another view calls it while its cursor is on them.
     void pointAt(const std::vector<VectorCode>& codes);
     // A point of the world that another view's cursor is on, marked lightly.
     void setProbe(std::optional<Vec3d> point);
 
-    // What the view shows, for a picture of another size. Errors: nothing to show.
+    // A description from which the view's picture can be made in another size. Errors: nothing to show.
     pipeline::Result<SpacePicture> picture(QSize size, bool transparent) const;
     ViewFrame viewFrame() const;
     const Drawing& drawing() const { return m_drawing; }
-    // Whether the picture on show is of all that was set; it is made beside the window. Each new one is told with drawn().
+    // Whether the picture on show has everything that was set. Pictures are made on another thread; drawn() announces each.
     bool isDrawn() const { return !m_vtk || m_vtk->isDrawn(); }
     // Why nothing is rendered here; empty where it works.
     QString problem() const { return m_problem; }
@@ -53,7 +53,7 @@ public:
     void render(std::shared_ptr<const ViewContent> content, const std::vector<InkedLine>& ground);
     void refresh();  // after a change of camera, content, options or theme
     void updateOverlay();
-    void updateWithPicture();  // what belongs to a picture that is on its way is painted once, with it
+    void updateWithPicture();  // paints letters and handles together with the picture that is being made
 
 signals:
     void drawn();

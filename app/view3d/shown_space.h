@@ -18,8 +18,8 @@ public:
     explicit ShownSpace(SceneView& view);
     ~ShownSpace() override;
 
-    // Null shows the sentence of setEmptyText on a bare background. The camera stays, unless `newScene`. `moved`: the
-    // same by inSpace, in the space on show, for content that takes its time; in any other it is made here.
+    // content: in world space; null shows the sentence of setEmptyText. The camera stays, unless `newScene`. moved: inSpace
+    // of the content for the space on show, where a caller has computed it in the background; null: computed here.
     void setContent(std::shared_ptr<const ViewContent> content, bool newScene,
                     std::shared_ptr<const ViewContent> moved = nullptr);
     const std::shared_ptr<const ViewContent>& content() const { return m_content; }

@@ -4,12 +4,13 @@
 
 namespace app {
 
-// How a state's 3D view is looked at. Errors: an option that there is not, or out of its range; it stays as it begins.
+// The options of a state's 3D view, over `options`. Errors: unknown names and values out of range; those keep the value
+// of `options`.
 ViewOptions optionsOf(const lessons::SpaceShown& shown, pipeline::Errors& errors, ViewOptions options = {});
 std::optional<SpaceId> spaceNamed(std::string_view name);  // "eye", "light 0 -x"
 
-// What a 3D view of a state shows of its scene, at its place in the frame, as the window's own view of that size shows
-// it. pixelRatio: of the shot; 0: by its height. Errors: a space that the scene does not have; "stopped".
+// The picture of a state's 3D view at the state's place in the frame, equal to that of a view of this size in the window.
+// pixelRatio: of the shot; 0: by its height. Errors: a space that the scene does not have; "stopped".
 pipeline::Result<SpacePicture> spacePicture(const lessons::WindowState& state, const lessons::SpaceShown& shown,
                                             const std::shared_ptr<const pipeline::Scene>& scene, glm::ivec2 size,
                                             double pixelRatio = 0, const std::stop_token& stop = {});

@@ -28,11 +28,11 @@ public:
     void setBare(bool bare);  // without the header
     QMenu* menu() const;      // of its last button; the window adds what it can do with the view
     void changeOptions(const ViewOptions& options);
-    // A light's space waits for the frame that brings its shadow buffer, and any for a large mesh to be moved there.
+    // Shows another space: a light's once the frame with its shadow buffer is there, any once a large mesh is transformed.
     void setSpace(SpaceId space);
 
-    // How the view is looked at, and the same again; before the first frame of a scene, once it is there. Errors: what the
-    // view does not have, left out.
+    // Saves camera, space and options; restores them, for a new scene after its first frame. Errors: names that the view
+    // does not have; these are left out.
     lessons::SpaceShown state() const;
     pipeline::Errors lookAt(const lessons::SpaceShown& state);
 

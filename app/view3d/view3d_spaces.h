@@ -16,8 +16,8 @@ QString whyNotLight(const Document& document, int light);  // why a light has no
 // Of the light whose space is on show; null in any other.
 const LightFrustum* shownFrustum(const ShownSpace& space);
 
-// Takes a 3D view to another space. A light's space waits for the frame that brings its shadow buffer, and any for a
-// large mesh to be moved there.
+// Takes a 3D view to another space: a light's once the frame with its shadow buffer is there, any once a large mesh is
+// transformed.
 class View3dSpaces : public QObject {
     Q_OBJECT
 public:

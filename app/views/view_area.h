@@ -29,7 +29,7 @@ public:
     ViewLinks& links() { return m_links; }
     ViewEdits& edits() { return m_edits; }
 
-    // As a state has it: the name of an arrangement, or its text.
+    // The arrangement as a state stores it: its name, or its text.
     std::string arrangement() const { return arrangementText(m_grid->tree()); }
     bool setArrangement(const std::string& nameOrText);  // false where it is neither
     bool hasSecond() const;                              // buffer view
