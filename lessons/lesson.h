@@ -93,7 +93,9 @@ std::string pageName(const Lesson& lesson, std::size_t index);
 // Where its pictures and files are.
 const std::filesystem::path& folderOf(const Lesson& lesson, const Page& page);
 
-// Reads the lesson in a folder. Up to kMaxErrors errors, FILE:LINE:COLUMN each.
+// Reads the lesson in a folder. Up to kMaxErrors errors, FILE:LINE:COLUMN each. An outline has the header, and of its own
+// pages the headings alone: it reads no scene, and takes a hundredth of the time.
+pipeline::Result<Lesson> readOutline(const std::filesystem::path& folder, const pipeline::Stop& stop = {});
 pipeline::Result<Lesson> readLesson(const std::filesystem::path& folder, const pipeline::Stop& stop = {});
 
 // The same from text: `file` is the name in messages, `sceneNamed` finds what the lesson calls its scene.
@@ -107,6 +109,9 @@ struct LessonText {
 using LessonSource = std::function<pipeline::Result<LessonText>(std::string_view name)>;
 pipeline::Result<Lesson> parseLesson(std::string_view text, const std::string& file, const SceneSource& sceneNamed,
                                      const LessonSource& lessonNamed = {});
+// Without pages that return: a page for a browser does not know what its reader has answered elsewhere.
+pipeline::Result<Lesson> parseOwnPages(std::string_view text, const std::string& file, const SceneSource& sceneNamed);
+pipeline::Result<Lesson> parseOutline(std::string_view text, const std::string& file);
 
 // What a lesson in this folder means by the name of a scene: one that comes with the program, or a file in the folder.
 pipeline::Result<pipeline::Scene> sceneOfLesson(std::string_view name, const std::filesystem::path& folder,

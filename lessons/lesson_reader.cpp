@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <set>
 
 #include "lessons/lesson.h"
@@ -55,15 +56,15 @@ public:
     Reader(std::string_view text, const std::string& file, const SceneSource& sceneNamed)
         : m_lines(linesOf(text, file)), m_file(file), m_sceneNamed(sceneNamed) {}
 
-    // wanted: the numbers of the pages, from 1, that are read, as they return; none: all of them.
-    Result<Lesson> read(const std::set<std::size_t>& wanted = {}) {
+    // wanted: the numbers of the pages, from 1, that are read, as they return; nothing: all of them, as they are.
+    Result<Lesson> read(const std::optional<std::set<std::size_t>>& wanted = {}) {
         Lesson lesson;
-        m_returns = !wanted.empty();
+        m_returns = wanted.has_value();
         header(lesson);
         if (m_at == m_lines.size())
             m_complaints.add({m_file, int(m_lines.size()), 0}, "the file has no page", "a line \"# HEADING\"");
         for (std::size_t number = 1; m_at < m_lines.size(); ++number)
-            lesson.pages.push_back(page(wanted.empty() || wanted.contains(number)));
+            lesson.pages.push_back(page(!wanted || wanted->contains(number)));
         if (!m_complaints.empty()) return m_complaints.take();
         return lesson;
     }
@@ -372,6 +373,11 @@ private:
 
 Result<Lesson> parseOwnPages(std::string_view text, const std::string& file, const SceneSource& sceneNamed) {
     return Reader(text, file, sceneNamed).read();
+}
+
+Result<Lesson> parseOutline(std::string_view text, const std::string& file) {
+    const SceneSource none;
+    return Reader(text, file, none).read(std::set<std::size_t>());
 }
 
 Result<Lesson> parseReturning(const LessonText& text, const std::set<std::size_t>& wanted) {

@@ -76,17 +76,15 @@ std::filesystem::path sheetTemplateAt(const std::filesystem::path& path) {
 
 Result<pipeline::Scene> sceneOfLesson(std::string_view name, const std::filesystem::path& folder,
                                       const pipeline::Stop& stop) {
-    std::vector<std::string> names;
-    for (const pipeline::BuiltInScene& scene : pipeline::builtInScenes()) {
-        if (scene.name == name) return pipeline::readScene(scene.file, {{}, stop});
-        names.push_back(scene.name);
-    }
+    if (const auto scene = pipeline::builtInScene(name)) return pipeline::readScene(scene->file, {{}, stop});
     const std::filesystem::path file = std::filesystem::path(name).filename();  // of this folder alone
     std::error_code ignored;
     if (file == name && std::filesystem::is_regular_file(folder / file, ignored)) {
         const auto inside = pipeline::pathInFolder(folder, name, "lesson");
         return inside ? pipeline::readScene(folder / file, {{}, stop}) : inside.errors();
     }
+    std::vector<std::string> names;
+    for (const pipeline::BuiltInScene& scene : pipeline::builtInScenes()) names.push_back(scene.name);
     return Error{{}, "no scene " + inQuotes(name) + "; " + pipeline::insteadOf(name, names), {}};
 }
 
@@ -104,26 +102,20 @@ Result<LessonText> otherLesson(std::string_view name, const pipeline::Stop& stop
     return Error{{}, "no lesson " + inQuotes(name) + "; " + pipeline::insteadOf(name, names), {}};
 }
 
-Result<Lesson> readLesson(const std::filesystem::path& folder, const pipeline::Stop& stop) {
-    const auto text = lessonText(folder, stop);
-    if (!text) return text.errors();
-    auto lesson = parseLesson(text->text, text->file, text->sceneNamed,
-                              [&](std::string_view name) { return otherLesson(name, stop); });
-    if (!lesson) return lesson;
-    Lesson named = std::move(lesson).value();
+namespace {
+
+Lesson named(Lesson lesson, const std::filesystem::path& folder) {
     std::error_code ignored;
     const std::filesystem::path whole = std::filesystem::absolute(folder, ignored).lexically_normal();  // "." and "x/"
-    named.folder = folder;
-    named.name = (whole.has_filename() ? whole : whole.parent_path()).filename().string();
-    return named;
+    lesson.folder = folder;
+    lesson.name = (whole.has_filename() ? whole : whole.parent_path()).filename().string();
+    return lesson;
 }
 
-Library allLessons() {
-    // Expressions that change an object's tessellation are checked in the scene as changed, one after the other.
-    const pipeline::SameShapes shapes;
+Library libraryOf(Result<Lesson> (*read)(const std::filesystem::path& folder, const pipeline::Stop& stop)) {
     Library library;
     for (const std::string& name : lessonNames()) {
-        auto lesson = readLesson(lessonFolder() / name);
+        auto lesson = read(lessonFolder() / name, {});
         if (lesson)
             library.lessons.push_back(std::move(lesson).value());
         else
@@ -131,6 +123,31 @@ Library allLessons() {
     }
     library.lessons = inOrder(std::move(library.lessons));
     return library;
+}
+
+}  // namespace
+
+Result<Lesson> readOutline(const std::filesystem::path& folder, const pipeline::Stop& stop) {
+    const auto text = lessonText(folder, stop);
+    if (!text) return text.errors();
+    auto lesson = parseOutline(text->text, text->file);
+    return lesson ? Result<Lesson>(named(std::move(lesson).value(), folder)) : lesson;
+}
+
+Result<Lesson> readLesson(const std::filesystem::path& folder, const pipeline::Stop& stop) {
+    const auto text = lessonText(folder, stop);
+    if (!text) return text.errors();
+    auto lesson = parseLesson(text->text, text->file, text->sceneNamed,
+                              [&](std::string_view name) { return otherLesson(name, stop); });
+    return lesson ? Result<Lesson>(named(std::move(lesson).value(), folder)) : lesson;
+}
+
+Library allOutlines() { return libraryOf(readOutline); }
+
+Library allLessons() {
+    // Expressions that change an object's tessellation are checked in the scene as changed, one after the other.
+    const pipeline::SameShapes shapes;
+    return libraryOf(readLesson);
 }
 
 pipeline::Result<Lesson> findLesson(std::string_view name, const pipeline::Stop& stop) {

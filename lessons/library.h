@@ -14,6 +14,7 @@ struct Library {
     pipeline::Errors errors;  // of those that could not be read
 };
 Library allLessons();
+Library allOutlines();  // as readOutline
 
 // A lesson's text, and of one that comes with the program, by its name.
 pipeline::Result<LessonText> lessonText(const std::filesystem::path& folder, const pipeline::Stop& stop = {});

@@ -146,7 +146,7 @@ void OpeningMenus::fillLessons(QMenu& menu, std::size_t lecture) {
     for (int i = 0; i < m_shelf.rowCount(); ++i) {
         const QModelIndex row = m_shelf.index(i);
         const QString name = row.data(LessonShelf::NameRole).toString();
-        if (lectureOf(m_shelf.find(name)->lecture).value_or(lecture) != lecture) continue;
+        if (lectureOf(m_shelf.listed(i).lecture).value_or(lecture) != lecture) continue;
         QAction* const action = menu.addAction(plain(row.data(LessonShelf::TitleRole).toString()), this,
                                                [this, name] { m_lessons.open(name); });
         action->setCheckable(true);

@@ -272,8 +272,8 @@ std::vector<PaletteEntry> PaletteCommands::all() {
     if (m_shown.hasScene()) addSettingCommands(all);
     const LessonShelf& shelf = m_docks.panels().lesson->shelf();
     for (int i = 0; i < shelf.rowCount(); ++i) {
-        const QString name = shelf.index(i).data(LessonShelf::NameRole).toString();
-        const lessons::Lesson& lesson = *shelf.find(name);
+        const lessons::Lesson& lesson = shelf.listed(i);
+        const QString name = toQString(lesson.name);
         // By its lecture and its notions too: "lesson shadows".
         all.push_back({toQString(lesson.title), tr("Lesson"), QString(), QString(),
                        [this, name] { m_lessons.open(name); },

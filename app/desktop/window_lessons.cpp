@@ -120,7 +120,7 @@ void WindowLessons::listOnStartPage() {
     const LessonShelf& shelf = m_lessons.shelf();
     for (int i = 0; i < shelf.rowCount(); ++i) {
         const auto text = [&](int role) { return shelf.data(shelf.index(i), role); };
-        const lessons::Lesson& lesson = *shelf.find(text(LessonShelf::NameRole).toString());
+        const lessons::Lesson& lesson = shelf.listed(i);
         entries.push_back({text(LessonShelf::NameRole).toString(), text(LessonShelf::TitleRole).toString(),
                            text(LessonShelf::SummaryRole).toString(), text(LessonShelf::PageRole).toInt(),
                            text(LessonShelf::PagesRole).toInt(), lesson.minutes, lectureOf(lesson.lecture)});
@@ -136,7 +136,7 @@ bool WindowLessons::openAt(const std::filesystem::path& folder) {
     // One of the program's keeps its progress.
     std::error_code ignored;
     if (const QString name = toQString(folder.filename().string());
-        m_lessons.shelf().find(name) &&
+        m_lessons.shelf().findListed(name) &&
         std::filesystem::equivalent(folder, lessons::lessonFolder() / folder.filename(), ignored)) {
         open(name);
         return true;

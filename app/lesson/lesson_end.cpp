@@ -106,7 +106,7 @@ void LessonEnd::addMistakes() {
 }
 
 void LessonEnd::addNext() {
-    const lessons::Lesson* next = m_shelf.find(toQString(m_run.lesson()->next));
+    const lessons::Lesson* next = m_shelf.findListed(toQString(m_run.lesson()->next));
     auto* row = new QHBoxLayout;
     if (next) {
         auto* view = new ProseView(m_content);

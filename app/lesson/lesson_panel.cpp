@@ -158,7 +158,10 @@ void LessonPanel::keyPressEvent(QKeyEvent* event) {
 
 bool LessonPanel::open(const QString& name) {
     const lessons::Lesson* const found = m_shelf->find(name);
-    if (!found) return false;
+    if (!found) {
+        if (m_shelf->findListed(name)) m_errors->report(tr("This lesson cannot be read."), m_shelf->errors());
+        return false;
+    }
     if (found != lesson()) m_shelf->setReturning(*found, m_run.results().all());
     const int reached = m_shelf->page(*found);
     const int page = reached == 0 || reached == int(found->pages.size()) ? 0 : reached - 1;

@@ -24,7 +24,7 @@ class LessonPanel : public QWidget {
 public:
     explicit LessonPanel(Document& document, QWidget* parent = nullptr);
 
-    const LessonShelf& shelf() const { return *m_shelf; }
+    LessonShelf& shelf() { return *m_shelf; }
     LessonRun& run() { return m_run; }
     // Opens a lesson where it was left, from its beginning when it was read to its end. False when there is none of
     // that name.

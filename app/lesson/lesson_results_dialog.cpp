@@ -33,13 +33,13 @@ QStringList rowOf(const lessons::Page& page, const lessons::Progress& progress) 
 
 }  // namespace
 
-void LessonResultsDialog::showResults(const LessonShelf& shelf, const LessonResults& results, QWidget* parent) {
+void LessonResultsDialog::showResults(LessonShelf& shelf, const LessonResults& results, QWidget* parent) {
     auto* dialog = new LessonResultsDialog(shelf, results, parent);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->open();
 }
 
-LessonResultsDialog::LessonResultsDialog(const LessonShelf& shelf, const LessonResults& results, QWidget* parent)
+LessonResultsDialog::LessonResultsDialog(LessonShelf& shelf, const LessonResults& results, QWidget* parent)
     : QDialog(parent) {
     setWindowTitle(tr("My results"));
     setObjectName("lessonResults");
@@ -49,14 +49,15 @@ LessonResultsDialog::LessonResultsDialog(const LessonShelf& shelf, const LessonR
     table->setHeaderLabels({tr("Page"), tr("Points"), tr("Hints"), tr("Tried"), tr("Known mistakes")});
     for (int i = 0; i < shelf.rowCount(); ++i) {
         const QString name = shelf.index(i).data(LessonShelf::NameRole).toString();
-        const lessons::Lesson& lesson = *shelf.find(name);
+        if (!results.all().lessons().contains(name.toStdString())) continue;
+        const lessons::Lesson* const lesson = shelf.find(name);
         QList<QTreeWidgetItem*> rows;
-        for (const lessons::Page& page : lesson.pages) {
+        for (const lessons::Page& page : lesson ? lesson->pages : std::vector<lessons::Page>()) {
             const lessons::Progress progress = results.progress(name, toQString(page.heading));
             if (page.question && progress != lessons::Progress()) rows << new QTreeWidgetItem(rowOf(page, progress));
         }
         if (rows.isEmpty()) continue;
-        auto* top = new QTreeWidgetItem(table, {toQString(lesson.title)});
+        auto* top = new QTreeWidgetItem(table, {toQString(lesson->title)});
         top->addChildren(rows);
         top->setExpanded(true);
     }

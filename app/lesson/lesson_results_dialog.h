@@ -10,11 +10,11 @@ namespace app {
 class LessonResultsDialog : public QDialog {
     Q_OBJECT
 public:
-    static void showResults(const LessonShelf& shelf, const LessonResults& results,
+    static void showResults(LessonShelf& shelf, const LessonResults& results,
                             QWidget* parent);  // and goes when it is closed
 
 private:
-    LessonResultsDialog(const LessonShelf& shelf, const LessonResults& results, QWidget* parent);
+    LessonResultsDialog(LessonShelf& shelf, const LessonResults& results, QWidget* parent);
 };
 
 }  // namespace app

@@ -2,8 +2,10 @@
 
 #include <QSettings>
 #include <algorithm>
+#include <map>
 
 #include "app/look/text.h"
+#include "lessons/questions/returning.h"
 
 namespace app {
 
@@ -14,11 +16,17 @@ QString progressKey(const lessons::Lesson& lesson) {
     return QStringLiteral("lessons/%1/page").arg(name.replace(u'/', u'|'));
 }
 
+lessons::Lesson ownPages(lessons::Lesson lesson) {
+    std::erase_if(lesson.pages, [](const lessons::Page& page) { return page.from.has_value(); });
+    return lesson;
+}
+
 }  // namespace
 
 LessonShelf::LessonShelf(QObject* parent) : QAbstractListModel(parent) {
-    lessons::Library library = lessons::allLessons();
-    for (lessons::Lesson& lesson : library.lessons) add(std::move(lesson));
+    lessons::Library library = lessons::allOutlines();
+    for (lessons::Lesson& lesson : library.lessons)
+        m_lessons.push_back({std::make_unique<lessons::Lesson>(std::move(lesson))});
     m_errors = std::move(library.errors);
 }
 
@@ -26,7 +34,7 @@ int LessonShelf::rowCount(const QModelIndex& parent) const { return parent.isVal
 
 QVariant LessonShelf::data(const QModelIndex& index, int role) const {
     if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return {};
-    const lessons::Lesson& lesson = *m_lessons[std::size_t(index.row())];
+    const lessons::Lesson& lesson = listed(index.row());
     const int pages = int(lesson.pages.size()), reached = page(lesson), returning = int(returningPages(lesson));
     switch (role) {
         case Qt::DisplayRole:
@@ -46,45 +54,71 @@ QVariant LessonShelf::data(const QModelIndex& index, int role) const {
     }
 }
 
-const lessons::Lesson* LessonShelf::find(const QString& name) const {
-    const auto found =
-        std::ranges::find(m_lessons, name.toStdString(), [](const auto& lesson) { return lesson->name; });
-    return found == m_lessons.end() ? nullptr : found->get();
+std::size_t LessonShelf::rowOf(const QString& name) const {
+    const auto isNamed = [name = name.toStdString()](const Row& row) { return row.lesson->name == name; };
+    return std::size_t(std::ranges::find_if(m_lessons, isNamed) - m_lessons.begin());
+}
+
+const lessons::Lesson* LessonShelf::findListed(const QString& name) const {
+    const std::size_t row = rowOf(name);
+    return row < m_lessons.size() ? m_lessons[row].lesson.get() : nullptr;
+}
+
+const lessons::Lesson* LessonShelf::find(const QString& name) {
+    const std::size_t at = rowOf(name);
+    if (at == m_lessons.size()) return nullptr;
+    Row& row = m_lessons[at];
+    if (row.isWhole) return row.lesson.get();
+    auto lesson = lessons::readLesson(row.lesson->folder);
+    if (!lesson) {
+        m_errors = lesson.errors();
+        return nullptr;
+    }
+    *row.lesson = ownPages(std::move(lesson).value());
+    row.isWhole = true;
+    return row.lesson.get();
 }
 
 // What its author has return comes when the reader has done the lesson that it is from.
-void LessonShelf::add(lessons::Lesson lesson) {
-    for (lessons::Page& page : lesson.pages)
-        if (page.from) m_returning[page.from->lesson].push_back(page);
-    std::erase_if(lesson.pages, [](const lessons::Page& page) { return page.from.has_value(); });
-    m_lessons.push_back(std::make_unique<lessons::Lesson>(std::move(lesson)));
-}
-
 void LessonShelf::setReturning(const lessons::Lesson& lesson, const lessons::Results& results) {
     if (lesson.returns.empty()) return;
+    // What any lesson has return, by the name of the lesson that it is from.
+    std::map<std::string, std::map<std::size_t, lessons::Lesson::Return>> returning;
+    for (const Row& row : m_lessons)
+        for (const lessons::Lesson::Return& one : row.lesson->returns) returning[one.lesson].emplace(one.page, one);
     std::vector<std::string> done = results.done();
     std::erase(done, lesson.name);
     const auto wasAsked = [&](const auto& from) {
-        return std::ranges::any_of(from.second, [&](const lessons::Page& page) { return results.find(lesson, page); });
+        const lessons::Lesson* source = findListed(toQString(from.first));
+        return source && std::ranges::any_of(from.second, [&](const auto& one) {
+                   const std::size_t own = one.first - 1 + returningPages(*source);
+                   return own < source->pages.size() &&
+                          results.find(lesson.name, lessons::headingAgain(source->pages[own].heading));
+               });
     };
-    auto from = std::ranges::find_if(m_returning, wasAsked);
-    if (from == m_returning.end() && done.size() > 1) from = m_returning.find(done[done.size() - 2]);
-    const auto own = std::ranges::find(m_lessons, &lesson, [](const auto& other) { return other.get(); });
-    std::vector<lessons::Page>& pages = (*own)->pages;
+    auto from = std::ranges::find_if(returning, wasAsked);
+    if (from == returning.end() && done.size() > 1) from = returning.find(done[done.size() - 2]);
+    std::vector<lessons::Page>& pages = m_lessons[rowOf(toQString(lesson.name))].lesson->pages;
     std::erase_if(pages, [](const lessons::Page& page) { return page.from.has_value(); });
-    if (from != m_returning.end()) pages.insert(pages.begin(), from->second.begin(), from->second.end());
+    if (from == returning.end()) return;
+    std::vector<lessons::Lesson::Return> wanted;
+    for (const auto& [page, one] : from->second) wanted.push_back(one);
+    const auto again = lessons::readReturning(wanted, [](std::string_view name) { return lessons::otherLesson(name); });
+    if (again)
+        pages.insert(pages.begin(), again->begin(), again->end());
+    else
+        m_errors = again.errors();
 }
 
 void LessonShelf::put(lessons::Lesson lesson) {
-    const auto same = std::ranges::find(m_lessons, lesson.name, [](const auto& other) { return other->name; });
-    if (same != m_lessons.end()) {
-        std::erase_if(lesson.pages, [](const lessons::Page& page) { return page.from.has_value(); });
-        **same = std::move(lesson);
-        const QModelIndex row = index(int(same - m_lessons.begin()));
-        return emit dataChanged(row, row);
+    const std::size_t same = rowOf(toQString(lesson.name));
+    if (same < m_lessons.size()) {
+        *m_lessons[same].lesson = ownPages(std::move(lesson));
+        m_lessons[same].isWhole = true;
+        return emit dataChanged(index(int(same)), index(int(same)));
     }
     beginInsertRows({}, rowCount(), rowCount());
-    add(std::move(lesson));
+    m_lessons.push_back({std::make_unique<lessons::Lesson>(ownPages(std::move(lesson))), true});
     endInsertRows();
 }
 
@@ -99,8 +133,7 @@ int LessonShelf::page(const lessons::Lesson& lesson) const {
 void LessonShelf::setPage(const lessons::Lesson& lesson, int page) {
     const int own = page - int(returningPages(lesson));
     QSettings().setValue(progressKey(lesson), own <= 0 ? own - 1 : own);
-    const auto at = std::ranges::find(m_lessons, &lesson, [](const auto& other) { return other.get(); });
-    const QModelIndex row = index(int(at - m_lessons.begin()));
+    const QModelIndex row = index(int(rowOf(toQString(lesson.name))));
     emit dataChanged(row, row);
 }
 

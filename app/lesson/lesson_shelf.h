@@ -1,6 +1,5 @@
 #pragma once
 #include <QAbstractListModel>
-#include <map>
 #include <memory>
 #include <vector>
 
@@ -28,8 +27,11 @@ public:
     int rowCount(const QModelIndex& parent = {}) const override;
     QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
 
-    // Null when there is no such lesson. Valid as long as the shelf is.
-    const lessons::Lesson* find(const QString& name) const;
+    // The lesson of a row as it is listed: its pages may have headings alone. Valid as long as the shelf is.
+    const lessons::Lesson& listed(int row) const { return *m_lessons[std::size_t(row)].lesson; }
+    const lessons::Lesson* findListed(const QString& name) const;  // null when there is no such lesson
+    // The whole lesson, which is read when it is first asked for; null when there is none, or errors() says why.
+    const lessons::Lesson* find(const QString& name);
     // Puts questions of an earlier lesson at its start: of the last but one that the reader has done. Questions that
     // were already asked stay. The lesson must not be open.
     void setReturning(const lessons::Lesson& lesson, const lessons::Results& results);
@@ -42,11 +44,13 @@ public:
     void forgetPages();  // of all lessons
 
 private:
-    void add(lessons::Lesson lesson);
+    struct Row {
+        std::unique_ptr<lessons::Lesson> lesson;  // its own pages, and of an opened one those that return
+        bool isWhole = false;
+    };
+    std::size_t rowOf(const QString& name) const;  // as many as there are: no such lesson
 
-    std::vector<std::unique_ptr<lessons::Lesson>>
-        m_lessons;  // of their own pages, and of an opened one those that return
-    std::map<std::string, std::vector<lessons::Page>> m_returning;  // by the name of the lesson that they come from
+    std::vector<Row> m_lessons;
     pipeline::Errors m_errors;
 };
 

@@ -26,7 +26,4 @@ bool dress(Prose& prose, std::string_view html);
 // the holes too. Sentences of the engine's own become paragraphs, and what they put between ` code.
 std::string liveHtml(std::string_view said);
 
-// As parseLesson, without pages that return: a page for a browser does not know what its reader has answered elsewhere.
-pipeline::Result<Lesson> parseOwnPages(std::string_view text, const std::string& file, const SceneSource& sceneNamed);
-
 }  // namespace lessons

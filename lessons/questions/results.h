@@ -23,7 +23,8 @@ std::string mistakeName(std::string_view id);
 class Results {
 public:
     // Null where nothing was answered on this page yet. A page is known by its heading, so that pages may move.
-    const Progress* find(const Lesson& lesson, const Page& page) const;
+    const Progress* find(const Lesson& lesson, const Page& page) const { return find(lesson.name, page.heading); }
+    const Progress* find(const std::string& lesson, const std::string& heading) const;
     void put(const Lesson& lesson, const Page& page, Progress progress);
     void forget() { *this = {}; }
     void forget(const std::string& lesson) {

@@ -33,10 +33,10 @@ std::string mistakeName(std::string_view id) {
     return std::string(id);
 }
 
-const Progress* Results::find(const Lesson& lesson, const Page& page) const {
-    const auto pages = m_lessons.find(lesson.name);
+const Progress* Results::find(const std::string& lesson, const std::string& heading) const {
+    const auto pages = m_lessons.find(lesson);
     if (pages == m_lessons.end()) return nullptr;
-    const auto found = pages->second.find(page.heading);
+    const auto found = pages->second.find(heading);
     return found == pages->second.end() ? nullptr : &found->second;
 }
 

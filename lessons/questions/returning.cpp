@@ -3,7 +3,6 @@
 #include <map>
 
 #include "lessons/lesson_text.h"
-#include "lessons/pages/live_text.h"
 
 // Pages of other lessons that return at the start of one.
 
@@ -16,7 +15,7 @@ using pipeline::Result;
 
 // A page whose question returns, as it begins another lesson.
 Page again(Page page, const Lesson& lesson, const Lesson::Return& from, const LessonText& text) {
-    page.heading = "Again: " + page.heading;
+    page.heading = headingAgain(page.heading);
     page.from = {from.lesson, from.page, text.folder};
     const std::string words = "*From \"" + lesson.title + "\", page " + std::to_string(from.page) + ".*\n\n";
     for (Prose* prose : {&page.first.text, &page.first.paper})
@@ -24,14 +23,18 @@ Page again(Page page, const Lesson& lesson, const Lesson::Return& from, const Le
     return page;
 }
 
-Result<std::vector<Page>> readReturning(const Lesson& lesson, const LessonSource& lessonNamed) {
+}  // namespace
+
+std::string headingAgain(const std::string& heading) { return "Again: " + heading; }
+
+Result<std::vector<Page>> readReturning(std::span<const Lesson::Return> returns, const LessonSource& lessonNamed) {
     Complaints complaints;
     std::map<std::string, std::set<std::size_t>> wanted;
-    for (const Lesson::Return& one : lesson.returns)
+    for (const Lesson::Return& one : returns)
         if (!wanted[one.lesson].insert(one.page).second) complaints.add(one.where, "this page returns a second time");
     std::map<std::string, std::optional<std::pair<LessonText, Lesson>>> sources;
     std::vector<Page> pages;
-    for (const Lesson::Return& one : lesson.returns) {
+    for (const Lesson::Return& one : returns) {
         const auto [source, isNew] = sources.try_emplace(one.lesson);
         if (isNew) {
             auto text = lessonNamed ? lessonNamed(one.lesson) : Error{{}, "no page of another lesson returns here"};
@@ -52,13 +55,11 @@ Result<std::vector<Page>> readReturning(const Lesson& lesson, const LessonSource
     return complaints.empty() ? Result<std::vector<Page>>(std::move(pages)) : complaints.take();
 }
 
-}  // namespace
-
 Result<Lesson> parseLesson(std::string_view text, const std::string& file, const SceneSource& sceneNamed,
                            const LessonSource& lessonNamed) {
     auto lesson = parseOwnPages(text, file, sceneNamed);
     if (!lesson || lesson->returns.empty()) return lesson;
-    auto returning = readReturning(*lesson, lessonNamed);
+    auto returning = readReturning(lesson->returns, lessonNamed);
     if (!returning) return returning.errors();
     Lesson whole = std::move(lesson).value();
     whole.pages.insert(whole.pages.begin(), returning->begin(), returning->end());

@@ -23,6 +23,26 @@ TEST(Lessons, CanAllBeRead) {
 }
 
 // A page asks soon; the very first one within 60 words, beside the picture that it is about.
+TEST(Lessons, AnOutlineHasWhatTheWholeLessonHasButItsPages) {
+    const Library outlines = allOutlines(), whole = allLessons();
+    EXPECT_TRUE(outlines.errors.empty());
+    ASSERT_EQ(outlines.lessons.size(), whole.lessons.size());
+    for (std::size_t i = 0; i < whole.lessons.size(); ++i) {
+        const Lesson &outline = outlines.lessons[i], &lesson = whole.lessons[i];
+        EXPECT_EQ(outline.name, lesson.name);
+        EXPECT_EQ(outline.folder, lesson.folder);
+        EXPECT_EQ(outline.title + outline.lecture + outline.summary + outline.next,
+                  lesson.title + lesson.lecture + lesson.summary + lesson.next);
+        EXPECT_EQ(outline.minutes, lesson.minutes);
+        EXPECT_EQ(outline.returns.size(), lesson.returns.size());
+        std::vector<std::string> headings, own;
+        for (const Page& page : outline.pages) headings.push_back(page.heading);
+        for (const Page& page : lesson.pages)
+            if (!page.from) own.push_back(page.heading);
+        EXPECT_EQ(headings, own) << lesson.name;
+    }
+}
+
 TEST(Lessons, EveryPageAsksWithinAHundredWords) {
     const auto wordsIn = [](const Prose& prose) {
         std::istringstream words(withGaps(prose));

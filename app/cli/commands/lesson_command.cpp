@@ -29,7 +29,7 @@ using pipeline::Json;
 void printJson(const Json& json) { say("{}\n", json.dump(2)); }
 
 int listLessons(bool json) {
-    const lessons::Library library = lessons::allLessons();
+    const lessons::Library library = lessons::allOutlines();
     printErrors(library.errors);
     if (json) {
         Json list = Json::array();
@@ -38,12 +38,12 @@ int listLessons(bool json) {
                             {"title", lesson.title},
                             {"lecture", lesson.lecture},
                             {"summary", lesson.summary},
-                            {"pages", lesson.pages.size()}});
+                            {"pages", lesson.pages.size() + lesson.returns.size()}});
         printJson(list);
     } else {
         for (const lessons::Lesson& lesson : library.lessons)
-            say("{:<16} {}. {}, {} pages. {}\n", lesson.name, lesson.title, lesson.lecture,
-                lesson.pages.size() - returningPages(lesson), lesson.summary);
+            say("{:<16} {}. {}, {} pages. {}\n", lesson.name, lesson.title, lesson.lecture, lesson.pages.size(),
+                lesson.summary);
     }
     return library.errors.empty() ? kDone : kBadInput;
 }

@@ -7,6 +7,7 @@
 #include <QAccessible>
 #include <QApplication>
 #include <QComboBox>
+#include <QDir>
 #include <QFile>
 #include <QImage>
 #include <QLabel>
@@ -21,6 +22,7 @@
 #include <QTextBrowser>
 
 #include "app/look/theme.h"
+#include "pipeline/formats/built_in_scenes.h"
 
 // The real panel on a real document: pages set the window, numbers come from its frames.
 namespace {
@@ -54,6 +56,26 @@ TEST_F(LessonPanelTest, ShelfListsTheLessonsAsAProperModel) {
     EXPECT_EQ(progress(), "Read, 9 pages");
     ASSERT_NE(shelf.find("pyramid"), nullptr);
     EXPECT_EQ(shelf.find("piramid"), nullptr);
+}
+
+// A list of one lesson whose header is right and whose page names no scene that there is.
+TEST_F(LessonPanelTest, WhatIsWrongInALessonIsSaidWhenItIsOpened) {
+    QTemporaryDir folder;
+    QDir(folder.path()).mkpath(QStringLiteral("lessons/wrong"));
+    QFile file(folder.filePath(QStringLiteral("lessons/wrong/lesson.md")));
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write("title: Wrong\nlecture: 1\nsummary: One page.\nscene: piramid\n\n# First\n\nText.\n");
+    file.close();
+    const std::filesystem::path resources = pipeline::resourceFolder();
+    pipeline::setResourceFolder(folder.path().toStdString());
+    LessonShelf shelf;
+    const lessons::Lesson* const found = shelf.find("wrong");
+    pipeline::setResourceFolder(resources);
+    ASSERT_EQ(shelf.rowCount(), 1);
+    EXPECT_EQ(shelf.listed(0).title, "Wrong");
+    EXPECT_EQ(found, nullptr);
+    ASSERT_FALSE(shelf.errors().empty());
+    EXPECT_EQ(shelf.errors().front().where.line, 4);
 }
 
 TEST_F(LessonPanelTest, AClickInTheListOpensTheLesson) {
