@@ -75,23 +75,26 @@ std::shared_ptr<const ShadowBufferOutput<Real>> runShadowsOf(const ShadowBufferI
 }
 
 template <class Real>
-void sumCounts(ZBufferOutput<Real>& out) {
-    for (std::int32_t n : out.overdraw.pixels) out.arrived += n;
-    for (std::int32_t n : out.depthWrites.pixels) out.won += n;
-    for (std::uint32_t triangle : out.triangle->pixels) out.seenPixels += triangle != kNoTriangle;
+void sumCounts(ZBufferOutput<Real>& out, const Threads& threads) {
+    const auto& triangles = out.triangle->pixels;
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+        if (i % kPixelGrain == 0 && threads.stopped()) return;
+        out.arrived += out.overdraw.pixels[i], out.won += out.depthWrites.pixels[i];
+        out.seenPixels += triangles[i] != kNoTriangle;
+    }
 }
 
 template <class Real>
 std::shared_ptr<const ZBufferOutput<Real>> runOutlines(const FrameData<Real>& data, Threads& threads) {
     const View& view = data.transform->view;
-    auto out = std::make_shared<ZBufferOutput<Real>>(prepareZBuffer<Real>({{0, 0}, view.size}, DepthFormat::Linear));
+    auto out = std::make_shared<ZBufferOutput<Real>>(clearedZBuffer<Real>(view.size, DepthFormat::Linear, {}, threads));
     const OutlineBins<Real> bins = binOutlines<Real>(*data.transform, {{0, 0}, view.size},
                                                      [&](std::uint32_t polygon) { return data.hasOutline(polygon); });
     for (const auto& bin : bins.bins) out->tileIsDrawn.push_back(!bin.empty());
     threads.forRange(bins.tiles.size(), kTileGrain, [&](std::size_t begin, std::size_t end) {
         for (std::size_t tile = begin; tile < end; ++tile) drawOutlines(view, bins, tile, *out);
     });
-    sumCounts(*out);
+    sumCounts(*out, threads);
     out->note = fmt::format("; {} outline{}", bins.polygons, bins.polygons == 1 ? "" : "s");
     return out;
 }
@@ -119,7 +122,7 @@ std::shared_ptr<const ZBufferOutput<Real>> runZBuffer(const ZBufferInputs& input
                                                       Threads& threads) {
     const TransformOutput<Real>& in = *sources.transform;
     auto out = std::make_shared<ZBufferOutput<Real>>(
-        prepareZBuffer<Real>({{0, 0}, in.view.size}, in.depthFormat, inputs.planted));
+        clearedZBuffer<Real>(in.view.size, in.depthFormat, inputs.planted, threads));
     const auto binned = [&](TriangleRange range) {
         auto bins = binTriangles<Real>(*in.topology, in.view, in.world, sources.verdicts, sources.marks, sources.drawn,
                                        {}, range);
@@ -142,7 +145,7 @@ std::shared_ptr<const ZBufferOutput<Real>> runZBuffer(const ZBufferInputs& input
                                 plural(std::int64_t(order.pieces.size() - order.splits), "triangle"), order.splits);
         if (order.unordered > 0) out->note += fmt::format(", {} out of order", order.unordered);
         out->unordered = order.unordered, out->pieces = order.pieces.size();
-        sumCounts(*out);
+        sumCounts(*out, threads);
         return out;
     }
     forTrianglesInParts(*in.topology, [&](TriangleRange range) {
@@ -153,7 +156,7 @@ std::shared_ptr<const ZBufferOutput<Real>> runZBuffer(const ZBufferInputs& input
                 zBuffer(in.view, in.depthFormat, bins, bins.bins[tile], bins.tile(tile), *out);
         });
     });
-    sumCounts(*out);
+    sumCounts(*out, threads);
     return out;
 }
 
@@ -172,8 +175,10 @@ inline std::shared_ptr<const ZBufferOutput<float>> runZBufferInVectors(const ZBu
                             inputs.parts[Part::SeenPolygons],
                             inputs.parts[Part::Clipping]};
     auto out = std::make_shared<ZBufferOutput<float>>();
-    if (inputs.parts[Part::Weights]) out->barycentric = {in.view.size, Vec3<float>(0)};
-    if (inputs.parts[Part::FragmentCounts]) out->overdraw = out->depthWrites = {in.view.size, 0};
+    if (inputs.parts[Part::Weights]) out->barycentric = filled(in.view.size, Vec3<float>(0), threads);
+    if (inputs.parts[Part::FragmentCounts])
+        for (Buffer2D<std::int32_t>* counts : {&out->overdraw, &out->depthWrites})
+            *counts = filled(in.view.size, 0, threads);
     auto seen = std::make_shared<SeenBlocks>();
     seen->pieces = prepareSetUp(setUp);
     setUpPieces(setUp, 0, seen->pieces.pieces.size(), seen->pieces, threads);
@@ -291,14 +296,15 @@ void antialias(const FrameData<Real>& data, ShadingOutput<Real>& out, CountSum& 
     auto moved = std::make_shared<TransformOutput<Real>>(*data.transform);
     FrameData<Real> sample = data;
     sample.transform = moved;
-    typename Buffer2D<Vec3<Real>>::Pixels first;
     Buffer2D<Vec3<Real>>& mean = out.vectors[index(BufferId::Antialiased)][0];
+    typename Buffer2D<Vec3<Real>>::Pixels first(mean.pixels.size());
     for (std::size_t i = 0; i < places.size() && !threads.stopped(); ++i) {
         moved->view.centre = data.transform->view.centre - places[i];
         snapVertices(*moved, threads);
         if (data.cull) sample.cull = runCull(data.keys.cull, *moved, threads);
         sample.zBuffer = runVisibility(sample, threads);
-        ShadingOutput<Real> shaded = prepareShading(inputs, sample.shadingSources(), setOf({BufferId::Intensity}));
+        ShadingOutput<Real> shaded =
+            clearedShading(inputs, sample.shadingSources(), setOf({BufferId::Intensity}), threads);
         // Swapped instead of copied, because there may be as many as the mesh has.
         const auto lend = [&] {
             std::swap(out.polygons, shaded.polygons);
@@ -309,13 +315,18 @@ void antialias(const FrameData<Real>& data, ShadingOutput<Real>& out, CountSum& 
         shadePicture(inputs, sample.shadingSources(), shaded, counts, threads);
         lend();
         const auto& intensity = shaded.vectors[index(BufferId::Intensity)][0].pixels;
-        if (i == 0) mean.pixels = first = intensity;
         // Adds differences from the first sample: if all samples are equal, the mean equals them exactly.
-        for (std::size_t p = 0; p < first.size(); ++p)
-            mean.pixels[p] += (intensity[p] - first[p]) / Real(places.size());
+        threads.forRange(first.size(), kPixelGrain, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t p = begin; p < end; ++p) {
+                if (i == 0) mean.pixels[p] = first[p] = intensity[p];
+                mean.pixels[p] += (intensity[p] - first[p]) / Real(places.size());
+            }
+        });
     }
-    for (std::size_t p = 0; p < mean.pixels.size(); ++p)
-        out.color.pixels[p] = frameBufferValue(Vec3d(mean.pixels[p]), out.iMax, inputs.planted);
+    threads.forRange(first.size(), kPixelGrain, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t p = begin; p < end; ++p)
+            out.color.pixels[p] = frameBufferValue(Vec3d(mean.pixels[p]), out.iMax, inputs.planted);
+    });
 }
 
 // incidence: the light kept by the last frame; null in tiles that have to keep it, empty if no tile does.
@@ -324,7 +335,7 @@ std::shared_ptr<const ShadingOutput<Real>> runShading(const FrameData<Real>& dat
                                                       const Incidences& incidence, Threads& threads) {
     const ShadingInputs& inputs = data.keys.shading;
     const ShadingSources<Real> in = data.shadingSources();
-    auto out = std::make_shared<ShadingOutput<Real>>(prepareShading(inputs, in, wanted));
+    auto out = std::make_shared<ShadingOutput<Real>>(clearedShading(inputs, in, wanted, threads));
     out->incidence = incidence;
     prepareElements(inputs, in, findSeen(inputs, in, threads), *out);
     CountSum counts(out->counts);
@@ -338,8 +349,12 @@ std::shared_ptr<const ShadingOutput<Real>> runShading(const FrameData<Real>& dat
     auto& mean = out->vectors[index(BufferId::Antialiased)];
     if (inputs.samples > 1)
         antialias(data, *out, counts, threads);
-    else if (!mean.empty())
-        mean = out->vectors[index(BufferId::Intensity)];  // of the only sample
+    else if (!mean.empty())  // the only sample's
+        threads.forRange(mean[0].pixels.size(), kPixelGrain, [&](std::size_t begin, std::size_t end) {
+            const auto& only = out->vectors[index(BufferId::Intensity)][0].pixels;
+            std::copy(only.begin() + std::ptrdiff_t(begin), only.begin() + std::ptrdiff_t(end),
+                      mean[0].pixels.begin() + std::ptrdiff_t(begin));
+        });
     return out;
 }
 

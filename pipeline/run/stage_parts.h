@@ -9,6 +9,7 @@
 #include "pipeline/run/kernel_set.h"
 #include "pipeline/run/parallel.h"
 #include "pipeline/simd/rasterize.h"
+#include "pipeline/stages/room.h"
 #include "pipeline/stages/shadow_buffer.h"
 
 // Parts of stages, on threads and with SIMD if there are kernels. Whole stages and steps inside a stage are built from
@@ -18,6 +19,32 @@ namespace pipeline {
 // Work for one piece: large enough that starting it costs next to nothing.
 inline constexpr std::size_t kVertexGrain = 4096, kPolygonGrain = 1024, kTileGrain = 1, kSampleGrain = 1;
 inline constexpr std::size_t kPixelGrain = 65536;
+
+// A buffer of one value.
+template <class T>
+Buffer2D<T> filled(glm::ivec2 size, T value, Threads& threads) {
+    Buffer2D<T> out(size);
+    threads.forRange(out.pixels.size(), kPixelGrain,
+                     [&](std::size_t begin, std::size_t end) { clearPixels(out, begin, end, value); });
+    return out;
+}
+// prepareZBuffer and prepareShading for a whole picture.
+template <class Real>
+ZBufferOutput<Real> clearedZBuffer(glm::ivec2 size, DepthFormat format, const Planted& planted, Threads& threads) {
+    ZBufferOutput<Real> out = roomForZBuffer<Real>({{0, 0}, size}, format, planted);
+    threads.forRange(out.overdraw.pixels.size(), kPixelGrain,
+                     [&](std::size_t begin, std::size_t end) { clearZBuffer(format, begin, end, out); });
+    if (planted && !threads.stopped()) spoilCleared(out);
+    return out;
+}
+template <class Real>
+ShadingOutput<Real> clearedShading(const ShadingInputs& inputs, const ShadingSources<Real>& in, BufferSet wanted,
+                                   Threads& threads) {
+    ShadingOutput<Real> out = roomForShading(inputs, in, wanted);
+    threads.forRange(out.color.pixels.size(), kPixelGrain,
+                     [&](std::size_t begin, std::size_t end) { clearShading(inputs, begin, end, out); });
+    return out;
+}
 
 // Polygons [0, count).
 template <class Real>
@@ -124,14 +151,8 @@ template <class Real>
 void drawShadowFace(const TransformOutput<Real>& in, ShadowCull cull, std::span<const std::uint8_t> drawn,
                     LightView<Real>& light, std::size_t number, EmptyFace&, Threads& threads) {
     const View& face = light.faces[number];
-    if (light.depth[number]->empty()) {
-        Buffer2D<Real> depth(face.size);
-        threads.forRange(depth.pixels.size(), kPixelGrain, [&](std::size_t begin, std::size_t end) {
-            std::fill_n(depth.pixels.begin() + std::ptrdiff_t(begin), end - begin,
-                        std::numeric_limits<Real>::infinity());
-        });
-        light.depth[number] = std::move(depth);
-    }
+    if (light.depth[number]->empty())
+        light.depth[number] = filled(face.size, std::numeric_limits<Real>::infinity(), threads);
     // The nearest depth remains in any order.
     forTrianglesInParts(*in.topology, [&](TriangleRange range) {
         if (threads.stopped()) return;

@@ -107,35 +107,6 @@ double logContrast(const ShadingInputs& inputs) {
 }
 
 template <class Real>
-ShadingOutput<Real> prepareShading(const ShadingInputs& inputs, const ShadingSources<Real>& in, BufferSet wanted) {
-    ShadingOutput<Real> out;
-    out.iMax = maximumIntensity(inputs.illumination.model, inputs.materials, inputs.lights, inputs.ambient,
-                                in.transform.transparent);
-    if (inputs.planted) spoilMaximum(inputs, in.transform.transparent, out.iMax);
-    const glm::ivec2 size = in.transform.view.size;
-    if (inputs.outlines) wanted.reset();  // nothing else is known of a line
-    if (!inputs.parts[Part::ShadedInVectors]) wanted.set(index(BufferId::Intensity));
-    if (inputs.samples > 1) wanted.set(index(BufferId::Antialiased));
-    for (const BufferInfo& info : bufferTable()) {
-        if (info.stage != StageId::Shading || info.domain != Domain::Pixel || info.element != Element::Real ||
-            !wanted[index(info.id)])
-            continue;
-        const std::size_t lights = info.perLight ? inputs.lights.size() : 1;
-        for (std::size_t k = 0; k < lights; ++k) {
-            if (info.id == BufferId::Intensity && inputs.parts[Part::ShadedInVectors])
-                out.vectors[index(info.id)].emplace_back(size);
-            else if (info.channels == 3)
-                out.vectors[index(info.id)].emplace_back(size, Vec3<Real>(Real(info.neutral)));
-            else
-                out.scalars[index(info.id)].emplace_back(size, Real(info.neutral));
-        }
-    }
-    out.color = inputs.parts[Part::ShadedInVectors] ? Buffer2D<Color8>(size) : Buffer2D<Color8>(size, Color8(0));
-    if (wanted[index(BufferId::Layers)]) out.layers = {size, 0};
-    return out;
-}
-
-template <class Real>
 void prepareElements(const ShadingInputs& inputs, const ShadingSources<Real>& in, ElementPlaces places,
                      ShadingOutput<Real>& out) {
     const auto makeRoom = [&](auto& elements, std::vector<std::uint32_t> of, std::size_t count) {
@@ -182,7 +153,6 @@ Color8 frameBufferValue(Vec3d intensity, double iMax, const Planted& planted) {
     template Surface<Real> pixelSurface(const ShadingInputs&, const ShadingSources<Real>&, std::uint32_t, glm::ivec2, \
                                         Vec3<Real>, const VertexWeights<Real>&);                                      \
     template ShadingCounts shadeOutlines(const ShadingSources<Real>&, Tile, ShadingOutput<Real>&);                    \
-    template ShadingOutput<Real> prepareShading(const ShadingInputs&, const ShadingSources<Real>&, BufferSet);        \
     template void prepareElements(const ShadingInputs&, const ShadingSources<Real>&, ElementPlaces,                   \
                                   ShadingOutput<Real>&);
 SHADESCOPE_FOR_EVERY_REAL(SHADESCOPE_INSTANTIATE)

@@ -1,26 +1,8 @@
 #include "pipeline/stages/z_buffer.h"
 
-#include <limits>
-
 #include "pipeline/defects/drawing_hooks.h"
 
 namespace pipeline {
-
-template <class Real>
-ZBufferOutput<Real> prepareZBuffer(Tile extent, DepthFormat format, const Planted& planted) {
-    const glm::ivec2 size = extent.max - extent.min;
-    ZBufferOutput<Real> out;
-    out.origin = extent.min;
-    out.planted = planted;
-    out.zView = Buffer2D<Real>(size, std::numeric_limits<Real>::infinity());
-    if (format != DepthFormat::Linear) out.depth = {size, DepthCode::cleared(format)};
-    out.triangle = Buffer2D<std::uint32_t>(size, kNoTriangle);
-    out.barycentric = {size, Vec3<Real>(0)};
-    out.overdraw = {size, 0};
-    out.depthWrites = {size, 0};
-    if (planted) spoilCleared(out);
-    return out;
-}
 
 template <class Real>
 Vec3<Real> barycentricAt(const TransformOutput<Real>& in, std::uint32_t triangle, glm::ivec2 pixel) {
@@ -70,7 +52,6 @@ void zBuffer(const View& view, DepthFormat format, const TriangleBins<Real>& bin
 }
 
 #define SHADESCOPE_INSTANTIATE(Real)                                                                                 \
-    template ZBufferOutput<Real> prepareZBuffer(Tile, DepthFormat, const Planted&);                                  \
     template Vec3<Real> barycentricAt(const TransformOutput<Real>&, std::uint32_t, glm::ivec2);                      \
     template void zBuffer(const View&, DepthFormat, const TriangleBins<Real>&, std::span<const std::uint32_t>, Tile, \
                           ZBufferOutput<Real>&, std::vector<FragmentRecord>*);

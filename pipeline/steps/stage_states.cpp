@@ -131,7 +131,7 @@ std::shared_ptr<const ShadingOutput<Real>> shadedOpaque(const FrameData<Real>& d
     const ShadingInputs& inputs = data.keys.shading;
     if (!inputs.layers.drawn && inputs.samples == 1) return data.shading;
     const ShadingSources<Real> in = data.shadingSources();
-    auto out = std::make_shared<ShadingOutput<Real>>(prepareShading(inputs, in, made));
+    auto out = std::make_shared<ShadingOutput<Real>>(clearedShading(inputs, in, made, threads));
     out->polygons = data.shading->polygons, out->vertices = data.shading->vertices;
     out->verticesBack = data.shading->verticesBack;
     threads.forRange(tileCount(data), 1, [&](std::size_t begin, std::size_t end) {
@@ -152,7 +152,7 @@ ShadingOutput<Real> shadedSoFar(const FrameData<Real>& data, const ShadingOutput
     const ShadingInputs& inputs = data.keys.shading;
     const ShadingSources<Real> in = data.shadingSources();
     if (progress.samples) return *data.shading;
-    ShadingOutput<Real> out = prepareShading(inputs, in, made);
+    ShadingOutput<Real> out = clearedShading(inputs, in, made, threads);
     prepareElements(inputs, in, {data.shading->polygons.places, data.shading->vertices.places}, out);
     shadePolygons(inputs, in, 0, std::min(progress.polygonTerms, out.polygons.count()), out);
     shadeVertices(inputs, in, 0, std::min(progress.vertexTerms, out.vertices.count()), out);

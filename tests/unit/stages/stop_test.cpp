@@ -4,7 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <unistd.h>
+
 #include <algorithm>
+#include <sstream>
 
 #include <fmt/format.h>
 
@@ -14,6 +17,7 @@
 #include "pipeline/export/json/study_json.h"
 #include "pipeline/formats/model_reader.h"
 #include "pipeline/formats/png_scene.h"
+#include "pipeline/run/frame_data.h"
 #include "pipeline/run/stage_parts.h"
 #include "pipeline/scene/settings_table.h"
 #include "pipeline/scene/shape_stop.h"
@@ -168,6 +172,40 @@ TEST(StopInShadowBuffers, LeavesNoRoomForFacesThatAreNotDrawn) {
         drawShadows<double>(in, ShadowCull::None, {}, out.lights[0], threads);
         for (const LightView<double>& sample : out.lights[0])
             for (const auto& depth : sample.depth) EXPECT_EQ(depth->pixels.size(), isStopped ? 0u : 64u * 64u);
+    }
+}
+
+std::size_t residentBytes() {
+    std::size_t all = 0, resident = 0;
+    std::istringstream(test::readText("/proc/self/statm")) >> all >> resident;
+    return resident * std::size_t(sysconf(_SC_PAGESIZE));
+}
+
+// Clearing a picture of 6000² takes seconds. What is not cleared is only reserved: nobody has touched its memory.
+TEST(StopInAPicture, TouchesNoPixelAfterwards) {
+    constexpr glm::ivec2 kSize{2048, 2048};
+    constexpr std::size_t kBytes = 2048 * 2048 * 8;  // of z_view alone, in double
+    Scene scene = test::pyramid();
+    scene.settings.precision = Precision::Double;
+    const FramePtr small = test::frameOf(scene, {});
+    const FrameData<double>& data = *dataOf<double>(*small);
+    TransformOutput<double> transform = *data.transform;
+    transform.view.size = kSize;
+    const ShadingSources<double> all = data.shadingSources();
+    const ShadingSources<double> in{transform, all.normals, all.shadow, all.zBuffer, all.cull};
+    for (const bool isStopped : {true, false}) {
+        std::stop_source stop;
+        if (isStopped) stop.request_stop();
+        Threads threads(1, stop.get_token());
+        const auto touched = [&](const auto& make) {
+            const std::size_t before = residentBytes();
+            const auto made = make();
+            return std::max(residentBytes(), before) - before;
+        };
+        const std::size_t depths = touched([&] { return clearedZBuffer<double>(kSize, {}, {}, threads); });
+        const std::size_t terms = touched([&] { return clearedShading(data.keys.shading, in, {}, threads); });
+        EXPECT_EQ(depths < kBytes / 4, isStopped) << depths;
+        EXPECT_EQ(terms < kBytes / 4, isStopped) << terms;
     }
 }
 
