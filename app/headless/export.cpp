@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/headless/pixel_text.h"
+#include "app/headless/read_buffers.h"
 #include "app/headless/wanted_frame.h"
 #include "pipeline/core/text.h"
 #include "pipeline/export/buffers/exporter.h"
@@ -127,7 +128,7 @@ int exportBuffers(const std::shared_ptr<const pipeline::Scene>& scene, ExportOpt
         frame = steps.frameAt(moment, options.frame.threads, host.stop);
     }
     request.replacesAny = options.force;
-    if (!frame) return host.cancelled();
+    if (!frame || !readBuffers(*frame, buffers, host.stop)) return host.cancelled();
     auto derived = derivedOf(*derivedOnes, *frame, options.frame.threads, host.stop);
     if (!derived) return host.refuse(derived.errors(), kBadInput);
     if (host.stop.stop_requested()) return host.cancelled();

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "app/headless/pixel_text.h"
+#include "app/headless/read_buffers.h"
 #include "app/headless/wanted_frame.h"
 #include "lessons/expression/condition.h"
 #include "pipeline/contracts/contract.h"
@@ -121,7 +122,7 @@ int printRow(const std::shared_ptr<const pipeline::Scene>& scene, const InspectO
 int printContracts(const std::shared_ptr<const pipeline::Scene>& scene, const InspectOptions& options,
                    const CommandHost& host) {
     const pipeline::FramePtr frame = frameOf(scene, options, host, pipeline::contractBuffers());
-    if (!frame) return host.cancelled();
+    if (!frame || !readBuffers(*frame, {}, host.stop)) return host.cancelled();
     const pipeline::ContractInput input = contractInput(*frame);
     const auto results = checkContracts(input, pipeline::Stop(host.stop));
     if (host.stop.stop_requested()) return host.cancelled();
