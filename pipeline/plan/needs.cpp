@@ -45,9 +45,12 @@ std::string whyUseless(const Scene& scene, const Needs& needs, BufferId id) {
     } else if (atPixels && !needs.rules[index(Rule::UnreadBuffers)]) {
         return {};  // all of them are made
     }
-    for (std::size_t part = 0; part < kPartCount; ++part)
+    for (std::size_t part = 0; part < kPartCount; ++part) {
+        // Intensities read of culling which elements have one: where it is left out, all have.
+        if (Part(part) == Part::Culling && info.stage != StageId::Cull) continue;
         if (info.reads[Part(part)])
             if (std::string why = partInfo(Part(part)).useless(scene, needs); !why.empty()) return why;
+    }
     return {};
 }
 

@@ -50,5 +50,17 @@ TEST(UsefulBuffers, NeedNothingThatIsUseless) {
     EXPECT_GT(left, 5);
 }
 
+// They read of culling which polygons are dropped; where it drops none, they are there all the same.
+TEST(UsefulBuffers, AreIntensitiesAlsoWhereNothingIsCulled) {
+    Scene scene = test::pyramid();
+    scene.settings.cull = CullMode::None;
+    scene.settings.shading = Shading::Gouraud;
+    EXPECT_EQ(whyUseless(scene, BufferId::VerticesIntensity), "");
+    EXPECT_NE(whyUseless(scene, BufferId::PolygonsIntensity), "") << "only flat shading evaluates polygons";
+    EXPECT_NE(whyUseless(scene, BufferId::PolygonsVerdict), "");
+    scene.settings.shading = Shading::Flat;
+    EXPECT_EQ(whyUseless(scene, BufferId::PolygonsIntensity), "");
+}
+
 }  // namespace
 }  // namespace pipeline
