@@ -6,6 +6,7 @@
 
 #include "pipeline/check/case.h"
 #include "pipeline/scene/settings_table.h"
+#include "tests/support/looks.h"
 #include "tests/support/scenes.h"
 
 namespace pipeline::check {
@@ -42,6 +43,18 @@ TEST(CheckCases, RandomTriangulationsHaveNoTriangleTurnedOver) {
             ASSERT_GT(ab.x * ac.y - ab.y * ac.x, 0) << id;
         }
     }
+}
+
+// The stop comes while H10 makes its sphere, before it draws: it is not the next case that is left out.
+TEST(CheckCases, AStopEndsTheCaseThatRuns) {
+    const Filter one{.ids = {"H10"}};
+    {
+        const test::Looks whole;
+        EXPECT_EQ(runChecks(one, 1, test::Looks::stop()).size(), 1u);
+        ASSERT_GT(test::Looks::count(), 0u);
+    }
+    const test::Looks stopping(1);
+    EXPECT_TRUE(runChecks(one, 1, test::Looks::stop()).empty());
 }
 
 TEST_P(CheckCase, OpensAsASceneThatIsAccepted) {
