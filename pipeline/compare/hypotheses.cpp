@@ -6,6 +6,7 @@
 #include <set>
 #include <tuple>
 
+#include "pipeline/compare/measured_errors.h"
 #include "pipeline/scene/settings_table.h"
 
 namespace pipeline::foreign {
@@ -86,21 +87,28 @@ public:
         if (m_factor > 1) m_small.emplace(reference, conventions, stated, m_factor);
     }
 
-    // False where it was stopped.
-    bool measure(const Stop& stop, const HypothesisProgress& progress) {
+    // The errors whose numbers leave `part`, divided by `parts`. False where it was stopped.
+    bool measure(std::size_t part, std::size_t parts, const Stop& stop, const HypothesisProgress& progress,
+                 const MeasuredErrors& given = {}) {
         auto right = m_full.of(m_scene, stop);
         if (!right || (m_small && !m_small->of(m_scene, stop))) return false;
         m_right = std::move(*right);
-        for (const KnownError& error : m_errors) {
-            if (progress) progress(m_misfits.size(), m_errors.size());
-            auto misfit = (m_small ? *m_small : m_full).of(error.plant(m_scene), stop);
+        m_misfits.resize(m_errors.size());
+        for (std::size_t i = part; i < m_errors.size(); i += parts) {
+            if (progress) progress(i, m_errors.size());
+            if (const auto known = given.find(i); known != given.end()) {
+                m_misfits[i] = known->second;
+                continue;
+            }
+            auto misfit = (m_small ? *m_small : m_full).of(m_errors[i].plant(m_scene), stop);
             if (!misfit) return false;
-            m_misfits.push_back(left(error, std::move(*misfit)));
+            m_misfits[i] = left(m_errors[i], std::move(*misfit));
             if (m_factor > 1)
-                for (double& wrong : m_misfits.back().wrong) wrong *= double(m_factor * m_factor);
+                for (double& wrong : m_misfits[i].wrong) wrong *= double(m_factor * m_factor);
         }
         return true;
     }
+    const Misfit& misfit(std::size_t i) const { return m_misfits[i]; }
     std::size_t tried() const { return m_errors.size(); }
     const KnownError* find(const std::string& id) const {
         const auto found = std::ranges::find(m_errors, id, &KnownError::id);
@@ -327,10 +335,28 @@ Suspects findSuspects(const Scene& scene, std::vector<KnownError> errors, const 
                       const Conventions& conventions, const StatedConventions& stated,
                       const std::vector<Finding>& findings, const FirstWrong& first, const Stop& stop,
                       const HypothesisProgress& progress) {
+    return findSuspects(scene, std::move(errors), reference, conventions, stated, findings, first, stop, progress, {});
+}
+
+std::optional<MeasuredErrors> measureErrors(const Scene& scene, std::vector<KnownError> errors,
+                                            const Reference& reference, const Conventions& conventions,
+                                            const StatedConventions& stated, std::size_t part, std::size_t parts,
+                                            const Stop& stop, const HypothesisProgress& progress) {
+    Trial trial(scene, std::move(errors), reference, conventions, stated);
+    if (!trial.measure(part, parts, stop, progress)) return {};
+    MeasuredErrors measured;
+    for (std::size_t i = part; i < trial.tried(); i += parts) measured[i] = trial.misfit(i);
+    return measured;
+}
+
+Suspects findSuspects(const Scene& scene, std::vector<KnownError> errors, const Reference& reference,
+                      const Conventions& conventions, const StatedConventions& stated,
+                      const std::vector<Finding>& findings, const FirstWrong& first, const Stop& stop,
+                      const HypothesisProgress& progress, const MeasuredErrors& given) {
     Trial trial(scene, std::move(errors), reference, conventions, stated);
     Suspects stopped;
     stopped.stopped = true;
-    if (!trial.measure(stop, progress)) return stopped;
+    if (!trial.measure(0, 1, stop, progress, given)) return stopped;
     std::vector<std::size_t> all(findings.size());
     for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
     const auto isDecided = [](const Suspects& suspects) { return !suspects.candidates.empty() || suspects.stopped; };

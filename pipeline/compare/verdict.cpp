@@ -7,6 +7,7 @@
 
 #include "pipeline/compare/handed_in/settle_readings.h"
 #include "pipeline/compare/handed_in/shadow_frame.h"
+#include "pipeline/compare/measured_errors.h"
 #include "pipeline/core/text.h"
 
 namespace pipeline::foreign {
@@ -247,18 +248,38 @@ Result<Report> compareRenderer(const Scene& scene, std::shared_ptr<const Referen
     return out;
 }
 
-bool nameKnownErrors(Report& report) {
-    if (report.agrees() || report.evidence.isEmpty) return true;
-    const auto stated = readStated(report.in->conventions, report.in->conventionsName);
-    const HypothesisProgress progress = [&](std::size_t done, std::size_t all) {
-        if (report.options.progress) report.options.progress("known errors", done, all);
-    };
+namespace {
+
+std::vector<KnownError> errorsToTry(const Report& report) {
     std::vector<KnownError> errors = knownErrors(*report.scene);
     const auto& without = report.options.without;
     std::erase_if(errors,
                   [&](const KnownError& error) { return std::ranges::find(without, error.id) != without.end(); });
-    report.suspects = findSuspects(*report.scene, std::move(errors), *report.reference, report.conventions, *stated,
-                                   report.findings, firstWrongOf(report), report.options.stop, progress);
+    return errors;
+}
+HypothesisProgress progressOf(const Report& report) {
+    return [&report](std::size_t done, std::size_t all) {
+        if (report.options.progress) report.options.progress("known errors", done, all);
+    };
+}
+
+}  // namespace
+
+std::optional<MeasuredErrors> measureKnownErrors(const Report& report, std::size_t part, std::size_t parts) {
+    if (report.agrees() || report.evidence.isEmpty) return MeasuredErrors();
+    const auto stated = readStated(report.in->conventions, report.in->conventionsName);
+    return measureErrors(*report.scene, errorsToTry(report), *report.reference, report.conventions, *stated, part,
+                         parts, report.options.stop, progressOf(report));
+}
+
+bool nameKnownErrors(Report& report) { return nameKnownErrors(report, {}); }
+
+bool nameKnownErrors(Report& report, const MeasuredErrors& given) {
+    if (report.agrees() || report.evidence.isEmpty) return true;
+    const auto stated = readStated(report.in->conventions, report.in->conventionsName);
+    report.suspects =
+        findSuspects(*report.scene, errorsToTry(report), *report.reference, report.conventions, *stated,
+                     report.findings, firstWrongOf(report), report.options.stop, progressOf(report), given);
     if (report.suspects->stopped) return false;
     // The files as they are read if that is the error, for all that follows.
     if (!report.suspects->candidates.empty()) {

@@ -134,6 +134,45 @@ try {
       expect('and once when they rest', (await page.run('mine.run')) === before + 1, await page.run('mine.run'));
     }
     await page.run('mine.watching()');
+    // Names that several cores have tried.
+    await page.run('globalThis.askedOf = mine.helpers.length, workersOfNames = () => 3');
+    await give('mine');
+    expect('three cores give the verdict of one', await page.run('mine.helpers.length === 2') && (await page.run('mine.json')) + '\n' === native('mine', '--json'), await page.run('mine.report?.likely'));
+    await page.run('workersOfNames = () => 1');
+    // Another folder while names are tried; the page answers meanwhile.
+    const before = await page.run('mine.run');
+    const set = async name => page.ask('DOM.setFileInputFiles', { nodeId: (await page.ask('DOM.querySelector', { nodeId: (await page.ask('DOM.getDocument')).root.nodeId, selector: '#folderfield' })).nodeId, files: [path.join(work, name)] });
+    await set('mine');
+    await page.until(`mine.run === ${before + 1} && mine.report !== null && mine.isBusy`);
+    expect('the page answers while names are tried', await page.run('new Promise(done => { one("#minehints summary").click(); requestAnimationFrame(() => done(one("#minehints").open)); })'));
+    await set('dull');
+    await page.until(`Number(document.documentElement.dataset.compared) === ${before + 2}`);
+    expect('another folder meanwhile is judged alone', (await page.run('mine.json')) + '\n' === native('dull', '--json'), await page.run('mine.report?.headline'));
+    // On paper: all is open, nothing is cut, controls are away.
+    await page.ask('Emulation.setEmulatedMedia', { media: 'print' });
+    for (const name of ['mine', 'right', 'dull']) {
+      await page.ask('Emulation.setEmulatedMedia', { media: '' });
+      await give(name);
+      await page.until('!mine.isAsking');
+      await page.ask('Emulation.setEmulatedMedia', { media: 'print' });
+      await page.run('dispatchEvent(new Event("beforeprint"))');
+      expect(`${name} on paper: all parts are open, controls are away`, await page.run('all("#minebox details").every(one => one.open) && all("#mine button:not(.strip button), .minebar, header").every(one => !one.checkVisibility())'), await page.run('all("#mine button:not(.strip button), .minebar, header").filter(one => one.checkVisibility()).map(one => one.outerHTML.slice(0, 60))'));
+      expect(`${name} on paper: pictures stay whole`, await page.run('all(".pane").filter(one => one.checkVisibility()).every(one => getComputedStyle(one).breakInside === "avoid" && one.getBoundingClientRect().height < 900)'));
+      if (shots) fs.writeFileSync(path.join(shots, `${name}-print.pdf`), Buffer.from((await page.ask('Page.printToPDF', { printBackground: true })).data, 'base64'));
+    }
+    await page.ask('Emulation.setEmulatedMedia', { media: '' });
+    // Text twice as large.
+    await page.run('document.documentElement.style.fontSize = "200%"');
+    expect('text of 200 % does not scroll sideways', await fits(), await page.run('document.documentElement.scrollWidth'));
+    await shot('mine-large');
+    await page.run('document.documentElement.style.fontSize = ""');
+    // Memory that is out ends the worker, not the page.
+    await page.run('globalThis.askOfSide = Side.prototype.ask, Side.prototype.ask = () => Promise.reject(Object.assign(new Error("memory access out of bounds"), { isTrap: true })), compareMine()');
+    await page.until('!one("#minetrouble").hidden');
+    expect('memory that is out is said', (await page.run('one("#minetrouble").textContent')).startsWith('Not enough memory for 2 files of this size'), await page.run('one("#minetrouble").textContent'));
+    await page.run('Side.prototype.ask = askOfSide');
+    await give('mine');
+    expect('and the page goes on', (await page.run('mine.json')) + '\n' === native('mine', '--json') && await page.run('one("#minetrouble").hidden'));
     // Less is given away.
     await page.run('one("#hints").value = "1", one("#hints").dispatchEvent(new Event("change"))');
     await page.until('mine.report?.hints.length === 1 && !mine.isBusy');
@@ -144,6 +183,16 @@ try {
     await page.key('Escape');
     await page.until('!mine.isBusy && mine.report !== null');
     expect('after Cancel the stages stay', await page.run('mine.report.stages[2].verdict === "wrong here" && mine.report.known.length === 0'));
+    // Of two scenes in a folder none is taken unasked.
+    fs.cpSync(path.join(work, 'right'), path.join(work, 'two'), { recursive: true });
+    fs.copyFileSync(path.join(work, 'right', 'check_me.toml'), path.join(work, 'two', 'another.toml'));
+    await page.run('Object.assign(mine, { isChosen: false })');
+    await set('two');
+    await page.until('one("#minetrouble").textContent.startsWith("There are 2 scenes")');
+    const asked = await page.run('mine.run');
+    await page.run('one("#minescene").value = "check_me.toml", one("#minescene").dispatchEvent(new Event("change"))');
+    await page.until(`Number(document.documentElement.dataset.compared) > ${asked}`);
+    expect('the scene that is chosen is taken', await page.run('mine.report.exit === 0 && mine.scene.name === "check_me.toml"'), await page.run('mine.report?.headline'));
     // Files by themselves, a scene of the page, and what is no buffer.
     await give('', '#filesfield', [path.join(work, 'mine', 'color.npy'), path.join(work, 'mine', 'normal.npy')]);
     expect('files by themselves are compared', await page.run('mine.files.length === 2 && mine.report.stages[5].buffers.length === 2'), await page.run('mine.report?.stages'));

@@ -1,6 +1,7 @@
 #include "app/web/core/core.h"
 #include "pipeline/compare/compare_options.h"
 #include "pipeline/compare/handed_in/convention_choices.h"
+#include "pipeline/compare/measured_errors.h"
 #include "pipeline/compare/report/compare_html.h"
 #include "pipeline/compare/report/compare_text.h"
 #include "pipeline/compare/report/worst_pixels.h"
@@ -46,6 +47,7 @@ struct Renderer {
     foreign::CompareOptions options;
     foreign::StatedByHand stated;  // beside mine.toml, and before it
     std::optional<foreign::Report> report;
+    foreign::MeasuredErrors measured;  // by other workers, for this report
 };
 Renderer s_renderer;
 std::vector<std::uint8_t> s_rgba;
@@ -59,6 +61,29 @@ const foreign::Finding* findingNamed(std::string_view name) {
 
 int giveReport() {
     return giveText(pipeline::escapedLines(reportJson(*s_renderer.report, exitStatus(*s_renderer.report)).dump(2)));
+}
+
+Json misfitJson(std::size_t number, const foreign::Misfit& misfit) {
+    Json readings = Json::array();
+    for (const foreign::Reading& one : misfit.readings)
+        readings.push_back({one.bottomUp, one.mirrored, one.bgr, int(one.coding)});
+    return {{"error", number},
+            {"geometry", {misfit.geometry.bottomUp, misfit.geometry.mirrored}},
+            {"readings", readings},
+            {"wrong", misfit.wrong},
+            {"drawn", misfit.drawn}};
+}
+// From another worker of the same page.
+foreign::Misfit misfitFrom(const Json& json) {
+    const auto isSet = [](const Json& flag) { return flag == Json(true); };
+    const Json &geometry = json["geometry"], &readings = json["readings"];
+    foreign::Misfit misfit;
+    misfit.geometry = {isSet(geometry[0]), isSet(geometry[1])}, misfit.drawn = json["drawn"].get<std::size_t>();
+    for (const Json& one : readings)
+        misfit.readings.push_back(
+            {isSet(one[0]), isSet(one[1]), isSet(one[2]), foreign::Coding(one[3].get<long long>())});
+    for (const Json& wrong : json["wrong"]) misfit.wrong.push_back(wrong.get<double>());
+    return misfit;
 }
 
 // What is wrong with the options, or empty.
@@ -90,7 +115,7 @@ WEB_CALL(hand_nothing) int webHandNothing(const char* path, int size) {
     return give(true);
 }
 WEB_CALL(take_back) int webTakeBack() {
-    s_renderer.files.clear(), s_renderer.errors.clear(), s_renderer.report.reset();
+    s_renderer.files.clear(), s_renderer.errors.clear(), s_renderer.report.reset(), s_renderer.measured.clear();
     return give(true);
 }
 
@@ -129,17 +154,32 @@ WEB_CALL(verdict) int webVerdict(const char* given, int givenSize) {
     in.errors.insert(in.errors.begin(), s_renderer.errors.begin(), s_renderer.errors.end());
     auto report =
         compareRenderer(*scene, s_renderer.reference, std::move(in), std::string(textAt(given, givenSize)), asked);
-    s_renderer.report.reset();
+    s_renderer.report.reset(), s_renderer.measured.clear();
     if (!report) return refuse(report.errors());
     s_renderer.report = std::move(report).value();
     return giveReport();
 }
 
-// Tries the known errors, which verdict() was told to leave, and gives the same anew.
+// Measures the known errors whose numbers leave `part`, divided by `parts`: what one of several workers does.
+WEB_CALL(names_part) int webNamesPart(int part, int parts) {
+    if (!s_renderer.report) return refuse("nothing was compared");
+    const auto measured = measureKnownErrors(*s_renderer.report, std::size_t(part), std::size_t(parts));
+    Json list = Json::array();
+    for (const auto& [number, misfit] : *measured) list.push_back(misfitJson(number, misfit));
+    return give(list);
+}
+// Takes over what another worker has measured.
+WEB_CALL(names_given) int webNamesGiven(const char* text, int size) {
+    const Json list = Json::read(textAt(text, size)).value_or(Json());
+    for (const Json& one : list) s_renderer.measured[one["error"].get<std::size_t>()] = misfitFrom(one);
+    return give(true);
+}
+
+// Tries the known errors, which verdict() was told to leave and nobody has measured, and gives the same anew.
 WEB_CALL(verdict_names) int webVerdictNames() {
     if (!s_renderer.report) return refuse("nothing was compared");
     s_renderer.report->options.known = true;
-    nameKnownErrors(*s_renderer.report);
+    nameKnownErrors(*s_renderer.report, s_renderer.measured);
     return giveReport();
 }
 

@@ -50,6 +50,7 @@ function route() {
   if (place === 'mine') refused.push(...openMine(of));
   else if (place === 'bug') refused.push(...openBug(of.seed?.[0]));
   else if (place === 'check') refused.push(...openCases(of.case?.[0]));
+  else if (place === 'study') refused.push(...openStudy(name, of));
   else if (place === 'scene' && !name && of.toml) return void guardedWait(() => openFromLink(of));
   else if (lesson) refused.push(...openLesson(lesson, name, of));
   else {
@@ -87,7 +88,7 @@ function openMine(of) {
 /** What a drop or a choice means: a renderer's buffers, a scene, a model. @param {Drop} drop */
 function takeDrop(drop) {
   one('#wrong').hidden = true;
-  const { list } = drop, scene = sceneAmong(list), model = list.find(file => kModels.test(file.path)), numbers = list.filter(file => kNumbers.test(file.path));
+  const { list } = drop, [scene] = scenesAmong(list), model = list.find(file => kModels.test(file.path)), numbers = list.filter(file => kNumbers.test(file.path));
   const own = scene ? list.find(file => lastName(file.path) === scene.name) : model, isMine = document.documentElement.dataset.place === 'mine';
   const areTextures = model && !scene && numbers.every(file => /\.png$/i.test(file.path));
   if (numbers.length && !areTextures) {
@@ -163,7 +164,7 @@ async function start() {
   fillStart();
   if (/^#?(start)?$/.test(location.hash)) go('start');
   core = await Core.start(await unpackedCore());
-  startParts(), startMine(), startDrops(), startGame();
+  startParts(), startMine(), startDrops(), startGame(), startStudy();
   one('#copylink').addEventListener('click', () => guardedWait(copyLink));
   addEventListener('hashchange', () => guarded(route));
   route();

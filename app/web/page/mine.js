@@ -4,6 +4,8 @@
 const mine = {
   /** The scene that both draw, with the files that it names. @type {?{name: string, list: {name: string, bytes: Uint8Array}[]}} */
   scene: null,
+  /** Scenes of the folder. @type {{name: string, list: {name: string, bytes: Uint8Array}[]}[]} */
+  offered: [],
   isChosen: false,                   // by the reader, so that a folder's own does not take its place
   /** @type {string[]} */
   settings: [],                      // of the scene, KEY=VALUE
@@ -36,7 +38,11 @@ const mine = {
   run: 0,
   /** @type {?Side} */
   side: null,
+  /** Others, while names are tried. @type {Side[]} */
+  helpers: [],
 };
+/** Cores that try the known errors together; each reads the files anew. */
+function workersOfNames() { return /** @type {any} */ (navigator).deviceMemory < 4 ? 1 : Math.max(1, Math.min(4, navigator.hardwareConcurrency - 1)); }
 const kNumbers = /\.(npy|png|tga|bmp|ppm|pgm|pbm|pnm|pfm|exr|csv)$/i, kScenes = /\.(toml|scene)$/i, kModels = /\.(obj|ply|stl|off|gltf|glb)$/i;
 const kOfScene = /\.(toml|scene|des|obj|mtl|ply|stl|off|gltf|glb|bin)$/i;
 const kSigns = { 'agrees': 'ok', 'wrong here': 'bad', 'given what it got': 'given', 'no file': 'none', 'cannot tell': 'unclear' };
@@ -44,10 +50,10 @@ const lastName = path => path.slice(path.lastIndexOf('/') + 1);
 const pathSaid = () => (mine.name ? `${mine.name}/: ` : '') + (mine.files.length === 1 ? '1 file' : `${mine.files.length} files`);
 const buffersOf = report => report.stages.flatMap(stage => stage.buffers);
 
-/** Files that hold a scene, and what it names. @param {Brought[]} list */
-function sceneAmong(list) {
-  const scene = list.find(file => kScenes.test(file.path) && lastName(file.path) !== 'mine.toml');
-  return scene ? { name: lastName(scene.path), list: list.filter(file => kOfScene.test(file.path)).map(file => ({ name: lastName(file.path), bytes: file.bytes })) } : null;
+/** Files that hold a scene, each with what it may name. @param {Brought[]} files */
+function scenesAmong(files) {
+  const list = files.filter(file => kOfScene.test(file.path)).map(file => ({ name: lastName(file.path), bytes: file.bytes }));
+  return list.filter(({ name }) => kScenes.test(name) && name !== 'mine.toml').map(({ name }) => ({ name, list }));
 }
 /** A scene that comes with the page. @param {string} name of its file */
 const sceneOfPage = name => ({ name, list: Object.entries(whole.scenes).map(([file, text]) => ({ name: file, bytes: encoder.encode(text) })) });
@@ -58,20 +64,16 @@ const callsOfScene = ({ name, list }) => [...list.map(file => ['file', file.name
 function takeMine({ name, folder, list }) {
   mine.watching();
   Object.assign(mine, { files: list, name, folder, report: null, pixel: null, shown: '', stated: mine.files.length ? Object.create(null) : mine.stated });
-  const found = sceneAmong(list);
-  if (found && !mine.isChosen) mine.scene = found;
+  mine.offered = scenesAmong(list);
+  if (mine.offered.length && !mine.isChosen) mine.scene = mine.offered.length === 1 ? mine.offered[0] : null;
   mine.watching = folder ? watchFolder(folder, list, now => { mine.files = now, compareMine(); }) : () => {};
   compareMine();
 }
 
 /** Compares anew; a comparison that runs is stopped. Stages come first, names follow. @param {boolean} [names] */
 async function compareMine(names = true) {
-  if (mine.isBusy) mine.side?.stop();
-  mine.side ??= new Side(core.module, (what, done, all) => {
-    one('#mineprogress').value = done / all;
-    one('#minedone').textContent = `Known errors ${done} of ${all}`;
-    if (done * 10 % all < 10) sayMine(`${Math.floor(10 * done / all) * 10} % of the known errors are tried.`);
-  });
+  if (mine.isBusy) stopMine();
+  mine.side ??= new Side(core.module, tellNames);
   const run = ++mine.run;
   Object.assign(mine, { isBusy: mine.scene !== null && mine.files.length > 0, wasStopped: false });
   drawMine();
@@ -83,6 +85,7 @@ async function compareMine(names = true) {
     ['verdict_options', JSON.stringify({ known: false, hints: mine.hints, stated: mine.stated })], ['verdict', mine.name || 'files']];
   try {
     for (const known of names ? [false, true] : [false]) {
+      if (known) await measureNames(begin(), workersOfNames());
       const answers = await mine.side.ask(...(known ? [['verdict_names']] : begin()), ['verdict_text', 100], ['verdict_worst']);
       if (run !== mine.run) return;
       takeReport(answers.at(-3), JSON.parse(answers.at(-2)), JSON.parse(answers.at(-1)), !known);
@@ -97,6 +100,26 @@ async function compareMine(names = true) {
   }
   if (run === mine.run) document.documentElement.dataset.compared = String(run);
 }
+
+/** The known errors, shared out among cores: what each has measured is given to the one that judges.
+ * @param {any[][]} begin the calls that compare the stages @param {number} count */
+async function measureNames(begin, count) {
+  if (count < 2) return;
+  while (mine.helpers.length < count - 1) mine.helpers.push(new Side(core.module, () => {}));
+  const helped = mine.helpers.slice(0, count - 1).map((side, i) => side.ask(...begin, ['names_part', i + 1, count]).then(answers => answers.at(-1), error => {
+    if (error.isStopped) throw error;
+    return '[]';  // out of memory: the first measures what is missing
+  }));
+  const own = mine.side.ask(['names_part', 0, count]).then(answers => answers.at(-1));
+  await mine.side.ask(...(await Promise.all([own, ...helped])).map(part => ['names_given', part]));
+  mine.helpers.forEach(side => side.stop());  // which frees their memory
+}
+function tellNames(what, done, all) {
+  one('#mineprogress').value = done / all;
+  one('#minedone').textContent = `Known errors ${done} of ${all}`;
+  if (done * 10 % all < 10) sayMine(`${Math.floor(10 * done / all) * 10} % of the known errors are tried.`);
+}
+function stopMine() { for (const side of [mine.side, ...mine.helpers]) side?.stop(); }
 
 /** @param {string} json @param {any[]} lines @param {any} worst @param {boolean} isFirst the names are still to come */
 function takeReport(json, lines, worst, isFirst) {
@@ -115,14 +138,16 @@ const sayMine = text => { one('#minesaid').textContent = text; };
 function drawMine(trouble = '') {
   const report = mine.report, choice = one('#minescene');
   const needsScene = mine.files.length > 0 && !mine.scene;
-  const refused = report && report.refused > 0 ? report.problems.slice(-report.refused).join('\n') : '';
-  const said = trouble || refused || (needsScene ? 'Which scene does your renderer draw? Choose it above, or drop its file.' : mine.wasStopped ? 'The comparison was cancelled.' : '');
+  const problems = report && report.refused > 0 ? report.problems.slice(-report.refused) : [], more = problems.length - 2;
+  const refused = (more > 1 ? [...problems.slice(0, 2), `and ${more} more files: see Files`] : problems).join('\n');
+  const said = trouble || refused || (needsScene ? mine.offered.length > 1 ? `There are ${mine.offered.length} scenes in your folder. Choose above the one that your renderer draws.` : 'Which scene does your renderer draw? Choose it above, or drop its file.' : mine.wasStopped ? 'The comparison was cancelled.' : '');
   one('#minetrouble').textContent = said, one('#minetrouble').hidden = said === '';
   one('#minefolder').textContent = mine.files.length ? pathSaid() + (mine.folder ? ', watched' : '') : '';
   one('#minewatch').hidden = mine.files.length === 0 || mine.folder !== null;
   one('#minewatch').textContent = 'This browser cannot watch a folder. Drop it again after your renderer has written.';
   one('#mineagain').hidden = mine.files.length === 0, one('#mineempty').hidden = mine.files.length > 0;
-  if (mine.scene && ![...choice.options].some(option => option.value === mine.scene.name)) choice.append(element('option', { value: mine.scene.name, textContent: `${mine.scene.name}, yours` }));
+  for (const { name } of [...mine.offered, ...(mine.scene ? [mine.scene] : [])])
+    if (![...choice.options].some(option => option.value === name)) choice.append(element('option', { value: name, textContent: `${name}, yours` }));
   choice.value = mine.scene ? mine.scene.name : '';
   if (document.activeElement !== one('#mineset')) one('#mineset').value = mine.settings.join('; ');
   one('#minework').hidden = !mine.isBusy;
@@ -286,7 +311,7 @@ const kMineKeys = {
 /** What was found stays: the worker that knew it is gone, so that another finds it again, without the names. */
 function cancelMine() {
   ++mine.run;
-  mine.side?.stop();
+  stopMine();
   mine.isBusy = false;
   if (mine.report) return void compareMine(false);
   mine.wasStopped = true;
@@ -310,8 +335,9 @@ function startMine() {
   const choice = one('#minescene');
   choice.append(...whole.known.map(({ file, title }) => element('option', { value: file, textContent: title })));
   choice.addEventListener('change', () => {
-    if (!Object.hasOwn(whole.scenes, choice.value)) return;
-    Object.assign(mine, { isChosen: true, scene: sceneOfPage(choice.value), report: null, pixel: null, shown: '' });
+    const own = mine.offered.find(scene => scene.name === choice.value);
+    if (!own && !Object.hasOwn(whole.scenes, choice.value)) return;
+    Object.assign(mine, { isChosen: true, scene: own || sceneOfPage(choice.value), report: null, pixel: null, shown: '' });
     compareMine();
   });
   one('#mineset').addEventListener('change', event => {
