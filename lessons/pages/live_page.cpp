@@ -151,8 +151,8 @@ Result<LiveParts> liveParts(LiveKind kind) {
     static constexpr std::array<std::string_view, 12> kScripts{"core.js",  "view.js",     "pictures.js", "stages.js",
                                                                "pixel.js", "settings.js", "worker.js",   "lesson.js",
                                                                "space.js", "stage.js",    "end.js",      "page.js"};
-    static constexpr std::array<std::string_view, 6> kOfWhole{"files.js", "link.js", "side.js",
-                                                              "mine.js",  "game.js", "all.js"};
+    static constexpr std::array<std::string_view, 7> kOfWhole{"files.js", "link.js",  "side.js", "mine.js",
+                                                              "game.js",  "study.js", "all.js"};
     std::vector<std::pair<std::string_view, std::string*>> files{{"page.html", &parts.page},
                                                                  {"tokens.css", &parts.style},
                                                                  {"page.css", &parts.style},

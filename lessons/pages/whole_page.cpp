@@ -49,7 +49,7 @@ std::string thumbnailOf(const pipeline::Scene& scene, const pipeline::Stop& stop
 constexpr std::string_view kPlaces =
     "<a class=\"home always\" href=\"#start\">Shadescope</a><nav id=\"places\" class=\"always\" aria-label=\"Places\">"
     "<a href=\"#start\">Scenes and lessons</a><a href=\"#mine\">My renderer</a><a href=\"#bug\">Wrong "
-    "picture</a><a href=\"#check\">Stiff cases</a></nav>"
+    "picture</a><a href=\"#check\">Stiff cases</a><a href=\"#study\">Study</a></nav>"
     "<button type=\"button\" class=\"instrument\" id=\"contractskey\">Contracts <kbd>K</kbd></button>"
     "<button type=\"button\" class=\"instrument\" id=\"savekey\">Save…</button>"
     "<button type=\"button\" class=\"always\" id=\"copylink\">Copy link</button>"

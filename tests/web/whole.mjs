@@ -22,7 +22,7 @@ try {
     expect('every lesson is listed', JSON.stringify(await page.run('Object.keys(whole.lessons).sort()')) === JSON.stringify([...lessons].sort()));
     expect('every scene has its picture', await page.run('all("#scenes img").every(one => one.src.startsWith("data:image/png"))'));
     if (shots) await page.shot(path.join(shots, `start-${width}.png`));
-    for (const [hash, done] of [['#bug&seed=2026.1', 'game.state !== null && !game.isBusy'], ['#check&case=S10', 'cases.results.S10'], ['#scene=pyramid', 'document.documentElement.dataset.place === "scene" && !running']]) {
+    for (const [hash, done] of [['#bug&seed=2026.1', 'game.state !== null && !game.isBusy'], ['#check&case=S10', 'cases.results.S10'], ['#study=pyramid', 'study.scene !== ""'], ['#scene=pyramid', 'document.documentElement.dataset.place === "scene" && !running']]) {
       await page.run(`location.hash = ${JSON.stringify(hash)}`);
       await page.until(done);
       expect(`${hash} does not scroll sideways at ${width}`, await page.run('document.documentElement.scrollWidth <= innerWidth'), await page.run('document.documentElement.scrollWidth'));
@@ -40,15 +40,26 @@ try {
   const said = () => page.run('one("#wrong").hidden ? "" : one("#wrong").textContent');
   /** What a reader sees, as far as the core knows it. */
   const state = () => page.run('JSON.stringify([document.documentElement.dataset.place, one("#title").textContent, view.page, view.then, view.pixel, view.step?.place, view.pictures.map(one => one.buffer), view.compare, Object.keys(view.own).map(key => key + settingOf(key).text), view.pixel ? core.ask("inspect", ...view.pixel, view.channel) : null])');
+  const stills = () => page.run('JSON.stringify([data.link, view.page, view.then, report, one("#text").textContent, core.ask("inspect", ...(view.pixel || [9, 9]), view.channel)])');
+  /** The link of what is open opens the same. @param {string} name */
+  const linkedAgain = async name => {
+    await page.run('one("#copylink").click()');
+    const before = await stills(), hash = await page.run('linkNow().hash');
+    await opens('#start');
+    await opens(hash);
+    expect(`the link of ${name} opens it again`, await said() === '' && await stills() === before, [hash, await said()]);
+  };
   const scenes = await page.run('whole.known.map(one => one.name)');
   const some = list => (isLong ? list : list.filter((_, i) => i % 6 === 0));
   for (const name of some(scenes)) {
     await opens('#scene=' + name);
     expect(`${name} opens`, await said() === '' && await page.run('document.documentElement.dataset.place === "scene" && view.inside'), await said());
+    await linkedAgain(name);
   }
   for (const name of some(lessons)) {
     await opens('#lesson=' + name);
     expect(`lesson ${name} opens`, await said() === '' && await page.run('!view.inside && data.pages > 0'), await said());
+    for (let number = 1; number < await page.run('data.pages'); number += isLong ? 1 : 4) await page.run(`openPage(${number})`), await linkedAgain(`${name}, page ${number + 1}`);
   }
   // A state, its link, and the state that the link opens.
   await opens('#scene=z_buffer_phong');
@@ -97,6 +108,24 @@ try {
     expect('every case holds', (await page.run('Object.values(cases.results).filter(row => !row.holds).map(row => row.case)')).length === 0, await page.run('Object.values(cases.results).filter(row => !row.holds)'));
   }
   if (shots) await page.shot(path.join(shots, 'check-1366.png'));
+  // A study of the open scene, with its settings: the errors of the command.
+  await opens('#study=flat_gouraud_phong&set=width=80&set=height=60&sweep=shading=flat,phong');
+  expect('a link fills in the sweep, and runs nothing', await said() === '' && await page.run('one("#sweep").value === "" && one("#sweepmore").value === "shading=flat,phong" && !study.isBusy'), [await said(), await page.run('one("#sweepmore").value')]);
+  await page.run('one("#studyrun").click()');
+  await page.until('study.report !== null');
+  const found = JSON.parse(await page.run('study.report.json'));
+  const asked = JSON.parse(spawnSync(program, ['study', 'flat_gouraud_phong', '--set', 'width=80', '--set', 'height=60', '--sweep', 'shading=flat,phong', '--warm-up', '0', '--repeat', '1', '--processes', '1', '--json', '-o', path.join(work, 'study')], { encoding: 'utf8', maxBuffer: 1 << 26 }).stdout);
+  const models = report => report.points.map(point => point.errors.map(row => row.model && Number(row.model.toPrecision(9))));
+  expect('a study finds the errors of the command', JSON.stringify(models(found)) === JSON.stringify(models(asked)) && found.points[0].frame[0].length === 9, [models(found)[0].slice(0, 3), models(asked)[0].slice(0, 3)]);
+  expect('the plot has a mark for each point, the table a row', await page.run('all("#studyplot circle, #studyplot path:not(.line)").length >= 2 && all("#studyrows tr").length === 2 && one("#studyplot svg").getBoundingClientRect().height > 100'));
+  expect('its link is its sweep', /^#study=flat_gouraud_phong&set=.*&sweep=shading=flat,phong$/.test(await page.run('linkNow().hash')), await page.run('linkNow().hash'));
+  if (shots) await page.shot(path.join(shots, 'study-1366.png'));
+  const drawnPlot = await page.run('svgText(one("#studyplot svg"))');
+  fs.writeFileSync(path.join(work, 'plot.svg'), drawnPlot);
+  expect('a saved plot has its colours', /stroke="rgb/.test(drawnPlot) && spawnSync('python3', ['-c', 'import sys, xml.dom.minidom as m; m.parse(sys.argv[1])', path.join(work, 'plot.svg')]).status === 0, drawnPlot.slice(0, 300));
+  await page.run('one("#studyrun").click()');
+  await page.run('one("#studystop").click()');
+  expect('a study can be cancelled', await page.run('!study.isBusy && study.report === null && one("#studystop").hidden'));
   // What must hold, and downloads.
   await opens('#scene=pyramid');
   await page.key('k');
@@ -111,11 +140,16 @@ try {
   await page.run('one("#savepng").click()');
   await page.until('savedFiles.length === 2');
   expect('so is a picture', await page.run('savedFiles[1][2] === "depth.png" && savedFiles[1][0].size > 500'));
+  await page.run('pick([48, 36]), one("#savebuffer").value = "z_view", one("#savesvg").click()');
+  const figure = await page.run('savedFiles[2][0]');
+  fs.writeFileSync(path.join(work, 'figure.svg'), figure);
+  expect('a figure has its picture, bar and caption', /^<svg[^>]* width="84mm"/.test(figure) && figure.includes('href="data:image/png') && figure.includes('<linearGradient') && figure.includes('at 48, 36:') && spawnSync('python3', ['-c', 'import sys, xml.dom.minidom as m; m.parse(sys.argv[1])', path.join(work, 'figure.svg')]).status === 0, figure.replace(/base64,[^"]*/, '').slice(0, 400));
+  if (shots) fs.writeFileSync(path.join(shots, 'figure.svg'), figure), fs.writeFileSync(path.join(shots, 'plot.svg'), drawnPlot);
   await page.run('one("#saveclose").click()');
   // Hostile ones: said, and nothing else.
   await page.run('globalThis.hit = 0');
   const long = 'x'.repeat(5000), bomb = zlib.deflateRawSync(Buffer.alloc(800000)).toString('base64url');
-  for (const hash of ['#scene=<img src=x onerror=hit=1>', '#__proto__=1', '#constructor', '#scene=__proto__', '#lesson=constructor', '#scene=pyramid&__proto__=1', '#scene=pyramid&set=width=99999', '#scene=pyramid&set=<b>', '#' + long, '#scene=../../etc/passwd', '#mine&scene=../../etc/passwd', '#scene=pyramid&at=%E0%A4', '#lesson=pyramid&page=99999999999999999999', '#scene=pyramid&step=nowhere', '#scene=pyramid&show=<script>,x', '#scene=pyramid&with=nothing=1', '#mine&hints=-5', '#mine&convention=rows', '#bug&seed=99999999999999999999', '#bug&seed=<i>', '#check&case=<b>', '#check&case=__proto__', '#scene&toml=AAAA', '#scene&toml=' + bomb]) {
+  for (const hash of ['#scene=<img src=x onerror=hit=1>', '#__proto__=1', '#constructor', '#scene=__proto__', '#lesson=constructor', '#scene=pyramid&__proto__=1', '#scene=pyramid&set=width=99999', '#scene=pyramid&set=<b>', '#' + long, '#scene=../../etc/passwd', '#mine&scene=../../etc/passwd', '#scene=pyramid&at=%E0%A4', '#lesson=pyramid&page=99999999999999999999', '#scene=pyramid&step=nowhere', '#scene=pyramid&show=<script>,x', '#scene=pyramid&with=nothing=1', '#mine&hints=-5', '#mine&convention=rows', '#bug&seed=99999999999999999999', '#bug&seed=<i>', '#check&case=<b>', '#study=<b>', '#study&set=<b>', '#study=__proto__', '#check&case=__proto__', '#scene&toml=AAAA', '#scene&toml=' + bomb]) {
     const elements = await page.run('document.querySelectorAll("script, img, iframe").length');
     await opens(hash);
     expect(`${hash.slice(0, 40)} does nothing`, await page.run('globalThis.hit === 0') && await page.run('document.querySelectorAll("script, img, iframe").length') === elements);

@@ -1,4 +1,5 @@
 #include "app/web/core/core.h"
+#include "app/web/core/rays.h"
 #include "pipeline/buffers/buffer_table.h"
 #include "pipeline/export/json/frame_json.h"
 #include "pipeline/inspect/term_mix.h"
@@ -18,7 +19,7 @@ std::optional<AnyBuffer> derivedNamed(ShownScene& shown, const BufferName& name)
     if (shown.derivedOf != frame) shown.derived.clear(), shown.derivedOf = frame;
     const auto known = shown.derived.find(name.text());
     if (known != shown.derived.end()) return known->second.buffer;
-    if (name.id == pipeline::BufferId::ShadowVerdict) {
+    if (name.id == pipeline::BufferId::ShadowVerdict && !castsRays()) {
         refuse("The program alone casts exact rays: open the scene in Shadescope to see the verdicts.");
         return {};
     }

@@ -75,8 +75,9 @@ pipeline::Result<pipeline::ExportSummary> keepFiles(const pipeline::Frame& frame
 }
 
 int runExport(const Json& options, const app::CommandHost& host) {
-    app::ExportOptions what{.frame = frameOf(options), .folder = options["folder"].text(), .formats = {"npy"}};
+    app::ExportOptions what{.frame = frameOf(options), .folder = options["folder"].text()};
     what.derived.where = options["where"].text(), what.derived.mix = options["mix"].text();
+    what.derived.shadowVerdicts = isSet(options["shadowVerdicts"]);
     what.at = options["at"].text();
     if (options.find("format")) what.formats = textsOf(options["format"]);
     if (const std::string wrong = app::wrongFormats(what.formats); !wrong.empty()) {

@@ -3,7 +3,6 @@
 #include "lessons/library.h"
 #include "pipeline/formats/png_scene.h"
 #include "pipeline/formats/scene_folder.h"
-#include "pipeline/study/shadow_verdict.h"
 
 namespace pipeline {
 
@@ -20,14 +19,6 @@ Result<std::string> readFile(const std::filesystem::path& file, std::size_t limi
 }
 Result<std::string> wholeText(const SourceText& source) { return std::string(source.text); }
 bool FileTail::read(std::string&, std::size_t) { return false; }
-// A lesson may show them; the buffer itself says what is missing, in buffer_calls.cpp.
-std::string whyNoShadowVerdicts(const Scene&, std::size_t) { return {}; }
-bool haveSameRays(const Scene&, const Scene&) { return false; }
-std::optional<ExactShadows> exactShadows(const Scene&, std::size_t, int, Stop, const std::function<void(double)>&) {
-    return {};
-}
-std::optional<ShadowVerdicts> judgeShadows(const Frame&, const ExactShadows&) { return {}; }
-AnyBuffer bufferOf(const ShadowVerdicts&) { return {}; }
 Result<std::filesystem::path> pathInFolder(const std::filesystem::path&, std::string_view, std::string_view) {
     return Error{{}, "not in this page", {}};
 }

@@ -4,7 +4,8 @@
 import { existsSync, mkdirSync, readFileSync, readdirSync, realpathSync, renameSync, statSync, watch, writeFileSync } from 'node:fs';
 import { basename, dirname, join, relative, resolve, isAbsolute } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { gunzipSync } from 'node:zlib';
+import { cpus } from 'node:os';
+import { deflateSync, gunzipSync, inflateSync } from 'node:zlib';
 
 const here = dirname(fileURLToPath(import.meta.url));
 const beside = name => readFileSync(join(here, name));
@@ -76,15 +77,49 @@ export function compare(core, paths, options = {}) {
 export const run = (core, command, options = {}) => core.ask('run_command', command, JSON.stringify(options));
 
 /** The bytes of a file that run(core, 'export', …) has named. @param {string} name @returns {Uint8Array} */
-export const written = (core, name) => core.numbers(core.ask('written', name)).slice();
+export function written(core, name) {
+  const bytes = core.numbers(core.ask('written', name)).slice();
+  return name.endsWith('.png') ? packedPng(bytes) : bytes;
+}
+
+/** The pixels of a PNG packed, which the core stores as they are. @param {Uint8Array} png @returns {Uint8Array} */
+function packedPng(png) {
+  const bytes = Buffer.from(png), parts = [bytes.subarray(0, 8)];
+  for (let at = 8, size; at < bytes.length; at += 12 + size) {
+    size = bytes.readUInt32BE(at);
+    if (bytes.toString('latin1', at + 4, at + 8) !== 'IDAT') { parts.push(bytes.subarray(at, at + 12 + size)); continue; }
+    const packed = deflateSync(inflateSync(bytes.subarray(at + 8, at + 8 + size)), { level: 9 }), chunk = Buffer.concat([Buffer.alloc(4), Buffer.from('IDAT'), packed, Buffer.alloc(4)]);
+    chunk.writeUInt32BE(packed.length), chunk.writeUInt32BE(crc32(chunk.subarray(4, -4)), chunk.length - 4);
+    parts.push(chunk);
+  }
+  return Buffer.concat(parts);
+}
+/** ISO 3309. @param {Uint8Array} bytes */
+function crc32(bytes) {
+  let sum = ~0;
+  for (const byte of bytes) {
+    sum ^= byte;
+    for (let bit = 0; bit < 8; ++bit) sum = sum >>> 1 ^ (sum & 1 ? 0xEDB88320 : 0);
+  }
+  return ~sum >>> 0;
+}
+
+/** Error against run time of the open scene, in this process: what `shadescope study` writes as study.json, and what it prints.
+ * @param {string[]} sweeps as --sweep takes them @param {{warmUp?: number, repeat?: number, tell?: (text: string) => void}} [options] @returns {{json: string, text: string}} */
+export function study(core, sweeps, { warmUp = 2, repeat = 20, tell = () => {} } = {}) {
+  const points = core.ask('study', sweeps.join('\n'), `${cpus()[0]?.model}, Node ${process.version}`, warmUp, repeat);
+  for (const [i, point] of points.entries()) tell(`Errors: ${i} of ${points.length}, ${point}`), core.ask('study_point', i);
+  tell('Times'), core.ask('study_times');
+  return core.ask('study_report', 960, 600, 16);
+}
 
 // --- The command line
 
 const usage = `shadescope compare SCENE FOLDER|FILE... [--json] [--hints 0..3] [--stage STAGE] [--tolerance BUFFER=NUMBER]
                    [--strict] [--no-known] [--watch]
     finds the first wrong stage of another renderer by its files
-shadescope export SCENE -o DIR [--format npy,csv,scene] [--buffers all|NAME,...] [--until STAGE] [--at PLACE]
-                   [--where CONDITION] [--mix TERM=GAIN,...] [--force]
+shadescope export SCENE -o DIR [--format npy,png,csv,scene] [--buffers all|NAME,...] [--until STAGE] [--at PLACE]
+                   [--where CONDITION] [--mix TERM=GAIN,...] [--shadow-verdicts] [--force]
     writes buffers and manifest.json; adds to a folder, and removes nothing from it
 shadescope inspect SCENE --pixel X,Y|--table TABLE|--where CONDITION|--row Y|--step PLACE|--contracts [--format FORMAT] [--json]
     prints a pixel with its equation, a table, a row, a step's algorithm, or what must hold
@@ -92,6 +127,8 @@ shadescope plan SCENE [--buffers all|NAME,...] [--until STAGE] [--counts] [--jso
     prints what runs, what is left out, and why
 shadescope check [--case ID] [--group GROUP] [--list] [--json]
     runs the stiff and extreme cases
+shadescope study SCENE --sweep SWEEP... [--warm-up N] [--repeat N] [--json]
+    prints error against run time; SWEEP is KEY=VALUE,VALUE,..., KEY=FIRST..LAST*FACTOR or the name of a ready-made one
 SCENE is a file, or the name of a scene that comes with this package. Each takes --set KEY=VALUE and --size WxH for it.
 Exit status: 0 done, 1 the answer is no, 2 wrong usage, 3 bad input, 4 could not write.
 `;
@@ -99,10 +136,11 @@ const ofScene = ['set', 'size'];
 /** Options without and with a value. @type {Record<string, {flags: string[], valued: string[], work: (found: any) => Promise<number>}>} */
 const commands = {
   compare: { flags: ['json', 'strict', 'no-known', 'watch'], valued: ['hints', 'stage', 'tolerance', ...ofScene], work: runCompare },
-  export: { flags: ['force'], valued: ['output', 'format', 'buffers', 'until', 'at', 'where', 'mix', ...ofScene], work: runExport },
+  export: { flags: ['force', 'shadow-verdicts'], valued: ['output', 'format', 'buffers', 'until', 'at', 'where', 'mix', ...ofScene], work: runExport },
   inspect: { flags: ['contracts', 'json'], valued: ['pixel', 'table', 'where', 'row', 'step', 'format', ...ofScene], work: runInspect },
   plan: { flags: ['counts', 'json'], valued: ['buffers', 'until', ...ofScene], work: runPlan },
   check: { flags: ['list', 'json'], valued: ['case', 'group'], work: runCheck },
+  study: { flags: ['json'], valued: ['sweep', 'warm-up', 'repeat', ...ofScene], work: runStudy },
 };
 const listed = new Set(['tolerance', 'buffers']);  // with commas between
 
@@ -189,11 +227,26 @@ async function runCheck(found) {
   return answer(run(await start(), 'check', { case: found.case, group: found.group, list: found.list, json: found.json }));
 }
 
+async function runStudy(found) {
+  if (!found.sweep) throw new WrongUsage('--sweep is missing: KEY=VALUE,VALUE,... or the name of a ready-made one');
+  const [warmUp, repeat] = [['warm-up', 2, 0], ['repeat', 20, 1]].map(([name, otherwise, least]) => {
+    const text = last(found[name]) ?? String(otherwise);
+    if (!/^\d{1,5}$/.test(text) || Number(text) < least) throw new WrongUsage(`--${name} is "${text}", expected a number from ${least}`);
+    return Number(text);
+  });
+  const core = await coreOf(found), tell = text => process.stderr.isTTY && process.stderr.write(`\r\x1b[K${text}`);
+  let said;
+  try { said = study(core, found.sweep, { warmUp, repeat, tell }); } catch (error) { throw Object.assign(error, { isOfUsage: error.errors !== undefined }); }
+  if (process.stderr.isTTY) process.stderr.write('\r\x1b[K');
+  process.stdout.write(found.json ? said.json : said.text);
+  return statuses.done;
+}
+
 async function runExport(found) {
   const folder = last(found.output);
   if (!folder) throw new WrongUsage('-o needs the name of a folder');
   if (found.at && found.until) throw new WrongUsage('--at names the stage; --until cannot go with it');
-  const core = await coreOf(found), options = { folder, format: found.format && last(found.format).split(','), buffers: found.buffers, until: last(found.until), at: last(found.at), where: last(found.where), mix: last(found.mix) };
+  const core = await coreOf(found), options = { folder, format: found.format && last(found.format).split(','), buffers: found.buffers, until: last(found.until), at: last(found.at), where: last(found.where), mix: last(found.mix), shadowVerdicts: found['shadow-verdicts'] };
   const said = run(core, 'export', options);
   if (said.status !== statuses.done) return answer(said);
   let ours = [];

@@ -10,6 +10,7 @@ const kPlaces = {
   mine: ['scene', 'hints', 'convention', 'set', 'show', 'at'],
   bug: ['seed'],
   check: ['case'],
+  study: ['set', 'sweep'],
 };
 const kMostPacked = 1200;  // of a scene's text
 
@@ -29,7 +30,7 @@ function readLink(hash) {
     if (i === 0) {
       if (!Object.hasOwn(kPlaces, key) || !/^[\w.-]{0,60}$/.test(value)) return void link.refused.push(part);
       link.place = key, link.name = value;
-    } else if (!kPlaces[link.place].includes(key) || !(key === 'toml' ? /^[\w-]{1,1200}$/ : /^[\w.,:=+\- /#]{0,120}$/).test(value) || (link.of[key] ??= []).length >= kMostValues) link.refused.push(part);
+    } else if (!kPlaces[link.place].includes(key) || !(key === 'toml' ? /^[\w-]{1,1200}$/ : /^[\w.,:=+*\- /#]{0,120}$/).test(value) || (link.of[key] ??= []).length >= kMostValues) link.refused.push(part);
     else link.of[key].push(value);
   });
   return link;
@@ -82,11 +83,13 @@ function linkNow(toml = '') {
   }
   if (place === 'bug') return writeLink('bug', '', { seed: [`${game.seed}.${game.number}`] });
   if (place === 'check') return writeLink('check', '', { case: cases.shown ? [cases.shown] : [] });
+  const changed = () => Object.keys(view.own).map(key => `${key}=${settingOf(key).text}`);
+  if (place === 'study') return writeLink('study', data.isScene ? data.link : '', { set: changed(), sweep: sweepsAsked() });
   if (place !== 'scene') return { hash: '#start', leftOut: 0 };
   const kind = data.isScene ? 'scene' : 'lesson';
   return writeLink(kind, data.link, {
     toml: toml ? [toml] : [], page: [String(view.page + 1)], then: view.then ? ['1'] : [], inside: view.inside ? ['1'] : [],
-    set: Object.keys(view.own).map(key => `${key}=${settingOf(key).text}`), at: at(view.pixel), step: view.step ? [view.step.place] : [],
+    set: changed(), at: at(view.pixel), step: view.step ? [view.step.place] : [],
     show: view.inside ? [view.pictures.map(shown => shown.buffer).join(',')] : [], with: view.compare ? [view.compare] : [],
   });
 }
