@@ -124,9 +124,9 @@ TEST_F(HandoutOfThePyramid, IsTwoFilesOrNone) {
     EXPECT_FALSE(std::filesystem::exists(folder / "no" / "pyramid.html"));
 }
 
-// Where a mark in a picture is asked for, no page before it shows that view: shadows 3 to 5 ring a point in shadow.
+// Where a mark in a picture is asked for, no page before it shows that view: highlight 7 rings a point of the highlight.
 TEST(Handout, AsksForMarksBeforeOtherPagesShowTheirPlace) {
-    const auto lesson = findLesson("shadows");
+    const auto lesson = findLesson("highlight");
     ASSERT_TRUE(lesson);
     const auto handout = makeHandout(*lesson);
     ASSERT_TRUE(handout);
@@ -134,7 +134,7 @@ TEST(Handout, AsksForMarksBeforeOtherPagesShowTheirPlace) {
     for (std::size_t at = 0; (at = handout->pages.find("<section>\n<h2>", at)) != std::string::npos; ++at)
         order.push_back(handout->pages.substr(at + 14, handout->pages.find("</h2>", at) - at - 14));
     ASSERT_FALSE(order.empty());
-    EXPECT_EQ(order.front(), "1 Where does the shadow fall?");
+    EXPECT_EQ(order.front(), "4 Where it will be");
     EXPECT_EQ(order.back(), "Hints");
     EXPECT_TRUE(order[1].starts_with("Again: ")) << "what returns, and then the others in their order: " << order[1];
     const std::size_t first = handout->pages.find("<div class=first>"),

@@ -1,4 +1,6 @@
 // The keys that let a hand move something: how they are read, what a page may not do with them.
+#include <set>
+
 #include "lessons/check.h"
 #include "lessons/held_figure.h"
 #include "lessons/lesson.h"
@@ -154,6 +156,46 @@ TEST(HeldFigure, TheTermsOfTheEquationAreThePixelsIntensity) {
     ASSERT_EQ(figure.terms.size(), 2u);
     EXPECT_EQ(termText(figure.terms[0].value, figure.most), "48.0");
     EXPECT_NEAR(figure.sum, frame->buffer({pipeline::BufferId::Intensity})->value(211, 268, 0), 1e-9);
+}
+
+// What of the settings that a hand holds reaches which stage: a light its shadow buffer and shading, an exponent shading
+// alone, the eye everything but what lights see.
+std::set<pipeline::StageId> stagesReached(std::string_view key) {
+    using enum pipeline::StageId;
+    if (key.starts_with("light.")) return {ShadowBuffer, Shading};
+    if (key.starts_with("material.") && key.ends_with(".n")) return {Shading};
+    if (key.starts_with("camera.")) return {Transform, Cull, Normals, ZBuffer, Shading};
+    return {pipeline::kStages.begin(), pipeline::kStages.end()};
+}
+
+// On every page of every lesson, by one arrow key, without what only the question reads.
+TEST(HeldStep, RunsTheStagesAloneThatItsSettingsReach) {
+    int steps = 0;
+    for (const std::string& name : lessonNames()) {
+        const auto lesson = readLesson(lessonFolder() / name);
+        ASSERT_TRUE(lesson) << name;
+        for (std::size_t i = returningPages(*lesson); i < lesson->pages.size(); ++i) {
+            const Half& half = lesson->pages[i].first;
+            if (half.held.holds.empty()) continue;
+            pipeline::FrameRequest request{.wanted = buffersOf(half.held), .stop = {}};
+            for (const pipeline::BufferName& shown : shownBuffers(half.state))
+                if (!isDerived(shown.id)) request.wanted.set(index(shown.id));
+            const auto before = std::make_shared<const pipeline::Scene>(half.state.scene);
+            const pipeline::FramePtr frame = runFrame(before, request, nullptr);
+            for (const pipeline::Hold& hold : half.held.holds) {
+                const auto after = withSettings(*before, pipeline::toText(nudged(*before, hold, {1, 0}, false)));
+                ASSERT_TRUE(after) << name << ": " << format(after.errors());
+                const auto next = runFrame(std::make_shared<const pipeline::Scene>(*after), request, frame);
+                for (const pipeline::PlanStep& step : next->plan())
+                    EXPECT_TRUE(step.action != pipeline::Action::Run ||
+                                stagesReached(hold.keys[0]).contains(step.stage))
+                        << name << ", " << lesson->pages[i].heading << ": " << hold.name << ": "
+                        << stageInfo(step.stage).name << ": " << step.why;
+                ++steps;
+            }
+        }
+    }
+    EXPECT_GT(steps, 25);
 }
 
 }  // namespace
