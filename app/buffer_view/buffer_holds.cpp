@@ -129,8 +129,8 @@ void BufferHolds::show() {
     placeGrips();
 }
 
-// Once for each half of a page. All of the picture where a lamp may stand beside what is drawn. The place of the play is
-// kept free after the answer too, so that nothing moves.
+// Once for each half of a page. All of the picture where a lamp may stand beside what is drawn. The play has a
+// place of its own where it would be on what is drawn, after the answer too, so that nothing moves.
 void BufferHolds::fit() {
     CanvasPlacing& placing = view().canvas()->placing();
     const CanvasContent& content = view().canvas()->content();
@@ -141,8 +141,12 @@ void BufferHolds::fit() {
     });
     QRectF part(QPointF(), QSizeF(content.size));
     if (!isLamp && !content.focus.isEmpty()) part = content.focus;
+    const QRectF drawn = content.focus.isEmpty() ? part : content.focus;
     const double room = view().canvas()->height(), play = Theme::current().px(56);
-    if (room > 2 * play) part.setTop(part.top() - part.height() * play / (room - play));
+    const double scale = std::min(view().canvas()->width() / part.width(), room / part.height());
+    const double above = room / 2 + scale * (drawn.top() - part.center().y());
+    // There is some air around what is worth looking at.
+    if (above < play / 2 && room > 2 * play) part.setTop(part.top() - part.height() * play / (room - play));
     placing.follow({.fits = true, .focus = part, .zoom = 1, .center = {}});
 }
 

@@ -25,16 +25,15 @@ struct RoleLook {
 };
 RoleLook lookOf(std::string_view role) {
     const ThemeColors& dark = Theme::colors(ThemeId::Dark);
-    const std::array<RoleLook, 10> looks{{{"code", dark.L, 1.1},
-                                          {"lamp", dark.L},
-                                          {"code in", Qt::white, 2},
-                                          {"reach", QColor(90, 169, 255, 72)},
-                                          {"base", QColor(0x6B7480)},
-                                          {"own", Qt::white, 1.2, Qt::DotLine},
-                                          {"curve", dark.L, 2},
-                                          {"second", dark.N, 2},
-                                          {"at", Qt::white},
-                                          {"of", QColor(0x9CC9FF)}}};
+    const std::array<RoleLook, 9> looks{{{"code", dark.L, 1.1},
+                                         {"code in", Qt::white, 2},
+                                         {"reach", QColor(90, 169, 255, 72)},
+                                         {"base", QColor(0x6B7480)},
+                                         {"own", Qt::white, 1.2, Qt::DotLine},
+                                         {"curve", dark.L, 2},
+                                         {"second", dark.N, 2},
+                                         {"at", Qt::white},
+                                         {"of", QColor(0x9CC9FF)}}};
     const auto found = std::ranges::find(looks, role, &RoleLook::role);
     return found == looks.end() ? RoleLook{"", dark.text2, 2} : *found;
 }

@@ -59,6 +59,7 @@ WindowLessons::WindowLessons(QMainWindow& window, Actions& actions, Document& do
       m_presentation(presentation),
       m_edge(new QToolBar(tr("Closed panels"), &window)),
       m_inspectorTab(new EdgeTab(m_edge)) {
+    m_lessons.takeKeysOf(m_centre.views());
     connect(&m_lessons, &LessonPanel::opens, this, &WindowLessons::begin);
     connect(&m_lessons, &LessonPanel::closed, this, &WindowLessons::end);
     connect(&m_lessons, &LessonPanel::showViews, &shown, &ShownState::lookAt);

@@ -47,6 +47,10 @@ public:
         m_field->setFocus();
         m_field->selectAll();
     }
+    void choose(int key) override {
+        m_field->setFocus();
+        m_field->insert(QString::number(key));
+    }
     QString advice() const override { return tr("Type the number, then Enter checks."); }
 
 private:

@@ -1,5 +1,6 @@
 #include "app/lesson/lesson_panel.h"
 
+#include <QApplication>
 #include <QKeyEvent>
 #include <QListView>
 #include <QMessageBox>
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/holds/hold_grip.h"
 #include "app/lesson/handout_button.h"
 #include "app/lesson/lesson_end.h"
 #include "app/lesson/lesson_head.h"
@@ -20,7 +22,6 @@
 #include "app/lesson/lesson_results_dialog.h"
 #include "app/lesson/question_card.h"
 #include "app/look/text.h"
-#include "app/widgets/alt_keys.h"
 #include "app/widgets/error_list.h"
 #include "app/widgets/fitting_stack.h"
 #include "app/widgets/follow_theme.h"
@@ -44,7 +45,7 @@ LessonPanel::LessonPanel(Document& document, QWidget* parent)
     auto* column = spaced(new QVBoxLayout(this), {}, 0);
     column->addWidget(m_errors);
     column->addWidget(m_stack, 1);
-    new AltKeys(this, [this](QKeyEvent* key) { return takesKey(*key) && (keyPressEvent(key), true); });
+    qApp->installEventFilter(this);
     m_stack->addWidget(makeList());
     m_stack->addWidget(makeLesson());
     for (auto* button : findChildren<QPushButton*>()) button->setAutoDefault(true);  // Enter presses them
@@ -52,8 +53,12 @@ LessonPanel::LessonPanel(Document& document, QWidget* parent)
     connect(&m_run, &LessonRun::pageChanged, this, &LessonPanel::showPage);
     connect(&m_run, &LessonRun::filled, this, [this] {
         m_page->fill();
-        if (std::exchange(m_keysWait, false))
+        if (std::exchange(m_keysWait, false)) {
             m_page->card().isOpen() ? m_page->card().takeFocus() : m_foot->takeFocus();
+            const auto grips = m_views ? m_views->findChildren<HoldGrip*>() : QList<HoldGrip*>();
+            const auto grip = std::ranges::find_if(grips, &QWidget::isVisible);
+            if (m_page->card().isOpen() && grip != grips.end()) (*grip)->setFocus();
+        }
         emit bannerChanged();
     });
     connect(&m_run, &LessonRun::changed, this, &LessonPanel::showChange);
@@ -134,7 +139,23 @@ bool LessonPanel::takesKey(const QKeyEvent& event) const {
     if (modifiers == Qt::AltModifier)
         return key == Qt::Key_H || key == Qt::Key_S || key == Qt::Key_Left || key == Qt::Key_Right;
     return modifiers == Qt::NoModifier && m_page->card().isOpen() &&
-           ((key >= Qt::Key_1 && key <= Qt::Key_9) || key == Qt::Key_Return || key == Qt::Key_Enter);
+           ((key >= Qt::Key_0 && key <= Qt::Key_9) || key == Qt::Key_Return || key == Qt::Key_Enter);
+}
+
+// Fields, buttons and views use letters and arrows themselves, a view also digits; a grip does not. What a view leaves
+// comes to all of them at last.
+bool LessonPanel::eventFilter(QObject* to, QEvent* event) {
+    if (event->type() != QEvent::KeyPress && event->type() != QEvent::ShortcutOverride) return false;
+    auto* const widget = qobject_cast<QWidget*>(to);
+    const auto isIn = [widget](const QWidget* room) { return room && (room == widget || room->isAncestorOf(widget)); };
+    auto* const key = static_cast<QKeyEvent*>(event);
+    const bool isHere = key->modifiers() == Qt::AltModifier
+                            ? isIn(this) || isIn(m_views)
+                            : m_views && (widget == m_views || (isIn(m_views) && qobject_cast<HoldGrip*>(widget)));
+    if (!widget || !isHere || !takesKey(*key)) return false;
+    event->accept();
+    if (event->type() == QEvent::KeyPress) keyPressEvent(key);
+    return true;
 }
 
 bool LessonPanel::event(QEvent* event) {

@@ -34,6 +34,8 @@ public:
     void goTo(int page) { m_run.goTo(page); }  // from 0; within the open lesson
     void close();                              // back to the list
     void writeHandout();                       // of the open lesson; asks where to
+    // The lesson's keys work there too: it is where the page's pictures are.
+    void takeKeysOf(QWidget& views) { m_views = &views; }
 
     const lessons::Lesson* lesson() const { return m_run.lesson(); }  // null when none is open
     int page() const { return m_run.page(); }                         // from 0
@@ -53,6 +55,7 @@ signals:
 
 protected:
     bool event(QEvent* event) override;
+    bool eventFilter(QObject* to, QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
 
 private:
@@ -77,6 +80,7 @@ private:
     LessonFoot* m_foot = nullptr;
     HandoutButton* m_handout = nullptr;
     class KeptInSight* m_sight;
+    QWidget* m_views = nullptr;
     bool m_keysWait = false;  // for the page that opens
 };
 

@@ -1,11 +1,13 @@
 #include "app/lesson/question_card.h"
 
+#include <QApplication>
 #include <QLabel>
 #include <QPainter>
 #include <QPushButton>
 #include <QStyle>
 #include <QVBoxLayout>
 
+#include "app/holds/hold_grip.h"
 #include "app/lesson/answer_body.h"
 #include "app/lesson/note_box.h"
 #include "app/lesson/prose_view.h"
@@ -264,10 +266,10 @@ void QuestionCard::check() {
     m_note->show();
     arrange();
     emit said(tr("Not yet. %1").arg(m_body->advice()));
-    // A screen reader reads the note out; a field keeps the keys, with the note as its description.
+    // A screen reader reads the note out; a field keeps the keys, with the note as its description; a grip moves on.
     if (std::holds_alternative<lessons::NumberQuestion>(m_run.current().question->kind))
         m_body->takeFocus();
-    else
+    else if (!qobject_cast<HoldGrip*>(QApplication::focusWidget()))
         m_note->setFocus();
 }
 
