@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "pipeline/core/text.h"
+#include "pipeline/scene/any_exponent.h"
 #include "pipeline/scene/key_places.h"
 #include "pipeline/scene/settings_table.h"
 
@@ -62,6 +63,8 @@ void checkLights(const Scene& scene, Errors& errors) {
                    "a direction that is not zero");
 }
 
+thread_local int anyExponents = 0;
+
 // What the model refuses.
 void checkModel(const Scene& scene, Errors& errors) {
     const ModelFacts& model = modelFacts(scene.settings.model);
@@ -85,7 +88,7 @@ void checkModel(const Scene& scene, Errors& errors) {
         withModel({fmt::format("light.{}", *model.mostLights)}, fmt::format("{} lights", scene.lights.size()),
                   fmt::format("at most {} in {}", *model.mostLights, model.name));
     const auto checkExponent = [&](const std::string& key, const Material& material) {
-        if (model.mostExponent && material.exponent > *model.mostExponent)
+        if (anyExponents == 0 && model.mostExponent && material.exponent > *model.mostExponent)
             withModel({key}, fmt::format("{} is {}", key, shortestText(material.exponent)),
                       fmt::format("at most {} in {}", shortestText(*model.mostExponent), model.name));
     };
@@ -114,6 +117,9 @@ void checkExtent(const Scene& scene, Errors& errors) {
 }
 
 }  // namespace
+
+AnyExponent::AnyExponent() { ++anyExponents; }
+AnyExponent::~AnyExponent() { --anyExponents; }
 
 Errors checkScene(const Scene& scene) {
     Errors errors;

@@ -27,6 +27,7 @@
 #include "pipeline/formats/scene_folder.h"
 #include "pipeline/formats/scene_reader.h"
 #include "pipeline/formats/text/text_scanner.h"
+#include "pipeline/scene/any_exponent.h"
 
 namespace app {
 
@@ -170,6 +171,7 @@ int watchRenderer(const CompareArguments& arguments, const pipeline::Scene& scen
 }
 
 int runCompare(const CompareArguments& arguments) {
+    const pipeline::AnyExponent any;
     if (!arguments.ofClass.course.empty()) {
         ClassRequest request = arguments.ofClass;
         request.handedIn = arguments.scene.scene, request.folder = arguments.output;
