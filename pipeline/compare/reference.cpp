@@ -87,7 +87,8 @@ void findShadows(Reference& reference) {
         reference.shadowOpen[k] = openShadow(reference, k);
         for (const std::string term : {"diffuse.", "specular."}) {
             const Values& here = reference.values.at(term + std::to_string(k));
-            const auto whole = valuesIn(*reference.unshadowed, *findBuffer(term + std::to_string(k)));
+            const auto whole =
+                valuesIn(*reference.unshadowed, *findBuffer(term + std::to_string(k)), reference.context.covered);
             if (!whole) continue;
             for (std::size_t i = 0; i < here.count(); ++i) {
                 const double change = std::max({whole->at(i)[0], whole->at(i)[1], whole->at(i)[2]});
@@ -126,6 +127,12 @@ namespace {
 constexpr BufferId kLit[]{BufferId::Color, BufferId::Intensity, BufferId::Diffuse, BufferId::Specular,
                           BufferId::Shadow};
 
+// Whose frames keep the buffers that are asked for and no others: all of them take hundreds of bytes a pixel.
+std::shared_ptr<const Scene> keepsWanted(Scene scene) {
+    scene.settings.leaveOut = true, scene.settings.rules = RuleSet().set(index(Rule::UnreadBuffers));
+    return std::make_shared<const Scene>(std::move(scene));
+}
+
 bool castsShadows(const Scene& scene) { return std::ranges::any_of(scene.lights, &Light::castsShadow); }
 
 // The frames, with shadows and, where some are open, without. False where it was stopped.
@@ -140,7 +147,7 @@ bool drawFrames(Reference& out, const std::shared_ptr<const Scene>& scene, const
     for (Light& light : without.lights) light.castsShadow = false;
     FrameRequest terms = request;
     terms.wanted = BufferSet().set(index(BufferId::Diffuse)).set(index(BufferId::Specular));
-    out.unshadowed = runFrame(std::make_shared<const Scene>(without), terms, out.frame);
+    out.unshadowed = runFrame(keepsWanted(std::move(without)), terms, out.frame);
     return out.unshadowed != nullptr;
 }
 
@@ -209,7 +216,7 @@ std::optional<Reference> makeHypothesis(const Scene& wrong, const Reference& rig
         for (const BufferId id : {Color, Intensity, Diffuse, Specular, Shadow, LightVector, NDotL})
             compared.set(index(id));
     if (compared[index(Color)]) compared.set(index(Intensity));
-    if (!drawFrames(out, referenceScene(wrong, corner), compared, before, stop)) return {};
+    if (!drawFrames(out, keepsWanted(*referenceScene(wrong, corner)), compared, before, stop)) return {};
     readFrame(out, compared);
     findOpen(out);
     return out;

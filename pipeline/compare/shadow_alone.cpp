@@ -28,7 +28,7 @@ std::optional<LightAndShadow> colorsOf(const Reference& reference) {
         if (!scene.lights[k].castsShadow) continue;
         for (const std::string term : {"diffuse.", "specular."}) {
             const std::string name = term + std::to_string(k);
-            const auto whole = valuesIn(*reference.unshadowed, *findBuffer(name));
+            const auto whole = valuesIn(*reference.unshadowed, *findBuffer(name), reference.context.covered);
             const Values* const here = reference.values.find(name);
             if (!whole || !here) return {};
             for (std::size_t i = 0; i < lit.numbers.size(); ++i) {

@@ -230,6 +230,49 @@ TEST(Compare, aShadowBufferIsComparedInItsOwnFrameOrNotAtAll) {
     EXPECT_TRUE(test::has(done.out, "is not compared")) << done.out;
 }
 
+// The stages of a wrong picture with shadows, in the size that most renderers draw.
+TEST(Compare, takesAtMost600MB) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+    GTEST_SKIP() << "a sanitizer takes more than what it looks at";
+#endif
+    const test::TemporaryFolder folder;
+    ASSERT_EQ(test::run({"export", kScene, "--size", "640x480", "--set", "shading=gouraud", "--format", "npy",
+                         "--buffers", "color", "-o", folder / "mine"})
+                  .status,
+              0);
+    const auto done = test::run({"compare", kScene, folder / "mine", "--size", "640x480", "--no-known"});
+    EXPECT_EQ(done.status, 1) << done.out << done.err;
+    EXPECT_LE(done.peakBytes, 600'000'000u);
+}
+
+// OpenGL's term is k_s s (N·H)^n fade spot, and all but the power is that of n = 0: the term of n = 150, which OpenGL refuses,
+// is the square of that of 75 over that of 0.
+TEST(Compare, exponentsAboveOpenGlsLimitAreCompared) {
+    const std::vector<std::string> model{"model=opengl", "shading=phong"};
+    const auto with = [&](const char* n) {
+        std::vector<std::string> set = model;
+        for (int i = 0; i < 6; ++i) set.push_back("material." + std::to_string(i) + ".n=" + n);
+        return set;
+    };
+    const Handed half(with("75")), none(with("0"));
+    test::Npy term = half.all("specular.0");
+    const test::Npy whole = none.all("specular.0");
+    bool shines = false;
+    for (std::size_t i = 0; i < term.values.size(); ++i) {
+        term.values[i] = whole.values[i] > 0 ? term.values[i] * term.values[i] / whole.values[i] : 0;
+        shines = shines || term.values[i] > 0.1;
+    }
+    EXPECT_TRUE(shines);
+    half.give("specular.0", term);
+    const auto compared = [&](const char* n) {
+        std::vector<std::string> more{"--no-known"};
+        for (const std::string& one : with(n)) more.insert(more.end(), {"--set", one});
+        return half.compare(more);
+    };
+    EXPECT_EQ(compared("150").status, 0) << compared("150").out << compared("150").err;
+    EXPECT_EQ(compared("120").status, 1);
+}
+
 TEST(Compare, aBufferThatAgreesTakesNoNameAway) {
     const Handed right, wrong({"shading=gouraud"});
     for (const char* name : {"overdraw", "object_id", "position", "shadow_buffer.0"}) right.give(name, right.all(name));

@@ -174,11 +174,17 @@ bool settleSamples(Report& report, const StatedConventions& stated) {
     const auto bottomUp =
         std::ranges::count_if(report.conventions.files, [](const ReadFile& file) { return file.reading.bottomUp; });
     const auto corner = bottomUp > 0 ? PixelCorner::LowerLeft : PixelCorner::UpperLeft;
-    auto other = makeReference(*report.scene, report.options.tolerances, report.options.stop, corner);
+    const Stop& stop = report.options.stop;
+    if (!stated.atCorner()) {  // before all is read anew: whether it can be
+        BufferSet handedIn;
+        for (const ReadFile& file : report.conventions.files) handedIn.set(index(file.file->name.buffer.id));
+        const auto other = makeHypothesis(*report.scene, *reference, handedIn, corner, {}, stop);
+        if (!other) return false;
+        const WrongPixels roughly = wrongPixels(againstReference(report.conventions, *other), reference->outline);
+        if (roughly.differ && roughly.atOutlines > atCentre.atOutlines) return true;
+    }
+    auto other = makeReference(*report.scene, report.options.tolerances, stop, corner);
     if (!other) return false;
-    // Before all is read anew: whether it can be.
-    const WrongPixels roughly = wrongPixels(againstReference(report.conventions, *other), reference->outline);
-    if (!stated.atCorner() && roughly.differ && roughly.atOutlines > atCentre.atOutlines) return true;
     Report moved = report;
     moved.reference = std::make_shared<const Reference>(std::move(*other));
     if (!readFiles(moved, stated)) return false;
