@@ -8,7 +8,9 @@
 #include "pipeline/compare/handed_in/settle_readings.h"
 #include "pipeline/compare/handed_in/shadow_frame.h"
 #include "pipeline/compare/measured_errors.h"
+#include "pipeline/compare/seen_surfaces.h"
 #include "pipeline/core/text.h"
+#include "pipeline/scene/any_exponent.h"
 
 namespace pipeline::foreign {
 
@@ -159,6 +161,17 @@ FirstWrong firstWrongOf(const Report& report) {
     return out;
 }
 
+// What the depths tell where nothing else is certain.
+std::vector<StageId> toldByDepths(const Report& report) {
+    const auto depths = std::ranges::find_if(
+        report.findings, [](const Finding& f) { return f.name.buffer.id == BufferId::ZView && !f.agrees; });
+    const auto stated = readStated(report.in->conventions, report.in->conventionsName);
+    if (depths == report.findings.end() || !stated) return {};
+    const ReadFile& file = report.fileOf(*depths);
+    const ReadingContext& context = report.conventions.context;
+    return stagesOfDepths(file, allowedReadings(*file.file, context, *stated), context, *report.reference);
+}
+
 void nameFirstWrong(Report& report) {
     using enum StageId;
     const auto only = [&](std::vector<StageId> stages, bool isCertain = false) {
@@ -176,11 +189,17 @@ void nameFirstWrong(Report& report) {
                                     [&](const Candidate& c) { return c.error.stage == stage; }))
                 stages.push_back(stage);
         if (report.suspects->areTogether && stages.size() > 1) stages.resize(1);
+        if (stages.size() > 1)
+            if (const auto told = toldByDepths(report); std::ranges::includes(stages, told) && !told.empty())
+                stages = told;
         return only(std::move(stages));
     }
     for (const StageId stage : {Transform, Cull, Normals, ShadowBuffer})
         if (differs(report, stage)) return only({stage});
-    if (differs(report, ZBuffer)) return only({Transform, Cull, ZBuffer});
+    if (differs(report, ZBuffer)) {
+        auto told = toldByDepths(report);
+        return only(told.empty() ? std::vector{Transform, Cull, ZBuffer} : std::move(told));
+    }
     const auto ofNormals =
         std::ranges::find_if(report.findings, [](const Finding& f) { return f.name.buffer.id == BufferId::Normal; });
     const bool isThere = ofNormals != report.findings.end();
@@ -267,6 +286,7 @@ HypothesisProgress progressOf(const Report& report) {
 
 std::optional<MeasuredErrors> measureKnownErrors(const Report& report, std::size_t part, std::size_t parts) {
     if (report.agrees() || report.evidence.isEmpty) return MeasuredErrors();
+    const AnyExponent any;
     const auto stated = readStated(report.in->conventions, report.in->conventionsName);
     return measureErrors(*report.scene, errorsToTry(report), *report.reference, report.conventions, *stated, part,
                          parts, report.options.stop, progressOf(report));
@@ -276,6 +296,7 @@ bool nameKnownErrors(Report& report) { return nameKnownErrors(report, {}); }
 
 bool nameKnownErrors(Report& report, const MeasuredErrors& given) {
     if (report.agrees() || report.evidence.isEmpty) return true;
+    const AnyExponent any;
     const auto stated = readStated(report.in->conventions, report.in->conventionsName);
     report.suspects =
         findSuspects(*report.scene, errorsToTry(report), *report.reference, report.conventions, *stated,

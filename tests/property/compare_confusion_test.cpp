@@ -11,6 +11,7 @@
 #include "pipeline/defects/defect_table.h"
 #include "pipeline/formats/scene_reader.h"
 #include "pipeline/run/runner.h"
+#include "pipeline/scene/settings_table.h"
 #include "pipeline/scene/view.h"
 #include "tests/support/sweep.h"
 
@@ -156,6 +157,43 @@ TEST(CompareConfusion, withDepthAndNormalsMoreIsNamed) {
     // Some pairs leave the same numbers in all of these buffers: rows from the foot, exponents, what shadows read.
     EXPECT_GE(out.named, 7 * (out.named + out.amongCandidates + out.none) / 10);
     EXPECT_GE(out.named + out.amongCandidates, 95 * (out.named + out.amongCandidates + out.none) / 100);
+}
+
+// Errors before shading, in all ways of planting them, without a name: what is seen in place of the right polygons tells the
+// stage, or leaves three of them open. Nothing here has to do with the renderers in tests/student.
+TEST(CompareConfusion, depthsTellTheFirstStageOrLeaveItOpen) {
+    const Scene scene = checkMe();
+    const auto reference = std::make_shared<const foreign::Reference>(*foreign::makeReference(scene, {}, {}));
+    foreign::CompareOptions options;
+    options.known = false;
+    std::size_t right = 0, open = 0, wrong = 0;
+    std::string wrongly;
+    for (const DefectRow& row : defectTable())
+        for (int way = 0; way < row.wayCount(); ++way) {
+            if (row.stage != StageId::Transform && row.stage != StageId::Cull && row.stage != StageId::ZBuffer)
+                continue;
+            FrameRequest request;
+            for (const BufferId id : {BufferId::ZView, BufferId::Color}) request.wanted.set(index(id));
+            const Scene planted = plantToo(scene, row.id, way);
+            if (planted == scene || !checkScene(planted).empty()) continue;
+            const FramePtr frame = runFrame(std::make_shared<const Scene>(planted), request, nullptr);
+            foreign::HandedIn in;
+            for (const BufferId id : {BufferId::ZView, BufferId::Color})
+                in.files.push_back(file(*frame, {id}, kConventions[0]));
+            const auto report = compareRenderer(scene, reference, std::move(in), "mine", options);
+            ASSERT_TRUE(report) << row.idText();
+            const bool differs = std::ranges::any_of(report->findings, [](const foreign::Finding& f) {
+                return f.name.buffer.id == BufferId::ZView && !f.agrees;
+            });
+            if (!differs) continue;
+            const auto& stages = report->possiblyWrong;
+            const bool among = std::ranges::find(stages, row.stage) != stages.end();
+            ++(!among ? wrong : stages.size() == 1 ? right : open);
+            if (!among) wrongly += std::string(row.idText()) + " " + std::to_string(way) + "; ";
+        }
+    std::printf("right %zu, open %zu, wrong %zu: %s\n", right, open, wrong, wrongly.c_str());
+    EXPECT_EQ(wrong, 0u) << wrongly;
+    EXPECT_GE(right, open / 2);
 }
 
 }  // namespace

@@ -61,7 +61,9 @@ std::string headline(const Report& report) {
     if (report.firstWrong) {
         const std::string_view stage = stageInfo(*report.firstWrong).label;
         if (report.isCertain) return fmt::format("{} is the first wrong stage.", stage);
-        if (named > 0) return fmt::format("{} is most likely the first wrong stage.", stage);
+        const bool differs = std::ranges::any_of(
+            report.findings, [&](const Finding& f) { return f.stage == *report.firstWrong && !f.agrees; });
+        if (named > 0 || !differs) return fmt::format("{} is most likely the first wrong stage.", stage);
         return fmt::format("{} is the first stage that differs.", stage);
     }
     if (report.possiblyWrong.size() == 2)
