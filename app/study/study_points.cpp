@@ -72,7 +72,7 @@ void StudyPoints::setStudy(const pipeline::StudyReport& report, const pipeline::
             setItem(row, column++, cell(report.points[i].values[axis], axis == analysis.refined));
         setItem(row, column++, cell(point.time ? pipeline::timeText(*point.time) : "", true));
         setItem(row, column++, cell(pipeline::intervalText(point), true));
-        setItem(row, column++, cell(point.error ? pipeline::errorText(*point.error) : "", true));
+        setItem(row, column++, cell(pipeline::errorText(point), true));
         if (withLeftOut) setItem(row, column++, cell(point.leftOut ? pipeline::errorText(*point.leftOut) : "", true));
         auto* standing = cell(pipeline::standing(analysis, i), false);
         standing->setForeground(point.onFront() ? colors.run : point.placed() ? colors.text2 : colors.failed);

@@ -290,9 +290,10 @@ void shadePicture(const ShadingInputs& inputs, const ShadingSources<Real>& in, S
 // mean: an accumulation buffer. All other buffers are those of the centres. Polygons and vertices are shaded only once.
 // P. Haeberli and K. Akeley, "The accumulation buffer: hardware support for high-quality rendering", SIGGRAPH 1990.
 template <class Real>
-void antialias(const FrameData<Real>& data, ShadingOutput<Real>& out, CountSum& counts, Threads& threads) {
+void antialias(const FrameData<Real>& data, unsigned draw, ShadingOutput<Real>& out, CountSum& counts,
+               Threads& threads) {
     const ShadingInputs& inputs = data.keys.shading;
-    const std::vector<glm::dvec2> places = samplePlaces(inputs.samplePattern, inputs.samples);
+    const std::vector<glm::dvec2> places = samplePlaces(inputs.samplePattern, inputs.samples, draw);
     auto moved = std::make_shared<TransformOutput<Real>>(*data.transform);
     FrameData<Real> sample = data;
     sample.transform = moved;
@@ -329,10 +330,12 @@ void antialias(const FrameData<Real>& data, ShadingOutput<Real>& out, CountSum& 
     });
 }
 
-// incidence: the light kept by the last frame; null in tiles that have to keep it, empty if no tile does.
+// incidence: the light kept by the last frame; null in tiles that have to keep it, empty if no tile does. draw: of the
+// samples of a pixel.
 template <class Real>
 std::shared_ptr<const ShadingOutput<Real>> runShading(const FrameData<Real>& data, BufferSet wanted,
-                                                      const Incidences& incidence, Threads& threads) {
+                                                      const Incidences& incidence, Threads& threads,
+                                                      unsigned draw = 0) {
     const ShadingInputs& inputs = data.keys.shading;
     const ShadingSources<Real> in = data.shadingSources();
     auto out = std::make_shared<ShadingOutput<Real>>(clearedShading(inputs, in, wanted, threads));
@@ -348,7 +351,7 @@ std::shared_ptr<const ShadingOutput<Real>> runShading(const FrameData<Real>& dat
     shadePicture(inputs, in, *out, counts, threads);
     auto& mean = out->vectors[index(BufferId::Antialiased)];
     if (inputs.samples > 1)
-        antialias(data, *out, counts, threads);
+        antialias(data, draw, *out, counts, threads);
     else if (!mean.empty())  // the only sample's
         threads.forRange(mean[0].pixels.size(), kPixelGrain, [&](std::size_t begin, std::size_t end) {
             const auto& only = out->vectors[index(BufferId::Intensity)][0].pixels;

@@ -7,6 +7,7 @@
 
 #include "pipeline/defects/defect_table.h"
 #include "pipeline/run/counts.h"
+#include "pipeline/run/draws.h"
 #include "pipeline/run/frame_data.h"
 #include "pipeline/run/run_stages.h"
 
@@ -215,6 +216,16 @@ FramePtr runAlone(const FramePtr& whole, StageId stage) {
         // If the file is wrong, every stage is right for that file.
         const StageKeys keys = isOfFile ? data.keys : stageKeys(right, needs, whole->sharedTopology());
         return unfinishedFrame(*whole, alone<Real>(*whole, keys, stage), stage);
+    });
+}
+
+FramePtr withDraw(const FramePtr& frame, unsigned draw, Stop stop) {
+    return readStages(*frame, [&]<class Real>(const FrameData<Real>& before) -> FramePtr {
+        Threads threads(0, stop);
+        auto stages = std::make_shared<FrameStages>();
+        FrameData<Real>& data = stages->data.emplace<FrameData<Real>>(before);
+        data.shading = runShading(data, frame->made(), {}, threads, draw);
+        return threads.stopped() ? nullptr : unfinishedFrame(*frame, std::move(stages), StageId::Shading);
     });
 }
 

@@ -17,10 +17,10 @@ double mirroredDigits(unsigned i) {
 
 }  // namespace
 
-std::vector<glm::dvec2> samplePlaces(SamplePattern pattern, int side) {
+std::vector<glm::dvec2> samplePlaces(SamplePattern pattern, int side, unsigned draw) {
     if (side == 1) return {glm::dvec2(0)};
     const int count = side * side;
-    std::mt19937_64 random;
+    std::mt19937_64 random(std::mt19937_64::default_seed + draw);
     std::vector<glm::dvec2> places;
     for (int i = 0; i < count; ++i) {
         const glm::dvec2 cell(i % side, i / side);

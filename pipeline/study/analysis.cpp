@@ -58,7 +58,7 @@ PointAnalysis placePoint(const StudyPoint& point, const ErrorChoice& choice, con
         }
     }
     const std::optional<double> error = isError(choice.measure) ? point.error(choice) : std::nullopt;
-    if (error && std::isfinite(*error) && *error >= 0) result.error = error;
+    if (error && std::isfinite(*error) && *error >= 0) result.error = error, result.drawn = point.drawn(choice);
     if (const auto leftOut = leftOutOf(choice)) result.leftOut = point.error(*leftOut);
     if (!point.failure.empty())
         result.missing = point.failure;
@@ -199,7 +199,6 @@ ObservedOrder observedOrder(const std::vector<std::optional<double>>& widths, co
         if (known(i - 1) && known(i) && *widths[i - 1] != *widths[i])
             step = std::log(errors[i - 1] / errors[i]) / std::log(*widths[i - 1] / *widths[i]);
     }
-    if (!order.steps.empty()) order.last = order.steps.back();
 
     double meanX = 0, meanY = 0, xx = 0, xy = 0;
     for (const auto& [x, y] : logs) {

@@ -17,13 +17,14 @@ inline constexpr double kSameTime = 0.02;
 
 // A point of the study in milliseconds and in the chosen error.
 struct PointAnalysis {
-    std::size_t curve = 0;                   // into StudyAnalysis::curves
-    std::string label;                       // "phong, tessellation 16": all of its values that the sweep changes
-    std::string step;                        // "16": its place on the curve; empty where no axis is refined
-    std::optional<double> time;              // median of the frame
-    std::size_t timeGroup = 0;               // 0 for the fastest; the same for times that count as the same
-    std::pair<double, double> interval{};    // of the median; of all samples where they are too few for one
-    std::optional<double> error;             // finite and at least 0
+    std::size_t curve = 0;                 // into StudyAnalysis::curves
+    std::string label;                     // "phong, tessellation 16": all of its values that the sweep changes
+    std::string step;                      // "16": its place on the curve; empty where no axis is refined
+    std::optional<double> time;            // median of the frame
+    std::size_t timeGroup = 0;             // 0 for the fastest; the same for times that count as the same
+    std::pair<double, double> interval{};  // of the median; of all samples where they are too few for one
+    std::optional<double> error;           // finite and at least 0
+    std::optional<std::pair<double, double>> drawn;  // ErrorRow::drawn
     std::optional<double> leftOut;           // pixels that do not show what the reference shows, not in the error
     std::string missing;                     // why it has no place in the plot; empty where it has one
     std::optional<std::size_t> dominatedBy;  // into StudyReport::points
@@ -34,7 +35,6 @@ struct PointAnalysis {
 // How fast an error falls: p where the error is proportional to h^p.
 struct ObservedOrder {
     std::vector<std::optional<double>> steps;  // one for each two neighbours; nothing where one has no error but 0
-    std::optional<double> last;                // of the last two levels
     std::optional<double> fit;                 // least squares through the logarithms of all errors above 0
     std::optional<double>
         within;  // half of fit's 95 % interval, Student's, from three such errors on; else not printed

@@ -46,6 +46,13 @@ std::string errorText(double error) {
     return scientific(error, 1);
 }
 
+std::string errorText(const PointAnalysis& point) {
+    if (!point.error) return {};
+    const std::string text = errorText(*point.error);
+    if (!point.drawn) return text;
+    return fmt::format("{} ({} to {})", text, errorText(point.drawn->first), errorText(point.drawn->second));
+}
+
 std::string timeText(double milliseconds) {
     if (milliseconds != 0 && milliseconds < 0.000995) return scientific(milliseconds, 2);
     const int digits = milliseconds < 0.00995  ? 5

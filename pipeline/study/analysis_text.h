@@ -9,6 +9,8 @@ namespace pipeline {
 
 // Whole numbers below a million as they are, else two digits: "84", "0", "4.2e-2", "1.3", "1.0e7".
 std::string errorText(double error);
+// With the interval of several draws: "1.3 (0.9 to 1.8)"; empty for a point without an error.
+std::string errorText(const PointAnalysis& point);
 // Three digits without a unit: "0.590", "10.6", "1340".
 std::string timeText(double milliseconds);
 // "1.98"; "−0.50" with the sign U+2212.

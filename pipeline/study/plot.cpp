@@ -25,7 +25,8 @@ PlotSeries seriesOf(const MethodCurve& curve, const StudyAnalysis& analysis) {
     if (curve.order.within) series.note = "order " + orderText(curve.order);
     for (const std::size_t i : curve.points) {
         const PointAnalysis& point = analysis.points[i];
-        series.points.push_back({i, *point.time, *point.error, point.interval.first, point.interval.second,
+        const auto [low, high] = point.drawn.value_or(std::pair(*point.error, *point.error));
+        series.points.push_back({i, *point.time, *point.error, point.interval.first, point.interval.second, low, high,
                                  analysis.refined ? point.step : std::string(), point.onFront()});
     }
     return series;

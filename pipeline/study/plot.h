@@ -17,6 +17,7 @@ struct PlotPoint {
     std::size_t point = 0;       // into StudyReport::points
     double x = 1, y = 1;         // above 0; y may be 0, which stands at the foot
     double xLow = 1, xHigh = 1;  // interval of x
+    double yLow = 1, yHigh = 1;  // interval of y; y where it has none
     std::string label;           // "16"; empty for none
     bool onFront = false;
 };

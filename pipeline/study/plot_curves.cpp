@@ -136,14 +136,19 @@ void drawCurves(PlotLayout& layout) {
             layout.labels.block({place.x - size / 2, place.y - size / 2, place.x + size / 2, place.y + size / 2});
             layout.drawing.markers.push_back(
                 {place, kShapes[s % kShapes.size()], size, point.onFront, seriesInk(s), point.point});
+            // From one end to the other, with a cap across each.
+            const auto interval = [&](PlotPlace from, PlotPlace to, PlotPlace cap) {
+                if (std::abs(to.x - from.x) + std::abs(to.y - from.y) < size + 3) return;  // the marker would hide it
+                for (auto&& bar : {std::vector<PlotPlace>{from, to}, std::vector<PlotPlace>{from - cap, from + cap},
+                                   std::vector<PlotPlace>{to - cap, to + cap}})
+                    layout.drawing.lines.push_back({bar, seriesInk(s), layout.u / 10, PlotDash::Solid});
+                layout.labels.line(from, to);
+            };
             const double left = layout.x.place(point.xLow > 0 ? point.xLow : point.x);
-            const double right = layout.x.place(point.xHigh), cap = size / 3;
-            if (right - left < size + 3) continue;  // it would not show beside the marker
-            for (auto&& bar : {std::vector<PlotPlace>{{left, place.y}, {right, place.y}},
-                               std::vector<PlotPlace>{{left, place.y - cap}, {left, place.y + cap}},
-                               std::vector<PlotPlace>{{right, place.y - cap}, {right, place.y + cap}}})
-                layout.drawing.lines.push_back({bar, seriesInk(s), layout.u / 10, PlotDash::Solid});
-            layout.labels.line({left, place.y}, {right, place.y});
+            interval({left, place.y}, {layout.x.place(point.xHigh), place.y}, {0, size / 3});
+            if (!(point.y > 0)) continue;
+            const double low = layout.y.place(point.yLow > 0 ? point.yLow : point.y);
+            interval({place.x, low}, {place.x, layout.y.place(point.yHigh)}, {size / 3, 0});
         }
         if (places.size() > 1)
             layout.drawing.lines.push_back({places, seriesInk(s), layout.u / 7, kDashes[s % kDashes.size()]});

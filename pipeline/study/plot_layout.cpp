@@ -20,8 +20,9 @@ void setAxes(PlotLayout& layout) {
         xHigh = std::max(xHigh, point.xHigh);
         layout.anyPoint = true;
         if (point.y > 0) {
-            yLow = layout.anyError ? std::min(yLow, point.y) : point.y;
-            yHigh = std::max(yHigh, point.y);
+            const double least = point.yLow > 0 ? point.yLow : point.y;
+            yLow = layout.anyError ? std::min(yLow, least) : least;
+            yHigh = std::max(yHigh, point.yHigh);
             layout.anyError = true;
         } else {
             layout.zeroRow = 2.2 * layout.u;

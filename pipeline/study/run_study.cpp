@@ -7,6 +7,7 @@
 
 #include "pipeline/core/version.h"
 #include "pipeline/plan/memory_limit.h"
+#include "pipeline/run/draws.h"
 #include "pipeline/run/runner.h"
 #include "pipeline/study/blame.h"
 #include "pipeline/study/errors.h"
@@ -174,6 +175,34 @@ std::shared_ptr<const Reference> ErrorFinder::modelReference(const Scene& scene,
 constexpr const char* kNotMeasurable =
     "of extended not measurable where a buffer, rounded to double, differs by that rounding alone";
 
+namespace {
+
+// The model's errors over several draws of samples: each the median, with its interval. False when it was stopped.
+bool drawAgain(const FramePtr& frame, const Picture& reference, const Stop& stop, std::vector<ErrorRow>& rows) {
+    std::vector<std::vector<ErrorRow>> draws{rows};
+    while (draws.size() < kDraws) {
+        const FramePtr again = withDraw(frame, unsigned(draws.size()), stop);
+        if (!again) return false;
+        draws.push_back(compare(*again, pictureOf(*again), {&reference, nullptr}));
+    }
+    for (ErrorRow& row : rows) {
+        std::vector<double> errors;
+        for (const auto& draw : draws)
+            for (const ErrorRow& other : draw)
+                if (const auto& error = other.value[index(ErrorKind::Model)];
+                    error && other.buffer == row.buffer && other.measure == row.measure)
+                    errors.push_back(*error);
+        if (errors.size() < kDraws) continue;
+        std::ranges::sort(errors);
+        if (!(errors.front() < errors.back())) continue;  // not of what is drawn, or not finite
+        row.value[index(ErrorKind::Model)] = (errors[kDraws / 2 - 1] + errors[kDraws / 2]) / 2;
+        row.drawn = {errors.front(), errors.back()};
+    }
+    return true;
+}
+
+}  // namespace
+
 bool ErrorFinder::find(StudyPoint& point, StudyReport& report, Stop stop) {
     const auto scene = sceneAt(*m_request.scene, report.axes, point.values);
     if (stop.stop_requested()) return false;
@@ -203,6 +232,10 @@ bool ErrorFinder::find(StudyPoint& point, StudyReport& report, Stop stop) {
         return true;
     }
     point.errors = compare(*frame, ours, {reference ? &reference->picture : nullptr, exact.get()});
+    const Settings& settings = scene->settings;
+    const bool isDrawn = settings.antialiasing > 1 && (settings.antialiasingPattern == SamplePattern::Jittered ||
+                                                       settings.antialiasingPattern == SamplePattern::Random);
+    if (isDrawn && reference && !drawAgain(frame, reference->picture, stop, point.errors)) return false;
     if (reference) point.blame = blame(*scene, ours, reference->picture);
     return true;
 }

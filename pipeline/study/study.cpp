@@ -31,15 +31,24 @@ SampleSummary TimeSamples::summary() const {
 
 namespace {
 
-std::optional<double> errorIn(const std::vector<ErrorRow>& rows, const ErrorChoice& choice) {
+const ErrorRow* rowOf(const std::vector<ErrorRow>& rows, const ErrorChoice& choice) {
     for (const ErrorRow& row : rows)
-        if (row.buffer == choice.buffer && row.measure == choice.measure) return row.value[index(choice.kind)];
-    return std::nullopt;
+        if (row.buffer == choice.buffer && row.measure == choice.measure) return &row;
+    return nullptr;
+}
+std::optional<double> errorIn(const std::vector<ErrorRow>& rows, const ErrorChoice& choice) {
+    const ErrorRow* const row = rowOf(rows, choice);
+    return row ? row->value[index(choice.kind)] : std::nullopt;
 }
 
 }  // namespace
 
 std::optional<double> StudyPoint::error(const ErrorChoice& choice) const { return errorIn(errors, choice); }
+
+std::optional<std::pair<double, double>> StudyPoint::drawn(const ErrorChoice& choice) const {
+    const ErrorRow* const row = rowOf(errors, choice);
+    return row && choice.kind == ErrorKind::Model ? row->drawn : std::nullopt;
+}
 
 std::optional<double> StudyReport::errorBar(const ErrorChoice& of) const { return errorIn(errorBars, of); }
 

@@ -31,6 +31,8 @@ enum class ErrorKind : std::uint8_t { Model, Arithmetic, Storage };
 inline constexpr std::size_t kErrorKinds = 3;
 constexpr std::size_t index(ErrorKind kind) { return static_cast<std::size_t>(kind); }
 std::string_view name(ErrorKind kind);  // "model"
+// The median is beyond the outermost of n draws in 2 of 2^n cases.
+inline constexpr unsigned kDraws = 6;
 
 // One measure of one buffer.
 struct ErrorRow {
@@ -40,6 +42,9 @@ struct ErrorRow {
     std::string unit;     // "world units", "degrees", "pixels"; empty for a pure number
     // Nothing where the buffer has no such error, or the reference does not say.
     std::array<std::optional<double>, kErrorKinds> value{};
+    // Of the model's error, where the samples of a pixel are drawn at random: its value is the median over kDraws draws, and
+    // this the interval of the median, 97 %: from the least to the largest.
+    std::optional<std::pair<double, double>> drawn{};
     bool operator==(const ErrorRow&) const = default;
 };
 
@@ -82,6 +87,7 @@ struct StudyPoint {
 
     // Nothing where the point has no such row.
     std::optional<double> error(const ErrorChoice& choice) const;
+    std::optional<std::pair<double, double>> drawn(const ErrorChoice& choice) const;  // ErrorRow::drawn
     bool operator==(const StudyPoint&) const = default;
 };
 

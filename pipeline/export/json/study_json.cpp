@@ -15,6 +15,7 @@ Json errorsJson(const std::vector<ErrorRow>& rows) {
             {"buffer", row.buffer}, {"stage", stageInfo(row.stage).name}, {"measure", row.measure}, {"unit", row.unit}};
         for (std::size_t kind = 0; kind < kErrorKinds; ++kind)
             entry[std::string(name(static_cast<ErrorKind>(kind)))] = finiteOrNull(row.value[kind]);
+        if (row.drawn) entry["drawn"] = {finiteOrNull(row.drawn->first), finiteOrNull(row.drawn->second)};
         json.push_back(std::move(entry));
     }
     return json;

@@ -50,7 +50,7 @@ std::string studyCsv(const StudyReport& report) {
     for (const SweepAxis& axis : report.axes) names.add(axis.key);
     for (const char* name : {"failure", "buffer", "stage", "measure", "unit"}) names.add(std::string(name));
     for (std::size_t kind = 0; kind < kErrorKinds; ++kind) names.add(std::string(name(static_cast<ErrorKind>(kind))));
-    names.add(std::string("reference_error"));
+    for (const char* name : {"model_low", "model_high", "reference_error"}) names.add(std::string(name));
     for (const char* name : {"ms_min", "ms_median", "ms_p95", "ms_median_low", "ms_median_high"})
         names.add(std::string(name));
     for (const StageId stage : kStages) names.add("ms_" + std::string(stageInfo(stage).name));
@@ -78,10 +78,12 @@ std::string studyCsv(const StudyReport& report) {
             errors.add(row.measure);
             errors.add(row.unit);
             for (const std::optional<double>& value : row.value) errors.add(value);
+            errors.add(row.drawn ? std::optional(row.drawn->first) : std::nullopt);
+            errors.add(row.drawn ? std::optional(row.drawn->second) : std::nullopt);
             errors.add(report.errorBar({row.buffer, row.measure, ErrorKind::Model}));
             csv += number + before.text() + errors.text() + after.text() + "\r\n";
         }
-        if (point.errors.empty()) csv += number + before.text() + ",,,,,,,," + after.text() + "\r\n";
+        if (point.errors.empty()) csv += number + before.text() + ",,,,,,,,,," + after.text() + "\r\n";
     }
     return csv;
 }

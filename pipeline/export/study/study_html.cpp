@@ -44,7 +44,7 @@ std::string htmlPointTable(const StudyReport& report, const StudyAnalysis& analy
         html += point.placed() ? "<tr>" : "<tr class=failed>";
         for (const std::string& value : report.points[i].values) html += cell(value);
         html += number(point.time ? timeText(*point.time) : "\u2013") + number(intervalText(point)) +
-                number(point.error) + (withLeftOut ? number(point.leftOut) : "") +
+                number(point.error ? errorText(point) : "\u2013") + (withLeftOut ? number(point.leftOut) : "") +
                 element(point.onFront() ? "td class=front" : "td", standing(analysis, i)) + "</tr>\n";
     }
     return html + "</tbody></table>\n";

@@ -143,6 +143,13 @@ ErrorRow readError(const Value& value) {
     ErrorRow row{value["buffer"].text(), value["stage"].stage(), value["measure"].text(), value["unit"].text()};
     for (std::size_t kind = 0; kind < kErrorKinds; ++kind)
         row.value[kind] = value[name(static_cast<ErrorKind>(kind))].numberOrNull();
+    if (!value.has("drawn")) return row;
+    std::vector<double> ends;
+    value["drawn"].eachElement([&](const Value& end) { ends.push_back(end.numberOrNull().value_or(0)); });
+    if (ends.size() == 2)
+        row.drawn = {ends[0], ends[1]};
+    else
+        value["drawn"].refuse("two numbers");
     return row;
 }
 

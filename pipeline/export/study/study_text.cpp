@@ -67,7 +67,7 @@ std::string pointTable(const StudyReport& report, const StudyAnalysis& analysis)
         std::vector<std::string> cells = report.points[i].values;
         cells.push_back(point.time ? timeText(*point.time) : "");
         cells.push_back(intervalText(point));
-        cells.push_back(point.error ? errorText(*point.error) : "");
+        cells.push_back(errorText(point));
         if (withLeftOut) cells.push_back(point.leftOut ? errorText(*point.leftOut) : "");
         cells.push_back(standing(analysis, i));
         table.row(std::move(cells));

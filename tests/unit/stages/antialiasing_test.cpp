@@ -105,6 +105,8 @@ TEST(Antialiasing, everyPatternKeepsItsLaw) {
                 EXPECT_LT(std::max(p.x, p.y), 0.5);
             }
             EXPECT_EQ(places, samplePlaces(pattern, side));
+            const bool isDrawn = side > 1 && (pattern == Jittered || pattern == Random);
+            EXPECT_EQ(places != samplePlaces(pattern, side, 1), isDrawn) << "another draw";
         }
         const double order = std::log2(patternError(pattern, 4) / patternError(pattern, 16)) / 4;
         EXPECT_NEAR(order, pattern == Random ? 0.5 : 0.75, 0.15) << int(pattern);

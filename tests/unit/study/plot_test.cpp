@@ -160,6 +160,8 @@ TEST(Plot, IntervalsShowWhereTheyAreWide) {
     EXPECT_EQ(bars(), 0);  // ±0.5 % is less than a marker
     report.points[3] = studyPoint(3, report.points[3].values, 10.6, 1.3e-3, 0.5);
     EXPECT_EQ(bars(), 1);
+    report.points[2].errors[0].drawn = {1.3e-3, 5.4e-3};  // upright, with a cap at each end
+    EXPECT_EQ(bars(), 3);
 }
 
 TEST(Plot, SaysWhereThereIsNothingToShow) {

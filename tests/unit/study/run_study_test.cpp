@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "pipeline/run/draws.h"
 #include "pipeline/scene/mesh/shape.h"
 #include "pipeline/study/analysis.h"
 #include "pipeline/study/ray_caster.h"
@@ -65,6 +66,46 @@ TEST(RunStudy, aValueThatTheSceneRefusesIsAFailureOfThatPointAlone) {
     ASSERT_TRUE(measureTimes(request, report.points, nullptr, {}));
     EXPECT_EQ(report.points[0].frame.processes.size(), 1u);
     EXPECT_TRUE(report.points[1].frame.empty());
+}
+
+// Of N samples at random the error is in proportion to N^(-1/2): of 8 x 8 a quarter of that of 2 x 2. One draw says little
+// of that, for all pixels have the same positions.
+TEST(RunStudy, theErrorOfSamplesAtRandomHasTheIntervalOfSeveralDraws) {
+    Scene scene = small();
+    scene.camera.pixelsPerUnit = 0.125;
+    const StudyRequest request = requestOf(scene, {"antialiasing_pattern=grid,jittered,random", "antialiasing=2,8"});
+    StudyReport report = beginStudy(request);
+    ErrorFinder finder(request);
+    for (StudyPoint& point : report.points) ASSERT_TRUE(finder.find(point, report, {}));
+    const ErrorChoice rmse{"antialiased", "RMSE", ErrorKind::Model};
+    for (std::size_t i = 0; i < 6; ++i) {
+        const auto error = report.points[i].error(rmse);
+        const auto drawn = report.points[i].drawn(rmse);
+        ASSERT_TRUE(error) << i;
+        ASSERT_EQ(bool(drawn), i >= 2) << "a grid is the same in each draw";
+        if (!drawn) continue;
+        EXPECT_LT(drawn->first, *error);
+        EXPECT_GT(drawn->second, *error);
+    }
+    const auto few = report.points[4].drawn(rmse), many = report.points[5].drawn(rmse);
+    EXPECT_LT(few->first / many->second, 4);
+    EXPECT_GT(few->second / many->first, 4);
+    EXPECT_FALSE(report.points[4].drawn({"z_view", "RMSE", ErrorKind::Model})) << "depth is the centre's";
+}
+
+// The same frame again, bit by bit, is draw 0.
+TEST(RunStudy, theFirstDrawIsTheFramesOwn) {
+    Scene scene = small();
+    scene.settings.antialiasing = 3, scene.settings.antialiasingPattern = SamplePattern::Random;
+    const FramePtr frame = test::frameOf(scene, setOf({BufferId::Antialiased}));
+    const auto valuesOf = [](const FramePtr& of) {
+        const AnyBuffer buffer = *of->buffer({BufferId::Antialiased});
+        std::vector<double> values;
+        for (std::size_t i = 0; i < buffer.count(); ++i) values.push_back(buffer.flat(i));
+        return values;
+    };
+    EXPECT_EQ(valuesOf(withDraw(frame, 0, {})), valuesOf(frame));
+    EXPECT_NE(valuesOf(withDraw(frame, 1, {})), valuesOf(frame));
 }
 
 // The object is out of sight: there is no picture whose error could be 0.

@@ -29,7 +29,8 @@ std::string errorsWith(const char* pointer, const Json& value) {
 }
 
 TEST(StudyJson, ReadsBackWhatItWrites) {
-    const StudyReport report = sphereStudy();
+    StudyReport report = sphereStudy();
+    report.points[1].errors[0].drawn = {0.01, 0.012};
     const Result<StudyReport> read = studyFromJson(toJson(report).dump(), "study.json");
     ASSERT_TRUE(read) << format(read.errors());
     EXPECT_EQ(*read, report);

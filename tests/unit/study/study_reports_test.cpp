@@ -61,17 +61,21 @@ TEST(StudyCsv, HasARowForEachPointAndMeasure) {
     StudyReport report = sphereStudy();
     report.points.resize(8);
     report.points[0].frame.processes = {{1, 2, 3, 4, 5, 6}};
+    report.points[0].errors[0].drawn = {0.03, 0.05};
     const std::vector<std::string> lines = linesOf(studyCsv(report));
     ASSERT_EQ(lines.size(), 1 + 2 + 6 + 1u);  // names; two measures; one each; the one that failed
     EXPECT_EQ(lines[0],
               "point,shading,tessellation,failure,buffer,stage,measure,unit,model,arithmetic,storage,"
-              "reference_error,ms_min,ms_median,ms_p95,ms_median_low,ms_median_high,ms_transform,ms_cull,ms_normals,ms_"
+              "model_low,model_high,reference_error,ms_min,ms_median,ms_p95,ms_median_low,ms_median_high,ms_transform,"
+              "ms_cull,ms_normals,ms_"
               "shadow-buffer,ms_z-buffer,"
               "ms_shading,megabytes,fragments,triangles\r");
-    EXPECT_EQ(lines[1], "0,flat,4,,intensity,shading,RMSE,,0.042,,,2e-16,1,3.5,6,1,6,,,,,,0.375,21.5,205887,320\r");
-    EXPECT_EQ(lines[2],
-              "0,flat,4,,normal,normals,largest angle,degrees,10.4,1.2e-5,0,,1,3.5,6,1,6,,,,,,0.375,21.5,205887,320\r");
-    EXPECT_EQ(lines.back(), "7,gouraud,128,stopped after 60 s,,,,,,,,,,,,,,,,,,,,0,,\r");
+    EXPECT_EQ(lines[1],
+              "0,flat,4,,intensity,shading,RMSE,,0.042,,,0.03,0.05,2e-16,1,3.5,6,1,6,,,,,,0.375,21.5,205887,320\r");
+    EXPECT_EQ(
+        lines[2],
+        "0,flat,4,,normal,normals,largest angle,degrees,10.4,1.2e-5,0,,,,1,3.5,6,1,6,,,,,,0.375,21.5,205887,320\r");
+    EXPECT_EQ(lines.back(), "7,gouraud,128,stopped after 60 s,,,,,,,,,,,,,,,,,,,,,,0,,\r");
 }
 
 TEST(StudyCsv, EveryRowHasAsManyFieldsAsTheNames) {
