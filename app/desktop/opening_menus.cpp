@@ -22,6 +22,7 @@
 #include "lessons/games/drill.h"
 #include "lessons/state/cue_list.h"
 #include "pipeline/formats/built_in_scenes.h"
+#include "pipeline/formats/gltf/gltf_views.h"
 #include "pipeline/scene/mesh/shape.h"
 
 namespace app {
@@ -70,8 +71,15 @@ void OpeningMenus::fillMenus(const Actions& actions) {
         scenes->addAction(toQString(scene.title), this,
                           [this, path = toQString(scene.file.string())] { m_opening.open(path); });
     fillShapes(*insert(new QMenu(tr("New"), file)));
+    QMenu* const cameras = insert(new QMenu(tr("Camera of the model's file"), file));
     insert(m_talks);
-    connect(file, &QMenu::aboutToShow, this, [this, recent] { fillRecent(*recent), fillTalks(*m_talks); });
+    connect(file, &QMenu::aboutToShow, this, [this, recent, cameras] {
+        fillRecent(*recent), fillTalks(*m_talks);
+        const QString ending = QFileInfo(m_document.kept().file).suffix();
+        cameras->setEnabled(m_document.hasScene() && m_document.scene().framed &&
+                            ending.startsWith(QStringLiteral("gl"), Qt::CaseInsensitive));
+    });
+    connect(cameras, &QMenu::aboutToShow, this, [this, cameras] { fillCameras(*cameras); });
     QMenu* const learn = actions.menu("Learn");
     const std::vector<StartLecture> lectures = startOrder();
     for (std::size_t i = 0; i < lectures.size(); ++i) {
@@ -139,6 +147,38 @@ void OpeningMenus::fillShapes(QMenu& menu) {
             m_files.showState(state, {}, SceneChanges::Given);
         });
     }
+}
+
+// A large file takes its time, so the names come when they are read.
+void OpeningMenus::fillCameras(QMenu& menu) {
+    using Names = pipeline::Result<std::vector<std::string>>;
+    const auto say = [&menu](const QString& text) { menu.clear(), menu.addAction(text)->setEnabled(false); };
+    say(tr("Reading the file…"));
+    const std::filesystem::path file = m_document.kept().file.toStdString();
+    const auto take = [this, file](std::size_t number, const QString& name) {
+        m_cameras.ask(
+            [=, scene = m_document.scene()](const BackgroundJob::Control& control) {
+                return withGltfViews(scene, file, {.camera = number}, {{}, control.stop});
+            },
+            [this, name](const pipeline::Result<pipeline::Scene>& seen) {
+                if (!seen) return void(emit m_document.failed(seen.errors()));
+                pipeline::Scene scene = m_document.scene();
+                scene.camera = seen->camera;
+                m_document.replace(std::move(scene), tr("Camera %1").arg(name));
+            });
+    };
+    m_cameras.ask(
+        [=](const BackgroundJob::Control& control) {
+            return pipeline::gltfCameras(file, {{}, control.stop});
+        },
+        [this, &menu, say, take](const Names& names) {
+            if (!names) return say(toQString(format(names.errors())));
+            if (names->empty()) return say(tr("The file has no camera."));
+            menu.clear();
+            for (std::size_t i = 0; i < names->size(); ++i)
+                menu.addAction(plain(toQString((*names)[i])), this,
+                               [take, i, name = toQString((*names)[i])] { take(i, name); });
+        });
 }
 
 void OpeningMenus::fillLessons(QMenu& menu, std::size_t lecture) {

@@ -16,7 +16,7 @@ class StartPage;
 class WindowLessons;
 
 // What can be opened, in menus and among the tools of the start page: recent files, the program's scenes, a new scene of
-// one shape, talks, lessons, and pages of drill.
+// one shape, the cameras of a glTF file, talks, lessons, and pages of drill.
 class OpeningMenus : public QObject {
     Q_OBJECT
 public:
@@ -29,6 +29,7 @@ private:
     void fillRecent(QMenu& menu);
     void fillTalks(QMenu& menu);
     void fillShapes(QMenu& menu);
+    void fillCameras(QMenu& menu);
     void fillLessons(QMenu& menu, std::size_t lecture);
     void makeDrill();
 
@@ -39,7 +40,7 @@ private:
     WindowLessons& m_lessons;
     const LessonShelf& m_shelf;
     QMenu* m_talks;
-    BackgroundJob m_drill;
+    BackgroundJob m_drill, m_cameras;
 };
 
 }  // namespace app

@@ -79,7 +79,32 @@ double radiusOf(const Scene& scene) {
     return radius > 0 ? radius : 1;
 }
 
+Result<GltfFile> parseFile(const std::filesystem::path& file, const ReadProgress& progress) {
+    const Result<NamedFile> opened = openFile(file);
+    if (!opened) return opened.errors();
+    const Result<std::string> text = wholeText({opened->text, file.string(), progress, opened->tail});
+    if (!text) return text.errors();
+    return parseGltf({*text, file.string(), progress});
+}
+
 }  // namespace
+
+Result<std::vector<std::string>> gltfCameras(const std::filesystem::path& file, const ReadProgress& progress) {
+    Result<GltfFile> parsed = parseFile(file, progress);
+    if (!parsed) return parsed.errors();
+    GltfFile gltf = std::move(parsed).value();
+    std::vector<std::string> names;
+    for (const GltfNode& node : nodesOf(gltf)) {
+        const auto camera = node.node["camera"].element("cameras");
+        if (!camera) continue;
+        const auto name = (*camera)["name"].text(), ofNode = node.node["name"].text();
+        names.push_back(name     ? std::string(*name)
+                        : ofNode ? std::string(*ofNode)
+                                 : fmt::format("camera {}", names.size()));
+    }
+    if (!gltf.errors.empty()) return gltf.errors;
+    return names;
+}
 
 Result<Scene> withGltfViews(Scene scene, const std::filesystem::path& file, const GltfViews& views,
                             const ReadProgress& progress) {
@@ -87,11 +112,7 @@ Result<Scene> withGltfViews(Scene scene, const std::filesystem::path& file, cons
     const std::string extension = file.extension().string();
     if (!scene.framed || !(sameLetters(extension, ".gltf") || sameLetters(extension, ".glb")))
         return Error{{file.string()}, fmt::format("{} takes what a glTF file has", option), "a .gltf or .glb"};
-    const Result<NamedFile> opened = openFile(file);
-    if (!opened) return opened.errors();
-    const Result<std::string> text = wholeText({opened->text, file.string(), progress, opened->tail});
-    if (!text) return text.errors();
-    Result<GltfFile> parsed = parseGltf({*text, file.string(), progress});
+    Result<GltfFile> parsed = parseFile(file, progress);
     if (!parsed) return parsed.errors();
     GltfFile gltf = std::move(parsed).value();
     std::vector<Camera> cameras;

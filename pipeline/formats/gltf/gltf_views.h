@@ -1,6 +1,8 @@
 #pragma once
 #include <filesystem>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "pipeline/core/result.h"
 #include "pipeline/formats/text/read_progress.h"
@@ -21,5 +23,8 @@ struct GltfViews {
 // Errors: no glTF file; no such camera; no light; those of its reader.
 Result<Scene> withGltfViews(Scene scene, const std::filesystem::path& file, const GltfViews& views,
                             const ReadProgress& progress = {});
+
+// The names of a glTF file's cameras, by their numbers: the camera's own, else its node's, else "camera 0".
+Result<std::vector<std::string>> gltfCameras(const std::filesystem::path& file, const ReadProgress& progress = {});
 
 }  // namespace pipeline

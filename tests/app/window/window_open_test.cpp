@@ -1,11 +1,13 @@
 #include <QDropEvent>
 #include <QFile>
 #include <QLineEdit>
+#include <QMenu>
 #include <QMimeData>
 #include <QPlainTextEdit>
 #include <QPointer>
 #include <QPushButton>
 #include <QTest>
+#include <cmath>
 #include <set>
 
 #include "app/buffer_view/buffer_view.h"
@@ -20,6 +22,7 @@
 #include "app/widgets/error_list.h"
 #include "pipeline/formats/built_in_scenes.h"
 #include "tests/app/window/window_fixture.h"
+#include "tests/support/gltf_files.h"
 #include "tests/support/little_memory.h"
 #include "tests/support/model_files.h"
 
@@ -161,6 +164,42 @@ TEST_F(WindowOpen, DroppedModelOpens) {
     drop(window, model.fileName());
     ASSERT_TRUE(document().hasScene());
     EXPECT_EQ(document().scene().objects[0].mesh->polygonCount(), 1u);
+}
+
+// The square stands before the file's camera, which looks along the file's -z, our +y.
+TEST_F(WindowOpen, ACameraOfTheModelsFileIsChosenByName) {
+    test::Parts parts = test::squareParts();
+    parts["nodes"] = R"([{"mesh": 0, "children": [1]}, {"camera": 0, "name": "front", "translation": [0.5, 0.5, 3]}])";
+    parts["cameras"] = R"([{"type": "perspective", "perspective": {"yfov": 0.5, "znear": 0.5, "zfar": 9}}])";
+    QFile file(folder.filePath("square.gltf"));
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write(QByteArray::fromStdString(test::fileOf(parts)));
+    file.close();
+    const auto menuOf = [&]() -> QMenu* {
+        for (QMenu* const menu : window.findChildren<QMenu*>())
+            if (menu->title() == "Camera of the model's file") return menu;
+        return nullptr;
+    };
+    QMenu* const cameras = menuOf();
+    ASSERT_TRUE(cameras);
+    auto* const all = qobject_cast<QMenu*>(cameras->parent());
+    ASSERT_TRUE(all);
+    openPyramid();
+    emit all->aboutToShow();
+    EXPECT_FALSE(cameras->isEnabled()) << "the lecture's scene has its own";
+    drop(window, file.fileName());
+    ASSERT_TRUE(document().hasScene());
+    emit all->aboutToShow();
+    ASSERT_TRUE(cameras->isEnabled());
+    emit cameras->aboutToShow();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return cameras->actions()[0]->text() == "front"; }, 10000));
+    cameras->actions()[0]->trigger();
+    const auto at = [&] { return document().scene().camera.eye; };
+    ASSERT_TRUE(QTest::qWaitFor([&] { return document().history().stack()->canUndo(); }, 10000));
+    EXPECT_NEAR(at().y, -3, 1e-12);
+    EXPECT_NEAR(document().scene().camera.fovY, 0.5 * 180 / M_PI, 1e-12);
+    document().history().stack()->undo();
+    EXPECT_NE(at().y, -3);
 }
 
 TEST_F(WindowOpen, WhatCannotBeOpenedIsAnsweredWhenItIsDropped) {

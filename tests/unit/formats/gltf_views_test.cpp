@@ -17,7 +17,7 @@ struct GltfViewsTest : testing::Test {
     GltfViewsTest() {
         test::Parts parts = test::squareParts();
         parts["nodes"] = R"([{"mesh": 0, "children": [1, 2, 3, 4, 5]},
-            {"camera": 0, "translation": [0.5, 0.5, 3]},
+            {"camera": 0, "name": "from the front", "translation": [0.5, 0.5, 3]},
             {"camera": 1, "translation": [0.5, -2, 0], "rotation": [0.70710678118654752, 0, 0, 0.70710678118654752]},
             {"translation": [0.5, 0.5, 2], "extensions": {"KHR_lights_punctual": {"light": 0}}},
             {"rotation": [-0.70710678118654752, 0, 0, 0.70710678118654752],
@@ -55,6 +55,8 @@ TEST_F(GltfViewsTest, ACameraIsTakenByItsNumber) {
     EXPECT_EQ(first->camera.near, 0.5);
     EXPECT_EQ(first->camera.far, 9);
     EXPECT_EQ(first->lights.size(), 1u) << "that of the program stays";
+    EXPECT_EQ(gltfCameras(folder / "m.gltf").value(), (std::vector<std::string>{"from the front", "camera 1"}));
+    EXPECT_EQ(gltfCameras(folder / "plain.gltf").value(), std::vector<std::string>{});
     const auto second = with("m.gltf", {1, false});
     ASSERT_TRUE(second) << format(second.errors());
     EXPECT_EQ(second->camera.projection, ProjectionKind::Orthographic);
