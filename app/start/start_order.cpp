@@ -66,7 +66,7 @@ std::vector<StartLecture> startOrder() {
          fourPictures(),
          {{startText("Light, reflection, scene files"), {"ambient", "lambert", "highlight_exponents", "pyramid"}},
           {startText("Interpolated shading"),
-           {"vertex_normals", "interpolation", "flat_gouraud_phong", "z_buffer_gouraud", "gl_cube"}},
+           {"vertex_normals", "interpolation", "rgb_triangle", "flat_gouraud_phong", "z_buffer_gouraud", "gl_cube"}},
           {startText("Shadows"),
            {"two_pyramids", "box_over_plane", "point_light_shadow", "soft_shadow", "shadow_bias"}}},
          talk("lecture1.cues")},

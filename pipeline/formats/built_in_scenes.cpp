@@ -43,6 +43,7 @@ constexpr auto kScenes = std::to_array<Row>({
     {"z_buffer_gouraud", ".toml", {}, {}, StageId::ZBuffer, {"depth", "color"}},
     {"z_buffer_phong", ".toml", {}, {}, StageId::ZBuffer, {"depth", "color"}},
     {"interpolation", ".toml", {}, {}, StageId::Shading, {"color", "intensity"}},
+    {"rgb_triangle", ".toml", {}, {}, StageId::Shading, {"color", "k_d"}},
     {"highlight_exponents", ".toml", {}, {}, StageId::Shading, {"color", "specular.0"}},
     {"phong_blinn", ".toml", {}, {}, StageId::Shading, {"color", "specular.0"}},
     {"microfacets", ".toml", {}, {}, StageId::Shading, {"color", "specular.0"}},
