@@ -228,11 +228,11 @@ TEST(Analysis, ObservesTheOrderOfTheSphere) {
     const StudyAnalysis analysis = analyse(report, report.choice);
     const ObservedOrder& flat = analysis.curves[0].order;
     ASSERT_EQ(flat.steps.size(), 3u);
-    EXPECT_NEAR(*flat.steps[0], 0.966, 5e-4);                  // log2(42 / 11) / 2 = 1.9329 / 2
-    EXPECT_NEAR(*flat.steps[1], 1.013, 5e-4);                  // log2(11 / 2.7) / 2 = 2.0265 / 2
-    EXPECT_NEAR(*flat.last, 1.054, 5e-4);                      // log2(2.7 / 1.3)
-    EXPECT_NEAR(*analysis.curves[1].order.last, 1.857, 5e-4);  // log2(2.1 / 0.16) / 2 = 3.7142 / 2
-    EXPECT_NEAR(*analysis.curves[2].order.last, 1.912, 5e-4);  // log2(35 / 9.3)
+    EXPECT_NEAR(*flat.steps[0], 0.966, 5e-4);                          // log2(42 / 11) / 2 = 1.9329 / 2
+    EXPECT_NEAR(*flat.steps[1], 1.013, 5e-4);                          // log2(11 / 2.7) / 2 = 2.0265 / 2
+    EXPECT_NEAR(*flat.steps[2], 1.054, 5e-4);                          // log2(2.7 / 1.3)
+    EXPECT_NEAR(*analysis.curves[1].order.steps.back(), 1.857, 5e-4);  // log2(2.1 / 0.16) / 2 = 3.7142 / 2
+    EXPECT_NEAR(*analysis.curves[2].order.steps.back(), 1.912, 5e-4);  // log2(35 / 9.3)
 }
 
 TEST(Analysis, FitsTheOrderThroughAllLevels) {
@@ -240,7 +240,7 @@ TEST(Analysis, FitsTheOrderThroughAllLevels) {
     // Means −1.5 and −2.75; sum xy 8.5, sum xx 5: slope 1.7. The last two levels alone: 1.
     const ObservedOrder order = observedOrder({1, 0.5, 0.25, 0.125}, {1, 0.25, 0.0625, 0.03125});
     EXPECT_NEAR(*order.fit, 1.7, 1e-12);
-    EXPECT_NEAR(*order.last, 1, 1e-12);
+    EXPECT_NEAR(*order.steps.back(), 1, 1e-12);
     // The line leaves 0.2, -0.1, -0.4, 0.3: squares sum to 0.3. t of 97.5 % with two degrees of freedom is 4.303, and
     // 4.303 √(0.3 / 2 / 5) = 0.745.
     EXPECT_NEAR(*order.within, 0.7453, 1e-4);
@@ -253,9 +253,8 @@ TEST(Analysis, HasNoOrderWhereAnErrorIsZeroOrAWidthIsNone) {
     const ObservedOrder order = observedOrder({1, 0.5, 0.25}, {1, 0.5, 0});
     EXPECT_NEAR(*order.steps[0], 1, 1e-12);
     EXPECT_FALSE(order.steps[1]);
-    EXPECT_FALSE(order.last);
     EXPECT_NEAR(*order.fit, 1, 1e-12);
-    EXPECT_FALSE(observedOrder({std::nullopt, 0.5}, {1, 0.5}).last);
+    EXPECT_FALSE(observedOrder({std::nullopt, 0.5}, {1, 0.5}).steps[0]);
     EXPECT_FALSE(observedOrder({0.5}, {1}).fit);
     EXPECT_FALSE(observedOrder({0.5, 0.5}, {1, 2}).fit);
     EXPECT_TRUE(observedOrder({}, {}).steps.empty());
@@ -279,7 +278,7 @@ TEST(Analysis, ASettingThatIsNoResolutionHasNoOrder) {
     report.axes[1].key = "material.#.n";
     const StudyAnalysis analysis = analyse(report, report.choice);
     EXPECT_EQ(analysis.refined, 1u);
-    for (const MethodCurve& curve : analysis.curves) EXPECT_FALSE(curve.order.last || curve.order.fit) << curve.name;
+    for (const MethodCurve& curve : analysis.curves) EXPECT_FALSE(curve.order.fit) << curve.name;
 }
 
 TEST(Analysis, AMissingErrorIsGivenTheStudysReason) {
