@@ -106,7 +106,7 @@ TEST_F(WindowStart, OnASmallScreenPicturesEightScenesAndAllLessonsAreInSight) {
 TEST_F(WindowStart, AWideScreenShowsBothLecturesWhole) {
     be(ThemeId::Dark, {1920, 1080});
     EXPECT_FALSE(find<QWidget>("startLecture")->isVisible());
-    EXPECT_EQ(shown<StartCard>().size(), 26) << "30 scenes, of which four are lecture 1's pictures";
+    EXPECT_EQ(shown<StartCard>().size(), 27) << "31 scenes, of which four are lecture 1's pictures";
     EXPECT_EQ(shown<LessonRow>().size(), 18);
     for (const QWidget* part : shown<StartButton>()) EXPECT_TRUE(isWhole(part)) << part->objectName().toStdString();
 }
