@@ -104,10 +104,11 @@ void LessonRun::setWindow() {
     lessons::WindowState window = state.window;
     findFilesFrom(window, folderOf(*m_lesson, current()));
     showPlace(m_document, window);
-    pipeline::BufferSet wanted = requestFor(current()).wanted;
-    if (current().then && isSettled()) wanted |= requestForThen(current()).wanted;
-    m_document.frames().want(this, wanted | buffersOf(half().held));
+    // Texts and other questions have frames of their own.
     const auto* until = m_attempt ? std::get_if<lessons::UntilQuestion>(&current().question->kind) : nullptr;
+    pipeline::BufferSet wanted = buffersOf(half().held);
+    if (until && !isSettled()) wanted |= requestFor(current()).wanted;
+    m_document.frames().want(this, wanted);
     const bool keepsFigure = current().first.held.figure || (current().then && current().then->held.figure);
     m_document.hand().take({half(), until ? until->free : std::vector<std::string>(), keepsFigure, isSettled()});
     emit showViews(window);

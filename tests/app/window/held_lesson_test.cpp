@@ -259,6 +259,17 @@ TEST_F(HeldLesson, OnAGripTheLessonHasItsKeys) {
     EXPECT_EQ(run().attempt()->state(), lessons::Attempt::State::Shown);
 }
 
+// One option of the question reads n_dot_l.0, which no step of the hand needs.
+TEST_F(HeldLesson, AStepComputesNothingForTheQuestionAlone) {
+    open("smooth");
+    for (int i = 0; i < 2; ++i) {
+        EXPECT_FALSE(document().frames().shown()->wanted()[index(pipeline::BufferId::NDotL)]);
+        grip().setFocus();
+        press("Right");
+        ASSERT_TRUE(waitForFrame());
+    }
+}
+
 // Where a click on the picture has been answered, the keys are there.
 TEST_F(HeldLesson, EnterChecksWhereThePictureHasTheKeys) {
     open("reflection");
