@@ -184,7 +184,9 @@ TEST_F(WindowLesson, NoMenuOfAViewOffersTheAnswerOfAPage) {
         return holds;
     };
     EXPECT_FALSE(holdsPrevious());
-    find<QAbstractButton>("showMe")->click();
+    auto* const showMe = find<QAbstractButton>("showMe");
+    ASSERT_TRUE(QTest::qWaitFor([&] { return showMe->isEnabled(); }));  // once the page's texts are there
+    showMe->click();
     find<QAbstractButton>("showSure")->click();
     ASSERT_TRUE(waitForFrame());
     view = window.views().shownBuffers().front();  // the second half has views of its own
