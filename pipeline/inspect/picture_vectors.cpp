@@ -16,14 +16,18 @@ std::optional<PictureVectors> vectorsInPicture(const Frame& frame, glm::ivec2 pi
     if (report.evaluations.empty() || report.evaluations[0].lights.empty()) return {};
     const auto& evaluation = report.evaluations[0];
     const View view = makeView(scene);
-    const Vec3d at = evaluation.position, N = evaluation.N, L = evaluation.lights[0].L;
+    const Vec3d N = evaluation.N, L = evaluation.lights[0].L;
+    // Flat shading evaluates in the middle of the polygon, where N and an L from infinity are the same as here.
+    const bool isSameHere = evaluation.vertex < 0 && scene.lights[0].kind == LightKind::AtInfinity;
+    const Vec3d at = isSameHere ? report.position : evaluation.position;
     const double depth = view.perspective ? toView(view, at).z : 1;
     const double reach = 0.2 * view.size.y / view.scale.y * depth;
     const glm::dvec2 middle = glm::dvec2(pixel) + 0.5;
     const auto inPicture = [&](const Vec3d& direction) {
         return projected(view, at + reach * direction).value_or(middle);
     };
-    PictureVectors vectors{.at = middle, .N = inPicture(N), .L = inPicture(L), .nDotL = glm::dot(N, L)};
+    PictureVectors vectors{
+        .at = projected(view, at).value_or(middle), .N = inPicture(N), .L = inPicture(L), .nDotL = glm::dot(N, L)};
     for (int i = 0; i <= 16; ++i) {
         const Vec3d between = (1 - i / 16.0) * N + i / 16.0 * L;
         const double length = glm::length(between);

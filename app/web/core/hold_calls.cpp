@@ -122,7 +122,8 @@ WEB_CALL(vectors) int webVectors(int x, int y) {
         for (const glm::dvec2 point : points) list.push_back(pair(point));
         return list;
     };
-    return give({{"N", pair(vectors->N)},
+    return give({{"at", pair(vectors->at)},
+                 {"N", pair(vectors->N)},
                  {"L", pair(vectors->L)},
                  {"n_dot_l", vectors->nDotL},
                  {"arc", listOf(vectors->arc)},

@@ -387,8 +387,8 @@ function drawOver(cell, sides) {
   if (view.pixel) {
     const o = at(view.pixel.map(v => v + 0.5)), isShown = !page.hidden.buffers.some(name => /^(normal|light_vector)/.test(name)), vectors = lamp?.kind === 'lamp' && isShown ? core.ask('vectors', ...view.pixel) : null;
     if (vectors) {
-      const n = at(vectors.N), l = at(vectors.L), away = v => { const d = Math.hypot(v[0] - o[0], v[1] - o[1]) || 1; return [v[0] + 16 * (v[0] - o[0]) / d, v[1] + 6 + 16 * (v[1] - o[1]) / d]; };
-      out += `<polygon class="horizon" points="${pointsOf(vectors.horizon.map(at))}"/>` + svgLine(o, n, 'var(--on-N)') + svgLine(o, l, 'var(--sun)', 3, vectors.n_dot_l > 0 ? '' : '2 7');
+      const from = at(vectors.at), n = at(vectors.N), l = at(vectors.L), away = v => { const d = Math.hypot(v[0] - from[0], v[1] - from[1]) || 1; return [v[0] + 16 * (v[0] - from[0]) / d, v[1] + 6 + 16 * (v[1] - from[1]) / d]; };
+      out += `<polygon class="horizon" points="${pointsOf(vectors.horizon.map(at))}"/>` + svgLine(from, n, 'var(--on-N)') + svgLine(from, l, 'var(--sun)', 3, vectors.n_dot_l > 0 ? '' : '2 7');
       out += `<polyline class="arc" points="${pointsOf(vectors.arc.map(at))}"/>` + svgWords(away(n), 'N', 'class="symbol" style="fill:var(--on-N)"') + svgWords(away(l), 'L', 'class="symbol" style="fill:var(--sun)"');
     }
     let fill = 'none';
