@@ -104,8 +104,7 @@ void printPages(const lessons::Lesson& lesson, const Json& pages, bool answers) 
 std::optional<lessons::Lesson> foundLesson(const std::string& name, const Interrupt& interrupt, int& status) {
     auto lesson = lessons::findLesson(name, interrupt.token());
     if (interrupt.asked()) {
-        tell("Cancelled.\n");
-        status = kInterrupted;
+        status = tellCancelled();
         return {};
     }
     if (lesson) return std::move(lesson).value();

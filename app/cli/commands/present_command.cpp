@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
+#include <optional>
 
 #include "app/cli/arguments/cue_check.h"
 #include "app/cli/arguments/live_argument.h"
@@ -41,19 +42,26 @@ pipeline::Errors cueErrors(const lessons::CueList& list, const std::filesystem::
     return errors;
 }
 
+// The list, all of whose cues fit their scenes; nothing, told of and with the status, where some do not or it was stopped.
+std::optional<lessons::CueList> rightTalk(const std::string& cues, const Interrupt& interrupt, int& status) {
+    auto list = lessons::readCueFile(cues, interrupt.token());
+    const pipeline::Errors errors = list ? cueErrors(*list, cues, interrupt.token()) : list.errors();
+    if (interrupt.asked()) {
+        status = tellCancelled();
+        return {};
+    }
+    if (errors.empty()) return std::move(list).value();
+    printErrors(errors);
+    status = kBadInput;
+    return {};
+}
+
 int checkTalk(const std::string& named) {
     const Interrupt interrupt;
     const std::string cues = lessons::cueFileAt(named).string();
-    const auto list = lessons::readCueFile(cues, interrupt.token());
-    const pipeline::Errors errors = list ? cueErrors(*list, cues, interrupt.token()) : list.errors();
-    if (interrupt.asked()) {
-        tell("Cancelled.\n");
-        return kInterrupted;
-    }
-    if (!errors.empty()) {
-        printErrors(errors);
-        return kBadInput;
-    }
+    int status = kDone;
+    const auto list = rightTalk(cues, interrupt, status);
+    if (!list) return status;
     for (std::size_t i = 0; i < list->cues.size(); ++i)
         if (list->cues[i].state.algorithm && asking(*list, i))
             say("cue {}: the algorithm stays hidden; the choices are in its place.\n",
@@ -77,15 +85,9 @@ int exportTalk(const std::string& named, const std::string& file, const CliHost&
     const Interrupt interrupt;
     const std::filesystem::path cues = lessons::cueFileAt(named);
     const std::filesystem::path folder = cues.parent_path();
-    const auto list = lessons::readCueFile(cues, interrupt.token());
-    if (!list) {
-        printErrors(list.errors());
-        return kBadInput;
-    }
-    if (const pipeline::Errors errors = cueErrors(*list, cues, interrupt.token()); !errors.empty()) {
-        printErrors(errors);
-        return kBadInput;
-    }
+    int status = kDone;
+    const auto list = rightTalk(cues.string(), interrupt, status);
+    if (!list) return status;
     const auto parts = lessons::talkParts();
     if (!parts) {
         printErrors(parts.errors());
