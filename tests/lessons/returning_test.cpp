@@ -160,7 +160,7 @@ TEST(ReturningQuestions, HaveOtherNumbersThanTheFirstTime) {
                 EXPECT_NE(again.first.state.scene, first.first.state.scene);
             }
         }
-    EXPECT_GE(numbers, 17u);
+    EXPECT_GE(numbers, 16u);
 }
 
 TEST(ReturningQuestions, TwoOfEachLessonReturnInTheNextButOne) {
