@@ -34,7 +34,8 @@ ZBufferOutput<Real> clearedZBuffer(glm::ivec2 size, DepthFormat format, const Pl
     ZBufferOutput<Real> out = roomForZBuffer<Real>({{0, 0}, size}, format, planted);
     threads.forRange(out.overdraw.pixels.size(), kPixelGrain,
                      [&](std::size_t begin, std::size_t end) { clearZBuffer(format, begin, end, out); });
-    if (planted && !threads.stopped()) spoilCleared(out);
+    if (threads.stopped()) return out;
+    if (planted) spoilCleared(out);
     return out;
 }
 template <class Real>
