@@ -44,6 +44,31 @@ try {
       await page.close();
     }
   }
+  // What a hand waits for: a step of the first hold of each first page with all that follows it, and its frame alone.
+  for (const { name } of JSON.parse(execFileSync(program, ['lesson', 'list', '--json'], { encoding: 'utf8' }))) {
+    const held = await browser.open(make(name + ' lesson', 'lesson', 'export', name) + '?page=1');
+    const [step, frame, hold] = await held.run(`(async () => {
+      if (held.holds.length === 0) return [0, 0, ''];
+      const steps = [], frames = [], at = i => core.ask('nudge', 0, i % 2 ? 1 : -1, i % 2 ? 1 : -1, 1);
+      for (let i = 0; i < 19; ++i) {
+        isLong = false;
+        const began = performance.now();
+        putHand(at(i));
+        document.body.offsetHeight;
+        steps.push(performance.now() - began);
+      }
+      for (let i = 0; i < 19; ++i) {
+        core.ask('set', at(i));
+        const began = performance.now();
+        core.call('frame', 0);
+        frames.push(performance.now() - began);
+      }
+      const best = list => Math.min(...list.slice(1));
+      return [best(steps), best(frames), held.holds[0].name];
+    })()`);
+    console.log(hold ? `  a step of ${hold}: ${step.toFixed(1)} ms, its frame alone ${frame.toFixed(1)} ms, ratio ${(step / frame).toFixed(2)} (budget 2.5)` : '  nothing is held on its first page');
+    await held.close();
+  }
   const page = await browser.open(lesson);
   for (let i = 0; i < (await page.run('data.pages')); ++i) await page.run(`openPage(${i})`);
   console.log(`all pages of the lesson: memory ${megabytes(await page.run('core.memory.byteLength'))}`);

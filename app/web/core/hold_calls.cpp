@@ -1,8 +1,10 @@
-#include <fmt/format.h>
+#include <algorithm>
+#include <array>
+#include <span>
 
 #include "app/web/core/core.h"
+#include "lessons/held_figure.h"
 #include "pipeline/inspect/picture_vectors.h"
-#include "pipeline/scene/hold/code_figure.h"
 #include "pipeline/scene/view.h"
 
 // What a hand can move on the page, and what follows it.
@@ -49,6 +51,13 @@ Json holdJson(const Hold& hold) {
         if (const auto below = placeOf(scene, foot)) json["around"] = {below->at.x, below->at.y};
     }
     return json;
+}
+
+Json pair(glm::dvec2 point) { return {point.x, point.y}; }
+Json listOf(std::span<const glm::dvec2> points) {
+    Json list = Json::array();
+    for (const glm::dvec2 point : points) list.push_back(pair(point));
+    return list;
 }
 
 const Hold* holdAt(int number) {
@@ -101,14 +110,39 @@ WEB_CALL(nudge) int webNudge(int number, int x, int y, int coarse) {
     return give(pipeline::toText(nudged(*core().own.scene, *hold, {x, y}, coarse != 0)));
 }
 
-WEB_CALL(codes) int webCodes() {
-    const pipeline::CodeFigure figure = pipeline::codeFigure(*core().own.scene);
-    return give({{"near", figure.near},
-                 {"far", figure.far},
-                 {"nearest", figure.nearest},
-                 {"farthest", figure.farthest},
-                 {"marks", figure.marks},
-                 {"codes", figure.codes}});
+// The figure below the picture, as shapes and terms. Of its place: the width, and where the picture's columns are in it,
+// pixels. A pixel below 0: none is picked.
+WEB_CALL(figure) int webFigure(double width, double left, double perColumn, int x, int y, int channel) {
+    constexpr std::array<std::string_view, 5> kKinds{"line", "box", "curve", "dot", "words"};
+    const OpenLesson& open = *core().lesson;
+    ShownScene& own = core().own;
+    const bool isOpen =
+        open.lesson.pages[open.page].question && open.progress[open.page].outcome == lessons::Progress::Outcome::Open;
+    const lessons::HeldFigure figure =
+        lessons::figureOf({.half = half(),
+                           .scene = *own.scene,
+                           .frame = own.now(),
+                           .pixel = x < 0 ? std::nullopt : std::optional(glm::ivec2(x, y)),
+                           .channel = std::clamp(channel, 0, 2),
+                           .tells = !isOpen,
+                           .buffer = [&](const pipeline::BufferName& name) { return bufferNamed(own, name.text()); }},
+                          {width, left, perColumn});
+    Json shapes = Json::array(), terms = Json::array();
+    for (const lessons::FigureShape& shape : figure.shapes)
+        shapes.push_back({{"kind", kKinds[std::size_t(shape.kind)]},
+                          {"role", shape.role},
+                          {"points", listOf(shape.points)},
+                          {"text", shape.text},
+                          {"anchor", shape.anchor}});
+    for (const lessons::FigureTerm& term : figure.terms)
+        terms.push_back({{"symbol", term.symbol},
+                         {"text", lessons::termText(term.value, figure.most)},
+                         {"share", figure.most > 0 ? term.value / figure.most : 0}});
+    return give({{"spoken", figure.spoken},
+                 {"shapes", shapes},
+                 {"terms", terms},
+                 {"sum", {{"symbol", figure.sumSymbol}, {"text", lessons::termText(figure.sum, figure.most)}}},
+                 {"track", figure.track ? listOf(*figure.track) : Json()}});
 }
 
 // N and the first L at a pixel as lines in the picture, with the arc between them and the horizon; null where nothing is
@@ -116,12 +150,6 @@ WEB_CALL(codes) int webCodes() {
 WEB_CALL(vectors) int webVectors(int x, int y) {
     const auto vectors = vectorsInPicture(*core().own.frame, {x, y});
     if (!vectors) return give(Json());
-    const auto pair = [](glm::dvec2 point) { return Json{point.x, point.y}; };
-    const auto listOf = [&](const std::vector<glm::dvec2>& points) {
-        Json list = Json::array();
-        for (const glm::dvec2 point : points) list.push_back(pair(point));
-        return list;
-    };
     return give({{"at", pair(vectors->at)},
                  {"N", pair(vectors->N)},
                  {"L", pair(vectors->L)},

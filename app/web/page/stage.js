@@ -108,8 +108,7 @@ function inPicture(cell, event) {
 }
 /** The track of a number: its ends, from low to high. */
 function trackOf(grip) {
-  const hold = held.holds[grip.number];
-  if (grip.onAxis) return [[axisX(hold.low), 88], [axisX(hold.high), 88]];
+  if (grip.onAxis) return figure.track;
   const tracks = grips.filter(other => other.kind === 'number' && !other.onAxis), room = one('#room'), x = 40 + 84 * tracks.indexOf(grip), low = room.clientHeight - 44;
   return [[x, low], [x, Math.max(low - 260, 96)]];
 }
@@ -222,7 +221,7 @@ function putHand(values) {
 /** What a step moves: the pictures, what stands over them, words, figure, play, a gauge. */
 function drawHeld() {
   held = core.ask('holds');
-  if (page.space !== '' || page.held.figure === 'equation') drawPixel();
+  if (page.space !== '') drawPixel();
   drawStage();
   if (page.question?.kind === 'until' && !page.question.settled) page = core.ask('read'), drawQuestion();
   drawSettings();
@@ -272,8 +271,8 @@ function startStage() {
 function drawStage() {
   if (view.inside) return;
   cells.forEach(drawCell);
-  placeGrips();
   drawFigure();
+  placeGrips();
   drawFiles();
   judgePlay();
 }
@@ -459,69 +458,47 @@ function placeBubble(grip, p, room) {
   grip.bubble.style.top = (beside ? p[1] - 14 : grip.onAxis ? p[1] - 62 : p[1] - 54) + 'px';
 }
 
-// ---- Figures: each reads the frame or the scene.
+// ---- The figure: the core says what is in it.
 
-const kAxisLow = 0.02, kAxisHigh = 3000;
-const axisX = z => 28 + Math.log(z / kAxisLow) / Math.log(kAxisHigh / kAxisLow) * (one('#figure').clientWidth - 56);
+/** What the figure has: shapes, or the terms of an equation; where a grip on its axis moves. @type {any} */
+let figure = null;
 
-/** The place of a figure is kept from the beginning, so that nothing moves at the answer. */
+/** Its place is kept from the beginning, so that nothing moves at the answer. */
 function drawFigure() {
   const box = one('#figure'), kind = page.held.figure || '';
-  box.hidden = !page.keeps_figure, box.classList.toggle('empty', kind === '' || (kind === 'equation' && !report?.diffuse?.length));
-  box.dataset.kind = kind;
+  box.hidden = !page.keeps_figure, box.dataset.kind = kind;
   let made = one('.made', box);
   if (!made) box.prepend(made = element('div', { className: 'made' }));
   if (kind !== drawFigure.kind) made.replaceChildren(), box.classList.toggle('rise', page.then && kind !== '');
   drawFigure.kind = kind;
-  if (kind === 'codes') drawCodes(made);
-  else if (kind === 'equation') drawTerms(made);
-  else if (kind === 'row') drawRow(made);
-  else made.replaceChildren();
+  const [left, next] = [0, 1].map(column => onRoom(cells[0], [column, 0])[0]);
+  figure = kind ? core.ask('figure', box.clientWidth, left, next - left, ...(view.pixel || [-1, -1]), view.channel) : null;
+  box.classList.toggle('empty', !figure?.spoken);
+  if (!figure?.spoken) made.replaceChildren();
+  else if (figure.terms.length) drawTerms(made);
+  else made.innerHTML = `<svg role="img" aria-label="${figure.spoken.replace(/[<&"]/g, '')}">${figure.shapes.map(svgShape).join('')}</svg>`;
 }
 drawFigure.kind = '';
 
-function drawCodes(made) {
-  const { near, nearest, farthest, marks, codes } = core.ask('codes'), end = one('#figure').clientWidth - 28, hold = held.holds.find(each => each.keys[0] === 'camera.near');
-  const x = z => clamp(axisX(z), 28, end), [z0, z1] = [x(nearest), x(farthest)], words = page.question && !page.question.settled ? 'the objects' : `${codes} ${codes === 1 ? 'code' : 'codes'}`;
-  let out = `<rect x="${z0}" y="50" width="${Math.max(3, z1 - z0)}" height="62" rx="3" class="reach"/>` + svgWords([clamp((z0 + z1) / 2, 50, end - 50), 18], words, 'text-anchor="middle" class="of"');
-  for (const z of marks) out += `<line x1="${x(z)}" x2="${x(z)}" y1="58" y2="104" class="code${z >= nearest && z <= farthest ? ' in' : ''}"/>`;
-  out += `<line x1="28" x2="${end}" y1="104" y2="104" class="base"/>`;
-  for (const z of [0.1, 1, 10, 100, 1000]) out += `<line x1="${x(z)}" x2="${x(z)}" y1="104" y2="110" class="base"/>` + svgWords([x(z), 126], String(z), 'text-anchor="middle"');
-  out += svgWords([end, 126], 'z', 'text-anchor="end"') + '<path d="M4 81q10-12 20 0q-10 12-20 0" class="eye"/><circle cx="14" cy="81" r="3.4"/>';
-  const own = hold && Number(splitAssignment(hold.own)[1]);
-  if (own && own !== near) out += `<line x1="${x(own)}" x2="${x(own)}" y1="70" y2="106" class="own"/>` + svgWords([x(own), 62], String(own), 'text-anchor="middle"');
-  made.innerHTML = `<svg role="img" aria-label="Depths that have a code of their own, on an axis from the eye to the far plane: ${marks.length} marks">${out}</svg>`;
-}
-
-/** The first buffer beside the picture itself along the row of the picked pixel, below the picture's columns. */
-function drawRow(made) {
-  const [width, height] = pictureSize(), [px, py] = view.pixel || [width >> 1, page.held.spot?.row ?? height >> 1], name = (page.buffers.find(shown => shown.buffer !== 'color') || page.buffers[0]).buffer;
-  const numbers = core.numbers(core.ask('buffer', name, 0)), parts = numbers.length / (width * height), ids = idsDrawn();
-  const row = Array.from({ length: width }, (_, x) => (ids[py * width + x] >= 0 ? Number(numbers[parts * (py * width + x)]) : NaN)), drawn = row.filter(Number.isFinite);
-  const low = Math.min(...drawn), high = Math.max(...drawn), at = x => onRoom(cells[0], [x + 0.5, 0])[0], up = v => 92 - 64 * (v - low) / (high - low || 1);
-  let path = '';
-  row.forEach((v, x) => { if (Number.isFinite(v)) path += `${Number.isFinite(row[x - 1]) ? 'L' : 'M'}${at(x).toFixed(1)} ${up(v).toFixed(1)}`; });
-  const words = Number.isFinite(row[px]) ? `${name} ${shortNumber(row[px], 4)}` : 'nothing drawn', x = at(px), end = one('#figure').clientWidth;
-  const dot = Number.isFinite(row[px]) ? `<circle cx="${x}" cy="${up(row[px])}" r="5" class="at"/>` : '';
-  made.innerHTML = `<svg role="img" aria-label="Row ${py}, column ${px}: ${words}"><line x1="${x}" x2="${x}" y1="22" y2="100" class="own"/><path class="curve" d="${path}"/>${dot}${svgWords([clamp(x, 90, end - 90), 16], words, 'text-anchor="middle" class="of"')}${svgWords([12, 112], `row ${py}`)}</svg>`;
+const kAnchors = ['start', 'middle', 'end'];
+function svgShape({ kind, role, points, text, anchor }) {
+  const [[x, y], [x2, y2] = [0, 0]] = points;
+  if (kind === 'words') return svgWords([x, y], text, `text-anchor="${kAnchors[2 * anchor]}" class="${role}"`);
+  if (kind === 'box') return `<rect x="${x}" y="${y}" width="${x2 - x}" height="${y2 - y}" rx="3" class="${role}"/>`;
+  if (kind === 'dot') return `<circle cx="${x}" cy="${y}" r="4" class="${role}"/>`;
+  if (kind === 'curve') return `<polyline points="${pointsOf(points)}" class="${role}"/>`;
+  return `<line x1="${x}" y1="${y}" x2="${x2}" y2="${y2}" class="${role}"/>`;
 }
 
 function drawTerms(made) {
-  if (!report?.diffuse?.length) return void made.replaceChildren();
-  const c = view.channel, letter = 'rgb'[c], sum = list => list.reduce((all, term) => all + term[c], 0), lights = report.diffuse.length;
-  const usesH = report.equation?.some(line => line.text.includes('H')), lamp = lights > 1 ? 'I_p' : 'I_0';
-  const terms = [[`k_${letter} I_a`, report.ambient[c]], [`k_${letter} ${lamp} max(0, N·L)`, sum(report.diffuse)]];
-  if (sum(report.specular) > 0 || report.specular.some(term => term.some(value => value > 0))) terms.push([`k_s ${lamp} max(0, ${usesH ? 'N·H' : 'R·V'})`, sum(report.specular)]);
-  const total = terms.reduce((all, [, value]) => all + value, 0), text = value => withMinus(value.toFixed(Math.abs(report.i_max) < 10 ? 3 : 1));
-  const columns = terms.flatMap(([symbol, value], i) => [...(i ? [element('div', { className: 'sign' }, '+')] : []), element('div', {}, element('span', {}, ...withScripts(symbol)), element('b', { textContent: text(value) }))]);
-  columns.push(element('div', { className: 'sign' }, '='), element('div', {}, element('span', {}, ...withScripts(`I_${letter}`)), element('b', { textContent: text(total) })));
-  const bar = element('div', { className: 'terms-bar', ariaHidden: 'true' }, ...terms.map(([, value], i) => {
+  const column = ({ symbol, text }) => element('div', {}, element('span', {}, ...withScripts(symbol)), element('b', { textContent: text })), sign = text => element('div', { className: 'sign' }, text);
+  const columns = [...figure.terms.flatMap((term, i) => [...(i ? [sign('+')] : []), column(term)]), sign('='), column(figure.sum)];
+  const bar = element('div', { className: 'terms-bar', ariaHidden: 'true' }, ...figure.terms.map(({ share }, i) => {
     const part = element('i');
-    part.style.width = clamp(100 * value / report.i_max, 0, 100) + '%', part.style.background = ['#9AA3AF', 'var(--sun)', '#F2F4F7'][i];
+    part.style.width = clamp(100 * share, 0, 100) + '%', part.style.background = ['#9AA3AF', 'var(--sun)', '#F2F4F7', '#F2F4F7'][i];
     return part;
   }));
-  all('b', element('div', {}, ...columns)).forEach((number, i) => { if (i === 1) number.classList.add('lit'); });
-  made.replaceChildren(element('div', { className: 'sum', role: 'math' }, ...columns), bar);
+  made.replaceChildren(element('div', { className: 'sum', role: 'math', ariaLabel: figure.spoken }, ...columns), bar);
 }
 
 /** The sentence on the picture becomes what was found once its condition has been true. */
