@@ -142,8 +142,8 @@ bool LessonPanel::takesKey(const QKeyEvent& event) const {
            ((key >= Qt::Key_0 && key <= Qt::Key_9) || key == Qt::Key_Return || key == Qt::Key_Enter);
 }
 
-// Fields, buttons and views use letters and arrows themselves, a view also digits; a grip does not. What a view leaves
-// comes to all of them at last.
+// Takes the lesson's keys before other widgets. Alt keys: anywhere in the panel and in the views. Digits and Enter: on a
+// grip, which does not use them, and in the view area once the view in it has ignored them.
 bool LessonPanel::eventFilter(QObject* to, QEvent* event) {
     if (event->type() != QEvent::KeyPress && event->type() != QEvent::ShortcutOverride) return false;
     auto* const widget = qobject_cast<QWidget*>(to);

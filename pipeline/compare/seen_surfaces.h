@@ -3,12 +3,13 @@
 
 namespace pipeline::foreign {
 
-// The stages that depths which differ speak of; none where they do not. Nearly all of theirs are those
-//   of polygons, in one of these readings. Then other ones are seen: culling is wrong where culled ones are seen, or where
-//     those in front are seen nowhere else; the z-buffer is where they are;
-//   of no polygon, most of them the same: the z-buffer begins with it;
-//   of no polygon, but in the range of the one that belongs there: vertices are elsewhere, or depths are made otherwise;
-//   of no polygon, and in no such range: vertices are elsewhere.
+// Which stages the file's depths accuse: compares each wrong depth with the depths that the scene's polygons have at its
+// pixel. Empty where they decide nothing.
+//   Nearly all are depths of polygons, in one of these readings: other polygons are visible. Culling is accused if culled
+//     polygons are visible, or if the missing ones are visible nowhere; otherwise the z-buffer.
+//   Most are one and the same depth, of no polygon: the z-buffer is accused, whose first value it is.
+//   They are of no polygon, but between the least and greatest depth of the right one: transform or z-buffer.
+//   They are of no polygon, and outside that range: transform.
 std::vector<StageId> stagesOfDepths(const ReadFile& file, const std::vector<Reading>& readings,
                                     const ReadingContext& context, const Reference& reference);
 

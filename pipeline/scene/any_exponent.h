@@ -2,8 +2,8 @@
 
 namespace pipeline {
 
-// While one lives, checkScene in this thread admits exponents above OpenGL's 128: its formula has no limit, only its call has,
-// and renderers that somebody has written have none.
+// While one lives, checkScene in this thread admits exponents above 128 with OpenGL's model. The limit belongs to the call
+// glMaterial, not to the formula, and a student's renderer has none.
 class AnyExponent {
 public:
     AnyExponent();
