@@ -1,4 +1,5 @@
 #include "app/web/core/core.h"
+#include "app/web/core/progress.h"
 #include "pipeline/compare/compare_options.h"
 #include "pipeline/compare/handed_in/convention_choices.h"
 #include "pipeline/compare/measured_errors.h"
@@ -22,11 +23,6 @@ Result<NumberFile> readExrNumbers(std::string_view bytes, const std::string& nam
 std::vector<std::string> exrLayers(std::string_view) { return {}; }
 
 }  // namespace pipeline
-
-// The page's: told how far long work is.
-extern "C" __attribute__((import_module("shadescope"), import_name("progress"))) void tellProgress(const char* what,
-                                                                                                   int size, int done,
-                                                                                                   int all);
 
 namespace web {
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/web/core/core.h"
+#include "app/web/core/progress.h"
 #include "app/web/core/rays.h"
 #include "pipeline/core/text.h"
 #include "pipeline/export/json/study_json.h"
@@ -22,11 +23,6 @@ std::string compilerName() { return "Clang " __clang_version__ ", for WebAssembl
 double loadAverage() { return -1; }
 
 }  // namespace pipeline
-
-// The page's: told how far long work is.
-extern "C" __attribute__((import_module("shadescope"), import_name("progress"))) void tellProgress(const char* what,
-                                                                                                   int size, int done,
-                                                                                                   int all);
 
 namespace web {
 
