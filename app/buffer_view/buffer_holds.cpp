@@ -39,10 +39,6 @@ HoldGrip::Look lookOf(HoldKind kind) {
     return {};
 }
 
-bool isMovedBySurface(const pipeline::Hold& hold) {
-    return hold.kind == HoldKind::Turn || hold.kind == HoldKind::Along;
-}
-
 }  // namespace
 
 BufferHolds::BufferHolds(BufferView& view)
@@ -118,7 +114,7 @@ void BufferHolds::add(What what, std::size_t hold, const QString& name, HoldGrip
 
 pipeline::BufferSet BufferHolds::want() {
     pipeline::BufferSet wanted;
-    if (areShown() && std::ranges::any_of(m_hand.holds(), isMovedBySurface)) wanted.set(index(BufferId::ObjectId));
+    if (areShown() && std::ranges::any_of(m_hand.holds(), pipeline::movesObject)) wanted.set(index(BufferId::ObjectId));
     return wanted;
 }
 

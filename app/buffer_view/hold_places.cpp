@@ -101,9 +101,8 @@ HoldGrip::Place HoldPlaces::placeOfHold(const HeldGrip& grip) const {
     const bool tellsShown = grip.hold == 0 && !isOnBand(grip) && !m_hand.shown().isEmpty();
     place.words = tellsShown ? m_hand.shown() : m_hand.words(grip.hold);
     const double value = m_hand.value(grip.hold);
-    const bool hasEnds = hold.kind == HoldKind::Number || hold.kind == HoldKind::Along || hold.kind == HoldKind::Rim;
-    place.scale = hasEnds ? AccessibleSlider::Scale{value, hold.low, hold.high, (hold.high - hold.low) / 100}
-                          : AccessibleSlider::Scale{value, value - 180, value + 180, 1};
+    place.scale = hasEnds(hold) ? AccessibleSlider::Scale{value, hold.low, hold.high, (hold.high - hold.low) / 100}
+                                : AccessibleSlider::Scale{value, value - 180, value + 180, 1};
     return place;
 }
 

@@ -59,9 +59,8 @@ bool Hand::isHeld(std::string_view key) const {
 }
 
 std::optional<std::size_t> Hand::holdOfObject(std::size_t object) const {
-    const auto found = std::ranges::find_if(holds(), [&](const Hold& hold) {
-        return (hold.kind == Hold::Kind::Turn || hold.kind == Hold::Kind::Along) && hold.index == object;
-    });
+    const auto found =
+        std::ranges::find_if(holds(), [&](const Hold& hold) { return movesObject(hold) && hold.index == object; });
     if (found == holds().end()) return {};
     return std::size_t(found - holds().begin());
 }

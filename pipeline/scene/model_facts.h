@@ -14,8 +14,8 @@ namespace pipeline {
 // What is known of an illumination model: one row a model. Callers ask what it reads and does, never which model it is.
 // What needs a text of its own for each model is a list keyed by model on its own floor, and a model without an entry has
 // a reason there: what computes its terms (pipeline/illumination/model_table.h), kernels (pipeline/simd/model_kernels.h),
-// rays (pipeline/study/ray_light.h), OpenGL's calls (pipeline/export/buffers/gl_calls.h), the algorithm's lines
-// (pipeline/steps/algorithm.h).
+// rays (pipeline/study/ray_light.h), OpenGL's calls (pipeline/export/buffers/gl_calls.h). The algorithm's lines say
+// "formula=" and the model's word (pipeline/steps/algorithm_table.cpp).
 
 // Whether something holds, and if not why, one sentence.
 struct Fact {

@@ -30,11 +30,18 @@ bool hasMeans(const Scene& scene) {
            });
 }
 
-// The models whose terms have lines of their own; other models show only values.
-constexpr std::array kWrittenModels{Model::Phong, Model::BlinnPhong, Model::OpenGl, Model::CookTorrance};
-
+// A model whose terms have no lines of their own shows values alone.
 std::string_view formulaOf(Model model) {
-    return std::ranges::find(kWrittenModels, model) == kWrittenModels.end() ? "other" : modelFacts(model).word;
+    const std::string_view word = modelFacts(model).word;
+    const auto namesIt = [&](std::string_view condition) {
+        constexpr std::string_view kKey = "formula=";
+        return condition.starts_with(kKey) && isAmong(word, condition.substr(kKey.size()));
+    };
+    const bool isWritten = std::ranges::any_of(algorithmTable(), [&](const AlgorithmText& text) {
+        return std::ranges::any_of(text.lines,
+                                   [&](const AlgorithmLine& line) { return anyWord(line.when, ' ', namesIt); });
+    });
+    return isWritten ? word : "other";
 }
 
 std::string_view highlightOf(const Scene& scene) {

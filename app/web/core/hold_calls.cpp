@@ -26,7 +26,6 @@ const lessons::Half& half() {
 Json holdJson(const Hold& hold) {
     const pipeline::Scene& scene = *core().own.scene;
     const auto place = placeOf(scene, hold);
-    const bool isOfObject = hold.kind == Hold::Kind::Turn || hold.kind == Hold::Kind::Along;
     Json json{{"kind", name(hold.kind)},
               {"name", hold.name},
               {"keys", hold.keys},
@@ -35,7 +34,7 @@ Json holdJson(const Hold& hold) {
               {"words", wordsOf(scene, hold)},
               {"values", pipeline::toText(valuesOf(scene, hold))},
               {"own", pipeline::toText(valuesOf(half().state.scene, hold))},
-              {"object", isOfObject ? Json(hold.index) : Json()},
+              {"object", movesObject(hold) ? Json(hold.index) : Json()},
               {"vertex", hold.vertex},
               {"low", hold.low},
               {"high", hold.high},

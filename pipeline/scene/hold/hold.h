@@ -38,6 +38,8 @@ struct Hold {
     bool operator==(const Hold&) const = default;
 };
 std::string_view name(Hold::Kind kind);  // "lamp", "foot", "top", "eye", "turn", "along", "vertex", "rim", "number"
+bool movesObject(const Hold& hold);      // by dragging its surface
+bool hasEnds(const Hold& hold);          // it goes from `low` to `high`
 // A number that spans a factor of 50 and more has a track of equal factors.
 bool isLogarithmic(const Hold& hold);
 

@@ -7,7 +7,6 @@
 #include "pipeline/core/numerics.h"
 #include "pipeline/scene/hold/hold_kinds.h"
 #include "pipeline/scene/object_matrix.h"
-#include "pipeline/scene/view.h"
 
 // The rim of a highlight has no closed form where the eye is near: R·V changes with N and with the place.
 
@@ -86,30 +85,41 @@ double rimAngle(const HighlightOfBall& highlight, double n) {
 
 double exponentOf(const Scene& scene, const Hold& hold) { return scene.objects[hold.index].material.exponent; }
 
-}  // namespace
-
-std::optional<glm::dvec2> rimPlace(const Scene& scene, const Hold& hold) {
-    const HighlightOfBall highlight(scene, hold);
-    if (!highlight.isLit()) return {};
-    return highlight.placeAt(rimAngle(highlight, highlight.factor() * std::max(exponentOf(scene, hold), hold.low)));
+// n is whole up to 64, and has two digits from there on.
+double exponentNear(const Hold& hold, double n, bool coarse) {
+    if (coarse) n = pow(2.0, std::round(log(std::max(n, 1e-9)) / std::numbers::ln2));
+    return std::clamp(roundedTo(n, n <= kWholeUpTo ? 1 : powerBelow(n) / 10), hold.low, hold.high);
 }
 
-Assignments rimAt(const Scene& scene, const Hold& hold, glm::dvec2 to, bool coarse) {
+// The rim's point to the right of the highlight's middle. Nothing where the ball is unlit or outside the picture.
+std::optional<HoldPlace> rimPlace(const Scene& scene, const Hold& hold) {
+    const HighlightOfBall highlight(scene, hold);
+    if (!highlight.isLit()) return {};
+    const double n = highlight.factor() * std::max(exponentOf(scene, hold), hold.low);
+    const auto at = highlight.placeAt(rimAngle(highlight, n));
+    return at ? std::optional(HoldPlace{*at}) : std::nullopt;
+}
+// The n with which the rim is nearest to the pointer.
+Assignments rimDragged(const Scene& scene, const Hold& hold, const Drag& drag) {
     const HighlightOfBall highlight(scene, hold);
     double t = rimAngle(highlight, highlight.factor() * std::max(exponentOf(scene, hold), hold.low));
     for (int i = 0; i < kSteps; ++i) {
         const auto now = highlight.placeAt(t), beside = highlight.placeAt(t + kBeside);
         if (!now || !beside) break;
         const glm::dvec2 move = (*beside - *now) / kBeside;
-        t = std::clamp(t + glm::dot(to - *now, move) / glm::dot(move, move), kLeast, kMost);
+        t = std::clamp(t + glm::dot(drag.target() - *now, move) / glm::dot(move, move), kLeast, kMost);
     }
     const double n = -std::numbers::ln2 / highlight.logAt(t) / highlight.factor();
-    return {{hold.keys[0], exponentNear(hold, std::isfinite(n) ? n : exponentOf(scene, hold), coarse)}};
+    return {{hold.keys[0], exponentNear(hold, std::isfinite(n) ? n : exponentOf(scene, hold), drag.isCoarse)}};
+}
+// Outwards n falls.
+Assignments rimNudged(const Scene& scene, const Hold& hold, glm::ivec2 by, bool coarse) {
+    const double n = exponentOf(scene, hold), way = onward(by);
+    return {{hold.keys[0], exponentNear(hold, coarse ? n * pow(0.5, way) : n - way, false)}};
 }
 
-double exponentNear(const Hold& hold, double n, bool coarse) {
-    if (coarse) n = pow(2.0, std::round(log(std::max(n, 1e-9)) / std::numbers::ln2));
-    return std::clamp(roundedTo(n, n <= kWholeUpTo ? 1 : powerBelow(n) / 10), hold.low, hold.high);
-}
+}  // namespace
+
+const HoldKindRow kRim{"rim", rimPlace, rimDragged, rimNudged, numberWords, false, true};
 
 }  // namespace pipeline

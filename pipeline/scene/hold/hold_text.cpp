@@ -1,21 +1,12 @@
-#include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "pipeline/core/elementary.h"
 #include "pipeline/core/text.h"
 #include "pipeline/scene/hold/hold_kinds.h"
-#include "pipeline/scene/view.h"
 
-// Values of a hold as settings take them, and places as pictures have them.
+// Values of a hold as settings and people read them.
 
 namespace pipeline {
-
-std::string_view name(Hold::Kind kind) {
-    static constexpr std::array<std::string_view, 9> kNames{"lamp",  "foot",   "top", "eye",   "turn",
-                                                            "along", "vertex", "rim", "number"};
-    return kNames[std::size_t(kind)];
-}
 
 double powerBelow(double unit) {
     if (!(unit > 0 && std::isfinite(unit))) return 1;
@@ -30,21 +21,14 @@ double roundedTo(double value, double step) {
     return std::round(value * parts) / parts;
 }
 
-constexpr double kLogarithmicFrom = 50;  // high / low
-bool isLogarithmic(const Hold& hold) { return hold.low > 0 && hold.high / hold.low >= kLogarithmicFrom; }
-
-double shareOf(const Hold& hold, double value) {
-    const double share = isLogarithmic(hold) ? log(value / hold.low) / log(hold.high / hold.low)
-                                             : (value - hold.low) / (hold.high - hold.low);
-    return std::clamp(share, 0.0, 1.0);
+double valueOf(const Scene& scene, const std::string& key) {
+    const auto ref = findSetting(scene, key);
+    return ref ? ref->get(scene) : 0;
 }
-double numberNear(const Scene& scene, const Hold& hold, double value, bool coarse) {
-    const auto ref = findSetting(scene, hold.keys[0]);
-    double step = isLogarithmic(hold) ? powerBelow(std::abs(value)) / (coarse ? 1 : 10)
-                                      : powerBelow((hold.high - hold.low) / (coarse ? 10 : 100));
-    if (ref && ref->setting->kind == SettingKind::Integer) step = std::max(step, 1.0);
-    return std::clamp(roundedTo(value, step), hold.low, hold.high);
+std::string valueText(const Scene& scene, const Hold& hold, std::size_t key) {
+    return shortestText(roundedTo(valueOf(scene, hold.keys[key]), 1e-6));
 }
+int onward(glm::ivec2 by) { return by.x != 0 ? by.x : -by.y; }
 
 std::string toText(const Assignments& assignments) {
     std::string text;
@@ -61,14 +45,6 @@ Result<Scene> withSettings(Scene scene, std::string_view assignments) {
         scene = std::move(changed).value();
         rest.remove_prefix(end + 2);
     }
-}
-
-std::optional<glm::dvec2> projected(const View& view, Vec3d world) {
-    const Vec3d p = toView(view, world);
-    if (view.perspective && !(p.z > 0)) return {};
-    const double w = view.perspective ? p.z : 1;
-    const glm::dvec2 at{view.centre.x + view.scale.x * p.x / w, view.centre.y - view.scale.y * p.y / w};
-    return std::isfinite(at.x) && std::isfinite(at.y) ? std::optional(at) : std::nullopt;
 }
 
 }  // namespace pipeline

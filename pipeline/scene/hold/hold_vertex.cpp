@@ -1,9 +1,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "pipeline/scene/hold/hold_kinds.h"
 #include "pipeline/scene/object_matrix.h"
-#include "pipeline/scene/view.h"
 
 namespace pipeline {
 
@@ -44,13 +45,15 @@ bool keepsSides(const Scene& scene, const Hold& hold, const Vec3d& to) {
     return true;
 }
 
-}  // namespace
-
 Vec3d vertexInWorld(const Scene& scene, const Hold& hold) {
     const Object& object = scene.objects[hold.index];
     return toWorld(makeObjectMatrix(object.transform), object.mesh->positions[hold.vertex]);
 }
+std::optional<HoldPlace> vertexPlace(const Scene& scene, const Hold& hold) {
+    return placeInPicture(scene, vertexInWorld(scene, hold));
+}
 
+// Moves the vertex in its plane to where `to` is seen, or as near to it as its polygons allow.
 Assignments vertexAt(const Scene& scene, const Hold& hold, glm::dvec2 to, bool coarse) {
     const Object& object = scene.objects[hold.index];
     const View view = makeView(scene);
@@ -90,5 +93,25 @@ Assignments vertexAt(const Scene& scene, const Hold& hold, glm::dvec2 to, bool c
     }
     return {{hold.keys[0], best.x}, {hold.keys[1], best.y}, {hold.keys[2], best.z}};
 }
+Assignments vertexDragged(const Scene& start, const Hold& hold, const Drag& drag) {
+    return vertexAt(start, hold, drag.target(), drag.isCoarse);
+}
+Assignments vertexNudged(const Scene& scene, const Hold& hold, glm::ivec2 by, bool coarse) {
+    const auto place = vertexPlace(scene, hold);
+    if (!place) return valuesOf(scene, hold);
+    const double half = radiusAround(scene, makeView(scene), middleOf(scene, hold.index), hold.index);
+    return vertexAt(scene, hold, place->at + glm::dvec2(by) * (coarse ? 0.4 : 0.1) * half, false);
+}
+std::string vertexWords(const Scene& scene, const Hold& hold) {
+    std::string words = hold.axis == Vec3d(0) ? fmt::format("{}: ", hold.vertex) : "";
+    for (std::size_t i = 0; i < 3; ++i)
+        if (hold.axis[int(i)] == 0) words += valueText(scene, hold, i) + ", ";
+    words.resize(words.size() - 2);
+    return words;
+}
+
+}  // namespace
+
+const HoldKindRow kVertex{"vertex", vertexPlace, vertexDragged, vertexNudged, vertexWords};
 
 }  // namespace pipeline
