@@ -168,6 +168,8 @@ constexpr std::array kOwnNames{
             "z' > Z' + b"},
     OwnName{Defect::NormalMatrix, kUntouched, "normals-untouched", "normals of the object are used in the world",
             StageId::Normals, "N of the file", "N' = (M⁻¹)ᵀ N"},
+    OwnName{Defect::NormalMatrix, kGivenUntouched, "normals-untouched", "normals of the object are used in the world",
+            StageId::Normals, "N of the file", "N' = (M⁻¹)ᵀ N"},
     OwnName{Defect::NormalShort, kOneVertex, "one-normal", "one vertex's normal for the whole polygon",
             StageId::Shading, "N = N_0", kInterpolated},
     OwnName{Defect::NormalShort, kMeanNotUnit, "mean-not-unit", "normals of vertices are left as means",

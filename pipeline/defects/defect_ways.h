@@ -9,6 +9,7 @@ inline constexpr std::uint8_t kAlongTheLight = 1;      // of cull-axis: the ligh
 inline constexpr std::uint8_t kHighlightInShadow = 2;  // of ambient-in-shadow: the highlight is left in it
 inline constexpr std::uint8_t kOneDistance = 1;        // of half-angle: divided by the distance of the target
 inline constexpr std::uint8_t kUntouched = 6;          // of normal-matrix: no matrix at all
+inline constexpr std::uint8_t kGivenUntouched = 7;     // the same of given normals alone, not of those of polygons
 inline constexpr std::uint8_t kOneVertex = 2;          // of normal-short, and those below
 inline constexpr std::uint8_t kMeanNotUnit = 3;        // normals of vertices are left as means
 inline constexpr std::uint8_t kAlike = 4;              // the vertices of a triangle count alike

@@ -127,7 +127,8 @@ std::vector<Planted*> toldOf(const Planted& planted, StageKeys& keys) {
     Planted *const light = &keys.shading.illumination.detail.planted, *const shading = &keys.shading.planted;
     switch (planted.defect) {
         case NormalMatrix:
-            if (planted.way >= 3) return {&keys.normals.planted, &keys.transform.planted};
+            if (planted.way >= 3 && planted.way != kGivenUntouched)
+                return {&keys.normals.planted, &keys.transform.planted};
             return {&keys.transform.planted};
         case ClipNormals: return {&keys.transform.planted};
         case NormalSpace: return {&keys.transform.planted, &keys.normals.planted};  // of given normals, and of polygons

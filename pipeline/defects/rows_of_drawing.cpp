@@ -14,7 +14,8 @@ constexpr std::string_view kRadianWays[]{"the rotations of objects too"};
 constexpr std::string_view kWindingWays[]{"every polygon of the file"};
 constexpr std::string_view kMatrixWays[]{
     "the inverse, not transposed",  "the transpose, not inverted",    "of polygons too",
-    "the inverse, of polygons too", "the transpose, of polygons too", "none: those of the object"};
+    "the inverse, of polygons too", "the transpose, of polygons too", "none: those of the object",
+    "none, of given normals alone"};
 constexpr std::string_view kShortWays[]{"made unit after N·L", "that of one vertex", "vertex normals left as means",
                                         "vertices weighted alike", "vertices sorted without their normals"};
 constexpr std::string_view kYWays[]{"the viewing matrix transposed"};

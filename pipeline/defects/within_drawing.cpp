@@ -46,9 +46,9 @@ void spoilNormalMatrix(const Planted& planted, const View& view, const ObjectMat
     glm::dmat3 wrong = normalMatrix;
     if (planted.defect == Defect::NormalSpace) wrong = eyeFromWorld(view, planted.way > 0) * normalMatrix;
     if (planted.defect == Defect::ClipNormals) wrong = throughClipSpace(view, matrix);
-    if (planted.defect == Defect::NormalMatrix && planted.way == kUntouched) {
+    if (planted.defect == Defect::NormalMatrix && planted.way >= kUntouched)
         wrong = glm::dmat3(1);
-    } else if (planted.defect == Defect::NormalMatrix)
+    else if (planted.defect == Defect::NormalMatrix)
         wrong = planted.way % 3 == 0   ? matrix.linear
                 : planted.way % 3 == 1 ? glm::inverse(matrix.linear)
                                        : glm::transpose(matrix.linear);

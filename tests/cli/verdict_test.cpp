@@ -34,6 +34,7 @@ using Ids = std::vector<std::string>;
 TEST(Verdict, namesWhatStudentsDo) {
     const Json untouched = verdictOfCase("c50_normals_untouched");
     EXPECT_EQ(untouched["first_wrong"]["stage"], "normals") << untouched["headline"];
+    EXPECT_EQ(named(untouched), Ids{"normals-untouched"}) << untouched["headline"];
     const Json times = verdictOfCase("c52_times_n");
     EXPECT_EQ(named(times), Ids{"times-n"}) << times["headline"];
     EXPECT_EQ(times["first_wrong"]["stage"], "shading");

@@ -50,6 +50,25 @@ TEST(DefectWays, HalfOfTheAngleIsTakenForTheWhole) {
     EXPECT_EQ(difference(frameOf(plant(scene, Defect::HalfAngle, 2)), frameOf(narrow)), "");
 }
 
+// Of a renderer that takes the normals of a file as they are, and makes the others of vertices in the world: the file's
+// normals are in its buffer, and those of polygons are right.
+TEST(DefectWays, OnlyGivenNormalsAreTakenAsTheyAre) {
+    Scene scene = smoothBox();
+    Mesh mesh = *scene.objects[1].mesh;
+    mesh.normals.clear();
+    for (std::size_t v = 0; v < mesh.positions.size(); ++v)
+        mesh.normals.push_back(v % 2 == 0 ? Vec3d(0.6, 0, 0.8) : Vec3d(0, -0.8, 0.6));
+    scene.objects[1].mesh = std::make_shared<const Mesh>(mesh);
+    scene.settings.normalWeight = NormalWeight::Given;
+    const FramePtr right = frameOf(scene), wrong = frameOf(plant(scene, Defect::NormalMatrix, kGivenUntouched));
+    EXPECT_FALSE(test::firstDifference(*right, *wrong, setOf({BufferId::VerticesNormal})).empty());
+    EXPECT_EQ(test::firstDifference(*right, *wrong, setOf({BufferId::PolygonsNormal})), "");
+    const AnyBuffer normals = *wrong->buffer({BufferId::VerticesNormal});
+    const std::size_t first = scene.objects[0].mesh->positions.size();
+    for (std::size_t v = 0; v < mesh.normals.size(); ++v)
+        for (int c = 0; c < 3; ++c) EXPECT_NEAR(normals.value(0, first + v, c), mesh.normals[v][c], 1e-15) << v;
+}
+
 // Who culls by a light that shines along the viewing axis culls by the viewing axis.
 TEST(DefectWays, ALightBehindTheEyeCullsAsTheViewingAxisDoes) {
     Scene scene = smoothBox();
