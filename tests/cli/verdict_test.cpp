@@ -186,6 +186,7 @@ TEST(Verdict, theWorstPixelShowsTheFilesOwnNumber) {
             for (std::size_t c = 0; c < 3; ++c) color.values[3 * i + c] = c == 2 ? 77 : 51;
     right.give("color", color);
     EXPECT_TRUE(test::has(right.said(), "mine 51 51 77")) << right.said();
+    EXPECT_EQ(verdictOf(right.folder(), {"--no-known"})["first_wrong"]["mine"], Json({51, 51, 77}));
 }
 
 // A picture that cuts off what is brighter than white, of a scene whose I_max is above it: by hand from the intensities.

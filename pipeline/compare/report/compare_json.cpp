@@ -21,6 +21,16 @@ Json valueJson(const Values& values, std::size_t element) {
     return out;
 }
 
+// What they have handed in: colours as the file holds them.
+Json mineJson(const Report& report, const Finding& finding, std::size_t element) {
+    const ReadFile& file = report.fileOf(finding);
+    if (finding.name.buffer.id != BufferId::Color) return valueJson(file.mine, element);
+    Json out = Json::array();
+    for (const double v : numbersAt(*file.file, file.reading, element % finding.columns, element / finding.columns))
+        out.push_back(std::isfinite(v) ? Json(v) : Json());
+    return out;
+}
+
 Json bufferJson(const Report& report, const Finding& finding) {
     Json out;
     out["name"] = finding.name.text();
@@ -82,7 +92,7 @@ Json reportJson(const Report& report, int exitStatus) {
         if (first && first->worst && report.options.hints >= 2) {
             wrong["buffer"] = first->name.text();
             wrong["place"] = placeJson(*first, *first->worst);
-            wrong["mine"] = valueJson(report.fileOf(*first).mine, *first->worst);
+            wrong["mine"] = mineJson(report, *first, *first->worst);
             wrong["reference"] = valueJson(report.reference->values.at(first->name.buffer.text()), *first->worst);
         }
     }
