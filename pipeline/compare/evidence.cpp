@@ -40,19 +40,28 @@ bool isOneNumber(const std::vector<double>& numbers) {
         numbers, [&](double v) { return v == numbers.front() || (!std::isfinite(v) && !std::isfinite(numbers[0])); });
 }
 
-// The pixels that have another colour than the commonest.
-std::size_t drawnPixels(const NumberFile& file) {
+// The colours of a picture, row by row.
+struct Colors {
+    std::size_t kinds = 0;   // at most kMostKinds
+    std::size_t others = 0;  // pixels of another colour than the commonest
+};
+constexpr std::size_t kMostKinds = 3;  // more than the background and one other
+Colors colorsOf(const std::vector<double>& numbers, std::size_t channels) {
     std::map<std::vector<double>, std::size_t> colors;
-    const std::size_t channels = file.channels(), count = file.values.size() / channels;
+    std::vector<double> color(channels);
+    std::size_t* last = nullptr;  // the count of the pixel before: most pixels have its colour
     std::size_t most = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-        const auto first = file.values.begin() + std::ptrdiff_t(i * channels);
-        std::vector<double> color(first, first + std::ptrdiff_t(channels));
-        for (double& v : color)
-            if (!std::isfinite(v)) v = 0;
-        most = std::max(most, ++colors[std::move(color)]);
+    for (std::size_t i = 0; i + channels <= numbers.size(); i += channels) {
+        bool isLast = last != nullptr;
+        for (std::size_t c = 0; c < channels; ++c) {
+            const double v = std::isfinite(numbers[i + c]) ? numbers[i + c] : 0;
+            isLast = isLast && v == color[c];
+            color[c] = v;
+        }
+        if (!isLast) last = &colors[color];
+        most = std::max(most, ++*last);
     }
-    return count - most;
+    return {std::min(colors.size(), kMostKinds), numbers.size() / channels - most};
 }
 
 double leastCost(const HandedFile& file, const Reference& right) {
@@ -95,8 +104,12 @@ Evidence weigh(HandedIn& in, const Reference& right) {
                 {{file.path}, "the picture fits with rows and columns exchanged", "rows before columns: transpose it"});
             continue;
         }
-        if (id == BufferId::Color && double(drawnPixels(file.numbers)) < kDrawn * double(covered))
+        const Colors colors = id == BufferId::Color ? colorsOf(file.numbers.values, file.numbers.channels()) : Colors();
+        if (id == BufferId::Color && double(colors.others) < kDrawn * double(covered))
             out.isEmpty = true, why = name + " has one colour everywhere";
+        else if (id == BufferId::Color && colors.kinds < kMostKinds &&
+                 colorsOf(right.values.at(file.name.buffer.text()).numbers, 3).kinds == kMostKinds)
+            out.isEmpty = out.isOneColored = true, why = name + " has one colour wherever it draws";
         else if (id == BufferId::ZView && drawnDepths(file.numbers.values).isOne())
             why = name + " holds one depth everywhere";
         else if (isPicture && id != BufferId::Color && isOneNumber(file.numbers.values) &&

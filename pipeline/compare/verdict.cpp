@@ -36,6 +36,25 @@ std::vector<StageId> inputsOf(const Finding& finding) {
     return {Transform, Cull, Normals, ZBuffer};
 }
 
+// Whether another polygon is seen somewhere, by what is handed in: then the pictures differ too, whoever is to blame.
+bool seesOtherwise(const Report& report) {
+    return std::ranges::any_of(report.findings, [](const Finding& f) {
+        return f.stage == StageId::ZBuffer && f.isPicture() && f.name.buffer.id != BufferId::Overdraw && !f.agrees;
+    });
+}
+bool seesTheSame(const Report& report) {
+    const auto tells = [](const Finding& f) {
+        return f.name.buffer.id == BufferId::ZView || f.name.buffer.id == BufferId::PolygonId;
+    };
+    return std::ranges::any_of(report.findings, tells) && !seesOtherwise(report);
+}
+
+// Transform and culling are not accused where they lead to the right polygons at the right depths: their tables may follow
+// a convention that nobody knows.
+bool leadsToTheSame(const Report& report, StageId stage) {
+    return (stage == StageId::Transform || stage == StageId::Cull) && seesTheSame(report);
+}
+
 // Stages that are right, as what they leave is, or what is made of it.
 std::array<bool, kStageCount> rightStages(const Report& report) {
     std::array<bool, kStageCount> right{};
@@ -54,7 +73,8 @@ std::array<bool, kStageCount> rightStages(const Report& report) {
         if (id == Shadow) right[index(StageId::ShadowBuffer)] = true;
     }
     for (const StageVerdict& verdict : report.stages)  // no buffer of its own may differ
-        if (differs(report, verdict.stage)) right[index(verdict.stage)] = false;
+        if (differs(report, verdict.stage) && !leadsToTheSame(report, verdict.stage))
+            right[index(verdict.stage)] = false;
     return right;
 }
 
@@ -64,28 +84,15 @@ std::string ownText(const Finding& finding, const OwnResult& own) {
     return fmt::format("{}: wrong also with your {}", finding.name.text(), from);
 }
 
-// Whether another polygon is seen somewhere, by what is handed in: then the pictures differ too, whoever is to blame.
-bool seesOtherwise(const Report& report) {
-    return std::ranges::any_of(report.findings, [](const Finding& f) {
-        return f.stage == StageId::ZBuffer && f.isPicture() && f.name.buffer.id != BufferId::Overdraw && !f.agrees;
-    });
-}
-bool seesTheSame(const Report& report) {
-    const auto tells = [](const Finding& f) {
-        return f.name.buffer.id == BufferId::ZView || f.name.buffer.id == BufferId::PolygonId;
-    };
-    return std::ranges::any_of(report.findings, tells) && !seesOtherwise(report);
-}
-
 // A buffer that differs is wrong here if what its stage got is right, or if our stage makes another one of what it got.
 Standing judge(const Report& report, std::size_t i, const std::array<bool, kStageCount>& right) {
     const Finding& finding = report.findings[i];
     if (finding.agrees) return Standing::Agrees;
-    if (finding.stage == StageId::Transform && seesTheSame(report)) return Standing::CannotTell;
+    if (leadsToTheSame(report, finding.stage)) return Standing::CannotTell;
     bool allRight = true, badInput = false;
     for (const StageId input : inputsOf(finding)) {
         allRight = allRight && right[index(input)];
-        badInput = badInput || differs(report, input);
+        badInput = badInput || (differs(report, input) && !leadsToTheSame(report, input));
     }
     if (report.own[i] && !report.own[i]->finding.agrees) {
         // What else it got may be wrong where it was not handed in.
@@ -180,6 +187,11 @@ void nameFirstWrong(Report& report) {
     };
     report.firstWrong.reset(), report.possiblyWrong.clear(), report.isCertain = false;
     if (report.agrees()) return;
+    // A picture that tells nothing accuses nobody.
+    if (report.evidence.isEmpty && std::ranges::all_of(report.findings, [](const Finding& f) {
+            return f.agrees || f.name.buffer.id == BufferId::Color;
+        }))
+        return;
     for (const StageId stage : kStages)
         if (report.stages[index(stage)].standing == Standing::WrongHere) return only({stage}, true);
     if (report.suspects && !report.suspects->candidates.empty()) {
@@ -195,7 +207,9 @@ void nameFirstWrong(Report& report) {
         return only(std::move(stages));
     }
     for (const StageId stage : {Transform, Cull, Normals, ShadowBuffer})
-        if (differs(report, stage)) return only({stage});
+        if (differs(report, stage) && !leadsToTheSame(report, stage)) return only({stage});
+    if (!differs(report, ZBuffer) && !differs(report, Shading))  // one of these tables alone
+        return only({differs(report, Transform) ? Transform : Cull});
     if (differs(report, ZBuffer)) {
         auto told = toldByDepths(report);
         return only(told.empty() ? std::vector{Transform, Cull, ZBuffer} : std::move(told));
@@ -217,8 +231,10 @@ bool Report::conventionsDiffer() const {
 const Finding* Report::firstDifference() const {
     for (std::size_t i = 0; i < findings.size(); ++i)
         if (isCertain && firstWrong == findings[i].stage && standings[i] == Standing::WrongHere) return &findings[i];
-    const auto first = std::ranges::find(findings, false, &Finding::agrees);
-    return first == findings.end() ? nullptr : &*first;
+    for (const bool isAccused : {true, false})
+        for (const Finding& finding : findings)
+            if (!finding.agrees && leadsToTheSame(*this, finding.stage) != isAccused) return &finding;
+    return nullptr;
 }
 
 const ReadFile& Report::fileOf(const Finding& finding) const {

@@ -78,12 +78,16 @@ TEST(Verdict, visibilityIsJudgedBeforeShading) {
     EXPECT_NE(report["stages"][5]["verdict"], "wrong here");
 }
 
-// Right files of the cases' scene, to be spoilt.
+// Right files of the cases' scene, to be spoilt. more: options of the export.
 class Right {
 public:
-    Right() {
-        const auto done = test::run({"export", (kHandedIn / "scene.toml").string(), "--format", "npy", "--buffers",
-                                     "color,z_view,normal,polygon_id", "-o", (m_folder / "all").string()});
+    explicit Right(const std::vector<std::string>& more = {}) {
+        std::vector<std::string> arguments{"export",    (kHandedIn / "scene.toml").string(),
+                                           "--format",  "npy",
+                                           "--buffers", "color,z_view,normal,polygon_id,polygons.verdict",
+                                           "-o",        (m_folder / "all").string()};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const auto done = test::run(arguments);
         EXPECT_EQ(done.status, 0) << done.err;
         fs::create_directory(m_folder / "mine");
     }
@@ -125,6 +129,63 @@ TEST(Verdict, whatHoldsNothingAccusesNobody) {
     const Json one = verdictOf(right.folder());
     EXPECT_EQ(one["exit"], 0) << one["headline"];
     EXPECT_TRUE(test::has(right.said(), "\"z_view.npy\" holds one depth everywhere: it is left out.")) << right.said();
+}
+
+// A silhouette, as of a renderer whose light never arrives: right depths beside it accuse nobody either.
+TEST(Verdict, aPictureInOneColourAccusesNobody) {
+    const Right right;
+    test::Npy color = right.all("color");
+    const test::Npy ids = right.all("polygon_id");
+    for (std::size_t i = 0; i < ids.values.size(); ++i)
+        for (std::size_t c = 0; c < 3; ++c) color.values[3 * i + c] = ids.values[i] < 0 ? 0 : 40 + 10 * double(c);
+    right.give("color", color);
+    right.give("z_view", right.all("z_view"));
+    const Json report = verdictOf(right.folder());
+    EXPECT_EQ(report["headline"], "The picture has one colour.");
+    EXPECT_EQ(report["exit"], 1);
+    EXPECT_TRUE(report["known"].empty()) << report["known"].dump(1);
+    EXPECT_TRUE(report["first_wrong"]["stages"].empty()) << report["first_wrong"].dump(1);
+    // Two colours are what a renderer shades.
+    for (std::size_t i = 0; i < ids.values.size(); ++i)
+        if (ids.values[i] == 3) color.values[3 * i] += 20;
+    right.give("color", color);
+    EXPECT_NE(verdictOf(right.folder(), {"--no-known"})["headline"], "The picture has one colour.");
+}
+
+// Rows and columns of a square picture are told apart by what it shows.
+TEST(Verdict, aSquarePictureWithRowsForColumnsIsRefused) {
+    const Right right({"--size", "60x60"});
+    test::Npy depth = right.all("z_view");
+    const test::Npy before = depth;
+    for (std::size_t y = 0; y < 60; ++y)
+        for (std::size_t x = 0; x < 60; ++x) depth.values[x * 60 + y] = before.values[y * 60 + x];
+    right.give("z_view", depth);
+    right.give("color", right.all("color"));
+    const Json report = verdictOf(right.folder(), {"--size", "60x60"});
+    EXPECT_EQ(report["exit"], 3);
+    EXPECT_EQ(report["headline"], "z_view.npy could not be compared; the other files agree.");
+    EXPECT_TRUE(test::has(report["problems"].dump(), "rows and columns exchanged")) << report["problems"].dump(1);
+}
+
+// Ids and depth are right, so culling was: a table that no known convention explains is not to blame for the picture.
+TEST(Verdict, aTableIsNotAccusedWhereTheRightPolygonsAreSeen) {
+    const Right right;
+    test::Npy color = right.all("color"), verdicts = right.all("polygons.verdict");
+    for (double& v : color.values) v = std::floor(v / 2);
+    for (std::size_t p = 0; p < verdicts.values.size(); ++p) verdicts.values[p] = double(p % 2);
+    right.give("color", color);
+    right.give("polygons.verdict", verdicts);
+    for (const char* name : {"z_view", "polygon_id"}) right.give(name, right.all(name));
+    const Json report = verdictOf(right.folder(), {"--no-known"});
+    EXPECT_EQ(report["stages"][1]["verdict"], "cannot tell");
+    for (const Json& stage : report["first_wrong"]["stages"]) EXPECT_NE(stage, "cull") << report["headline"];
+    EXPECT_FALSE(report["first_wrong"]["stages"].empty());
+    EXPECT_EQ(report["first_wrong"]["buffer"], "color");
+    // Where it is all that differs it is named, and nobody is sure.
+    right.give("color", right.all("color"));
+    const Json alone = verdictOf(right.folder(), {"--no-known"});
+    EXPECT_EQ(alone["first_wrong"]["stage"], "cull") << alone["headline"];
+    EXPECT_EQ(alone["first_wrong"]["certain"], false);
 }
 
 TEST(Verdict, aRefusedFileIsNamedInTheHeadline) {

@@ -56,6 +56,7 @@ std::string headline(const Report& report) {
         return "Everything handed in agrees but for its conventions, which count as errors.";
     if (report.agrees()) return "Everything handed in agrees.";
     if (report.options.hints < 1) return "Something differs.";
+    if (report.evidence.isOneColored) return "The picture has one colour.";
     if (report.evidence.isEmpty) return "Nothing is drawn.";
     const auto named = report.suspects ? report.suspects->candidates.size() : 0;
     if (report.firstWrong) {
