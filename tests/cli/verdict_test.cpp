@@ -188,6 +188,31 @@ TEST(Verdict, aTableIsNotAccusedWhereTheRightPolygonsAreSeen) {
     EXPECT_EQ(alone["first_wrong"]["certain"], false);
 }
 
+// A wrong picture is nearest to something; what goes into mine.toml counts for all files.
+TEST(Verdict, aWrongFileAloneGivesNoAdviceForTheFolder) {
+    const Right right;
+    const auto turned = [](test::Npy picture, double factor) {
+        const test::Npy before = picture;
+        const std::size_t line = picture.values.size() / picture.shape[0];
+        for (std::size_t i = 0; i < picture.values.size(); ++i)
+            picture.values[i] = std::floor(factor * before.values[(picture.shape[0] - 1 - i / line) * line + i % line]);
+        return picture;
+    };
+    const std::string advice = "write into mine.toml:  rows = \"bottom-up\"";
+    right.give("color", turned(right.all("color"), 0.8));
+    EXPECT_TRUE(test::has(right.said(), "rows bottom-up")) << right.said();
+    EXPECT_FALSE(test::has(right.said(), "mine.toml")) << right.said();
+    test::Npy depth = right.all("z_view"), other = depth;
+    for (std::size_t y = 0; y < 60; ++y)
+        for (std::size_t x = 0; x < 96; ++x) other.values[(59 - y) * 96 + x] = depth.values[y * 96 + x];
+    right.give("z_view", other);
+    EXPECT_TRUE(test::has(right.said(), advice)) << right.said();
+    // Of two orders of rows neither counts for the folder, though each file is right in its own.
+    right.give("z_view", depth);
+    right.give("color", turned(right.all("color"), 1));
+    EXPECT_FALSE(test::has(right.said(), "mine.toml")) << right.said();
+}
+
 TEST(Verdict, aRefusedFileIsNamedInTheHeadline) {
     const Right right;
     right.give("color", right.all("color"));

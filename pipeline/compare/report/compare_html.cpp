@@ -255,17 +255,15 @@ private:
     void conventions() {
         if (m_report.conventions.said.empty()) return;
         m_html +=
-            "<h2>Conventions</h2><p class=t2>Read as such, not counted as errors. Write them into "
-            "<code>mine.toml</code> "
-            "to fix them.</p>\n<table class=small><tr><th>File</th><th>Read as</th><th>mine.toml</th><th "
-            "class=n>Closer than the "
-            "next reading</th></tr>\n";
+            "<h2>Conventions</h2><p class=t2>Read as such, not counted as errors. To fix them, write the third column "
+            "into <code>mine.toml</code>.</p>\n<table class=small><tr><th>File</th><th>Read as</th>"
+            "<th>mine.toml</th><th class=n>Closer than the next reading</th></tr>\n";
         for (const Convention& one : m_report.conventions.said)
-            m_html +=
-                fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td class=n>{}</td></tr>\n", code(one.buffer),
-                            escapedHtml(one.words),
-                            one.key.empty() ? std::string() : code(fmt::format("{} = \"{}\"", one.key, one.value)),
-                            escapedHtml(certaintyText(one)));
+            m_html += fmt::format(
+                "<tr><td>{}</td><td>{}</td><td>{}</td><td class=n>{}</td></tr>\n", code(one.buffer),
+                escapedHtml(one.words),
+                isAdvised(m_report, one) ? code(fmt::format("{} = \"{}\"", one.key, one.value)) : std::string(),
+                escapedHtml(certaintyText(one)));
         m_html += "</table>\n";
     }
 

@@ -134,8 +134,7 @@ private:
             labelled("conventions",
                      fmt::format("{}  {}  {}", padded(one.buffer, 16), padded(one.words, 34), certaintyText(one)));
             const std::string line = fmt::format("{} = \"{}\"", one.key, one.value);
-            const bool isKnown = !one.key.empty() && !one.own && one.certainty != Certainty::Stated;
-            if (isKnown && fix.find(line) == fix.npos) fix += "  " + line;
+            if (isAdvised(m_report, one) && fix.find(line) == fix.npos) fix += "  " + line;
         }
         if (!fix.empty()) labelled("conventions", "To fix them, write into mine.toml:" + fix);
     }
@@ -175,6 +174,25 @@ std::string certaintyText(const Convention& convention) {
         case Certainty::Clear: break;
     }
     return convention.margin >= 1e4 ? "clear" : fmt::format("{:.0f} × closer", convention.margin);
+}
+
+bool isAdvised(const Report& report, const Convention& convention) {
+    if (convention.key.empty() || convention.own || convention.certainty == Certainty::Stated) return false;
+    std::size_t shared = 0;
+    for (const Convention& other : report.conventions.said) {
+        if (other.key != convention.key) continue;
+        if (other.value != convention.value && !other.own) return false;
+        shared += other.value == convention.value;
+    }
+    const bool ofRows = convention.key == "rows", ofPictures = ofRows || convention.key == "columns";
+    bool agrees = false;
+    for (const Finding& finding : report.findings) {
+        const Reading& reading = finding.reading;
+        if (ofPictures && finding.isPicture() && !(ofRows ? reading.bottomUp : reading.mirrored)) return false;
+        const bool isItsOwn = finding.name.text() == convention.buffer || convention.buffer == "pictures";
+        agrees = agrees || (isItsOwn && finding.agrees);
+    }
+    return shared > 1 || agrees;
 }
 
 std::string_view mark(Standing standing, bool plain) {
