@@ -128,6 +128,18 @@ TEST(StudyCommand, shardsMergeToTheSameStudy) {
     ASSERT_EQ(done.status, 0) << done.err;
     EXPECT_EQ(withoutTimes(read(merged.path() / "study.json")), withoutTimes(read(whole.path() / "study.json")));
 
+    // The same as commands for several machines, one a point: here a shell runs them.
+    const test::TemporaryFolder machines;
+    const std::string jobs = machines / "jobs";
+    ASSERT_EQ(test::run(studyOf(machines / "parts", {"--commands", jobs})).status, 0);
+    EXPECT_EQ(std::ranges::count(test::readText(jobs), '\n'), 4);
+    ASSERT_EQ(std::system(("sh " + jobs + " > " + jobs + ".log 2>&1").c_str()), 0) << test::readText(jobs + ".log");
+    std::vector<std::string> merge{"study", "merge"};
+    for (int i = 1; i <= 4; ++i) merge.push_back(machines / ("parts/study-" + std::to_string(i) + "-of-4.json"));
+    merge.insert(merge.end(), {"-o", machines / "merged"});
+    ASSERT_EQ(test::run(merge).status, 0);
+    EXPECT_EQ(withoutTimes(read(machines / "merged/study.json")), withoutTimes(read(whole.path() / "study.json")));
+
     const auto less = test::run(
         {"study", "merge", part("study-1-of-3.json"), part("study-2-of-3.json"), "-o", merged.path().string()});
     EXPECT_EQ(less.status, 1);

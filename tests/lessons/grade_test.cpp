@@ -131,6 +131,8 @@ TEST_F(GradeTest, AnswersToASheetAreJudgedHere) {
     EXPECT_EQ(all.answers[4].note, "no answer to such a question: \"?\"");
     EXPECT_EQ(all.answers[5].note, "not answered");
     EXPECT_EQ(all.refused.size(), 2u) << "no such sheet; no such question";
+    // One row a student: Anna answered three rightly, Ben one wrongly.
+    EXPECT_EQ(studentsCsv(all), "student,points,of,answers,right,mistakes\nanna,3,3,3,3,\nben,0,3,1,0,off-by-base\n");
 }
 
 // Four items in order but for two neighbours: of 6 pairs 5 stand the right way round and 1 does not, (5 − 1) / 6 = 2/3.

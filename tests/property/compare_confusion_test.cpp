@@ -7,6 +7,7 @@
 #include <map>
 #include <string>
 
+#include "pipeline/compare/known_errors.h"
 #include "pipeline/compare/verdict.h"
 #include "pipeline/defects/defect_table.h"
 #include "pipeline/formats/scene_reader.h"
@@ -133,8 +134,17 @@ TEST(CompareConfusion, twoAtOnceAreBothNamed) {
         foreign::HandedIn in;
         for (const BufferId id : {BufferId::ZView, BufferId::Color})
             in.files.push_back(file(*wrong, {id}, kConventions[0]));
-        const auto report = compareRenderer(scene, reference, std::move(in), "mine", {});
+        // Every known error is tried, and each is told of once.
+        foreign::CompareOptions options;
+        std::size_t told = 0;
+        options.progress = [&](std::string_view, std::size_t done, std::size_t all) {
+            EXPECT_EQ(done, told++);
+            EXPECT_EQ(all, foreign::knownErrors(scene).size());
+        };
+        const auto report = compareRenderer(scene, reference, std::move(in), "mine", options);
         ASSERT_TRUE(report && report->suspects) << two.ids[0];
+        EXPECT_EQ(told, foreign::knownErrors(scene).size());
+        EXPECT_EQ(report->suspects->tried, told);
         std::vector<std::string> ids;
         for (const foreign::Candidate& one : report->suspects->candidates) ids.push_back(one.error.id);
         EXPECT_EQ(ids, two.ids) << headline(*report);

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""A made-up class: `shadescope compare --class` over hand-ins of a renderer that shares no code with the program.
+"""A made-up class: `shadescope compare --class` over hand-ins of two renderers that share no code with the program.
 
     classroom.py --program SHADESCOPE --renderer C++_RENDERER [--all]
 
@@ -47,6 +47,7 @@ class Classroom:
     def __init__(self, options):
         self.o = options
         self.work = tempfile.mkdtemp(prefix="class-")
+        self.renderers = [[options.renderer], [sys.executable, os.path.join(HERE, "renderer.py")]]
         self.failures = 0
         self.course = self.path("course", "course.toml")
         shutil.copytree(os.path.join(HERE, "scenes"), self.path("course"))
@@ -61,9 +62,10 @@ class Classroom:
             self.failures += 1
             print(f"FAILED: {what}", flush=True)
 
-    def hand_in(self, folder, options):
+    def hand_in(self, folder, options, renderer=None):
         os.makedirs(folder)
-        subprocess.run([self.o.renderer, os.path.join(HERE, "scenes", SCENE + ".scene"), folder] + OPTIONS + options, check=True)
+        subprocess.run((renderer or self.renderers[0]) + [os.path.join(HERE, "scenes", SCENE + ".scene"), folder] + OPTIONS
+                       + options, check=True)
         for name in os.listdir(folder):
             if name.rsplit(".", 1)[0] not in ("color", "depth", "z_view"):
                 os.remove(os.path.join(folder, name))
@@ -80,11 +82,15 @@ class Classroom:
         os.remove(self.depth_of(os.path.join(folder, "h-no-depth")))
         cut = self.depth_of(os.path.join(folder, "i-cut-off"))
         os.truncate(cut, os.path.getsize(cut) // 2)
-        lines = subprocess.run([self.o.renderer, "--list"], capture_output=True, text=True, check=True).stdout.splitlines()
-        errors = [line.split()[0] for line in lines]
-        for i in range(count - len(BY_HAND) - 3):
+        errors = []
+        for renderer in self.renderers:
+            lines = subprocess.run(renderer + ["--list"], capture_output=True, text=True, check=True).stdout.splitlines()
+            errors.append([line.split()[0] for line in lines])
+        for i in range(count - len(BY_HAND) - 3):  # right ones and wrong ones by turns, of each renderer
+            who = i // 2 % 2
             self.hand_in(os.path.join(folder, f"student {i:03}"),
-                         CONVENTIONS[i % len(CONVENTIONS)] + (["--error", errors[i // 2 % len(errors)]] if i % 2 else []))
+                         CONVENTIONS[i % len(CONVENTIONS)]
+                         + (["--error", errors[who][i // 4 % len(errors[who])]] if i % 2 else []), self.renderers[who])
         # Broken ones: names that are markup and a formula, a hand-in that is too large, a link to somebody else's.
         os.makedirs(os.path.join(folder, "=1+1<b>"))
         os.symlink(os.path.join(folder, "a-right", "color.ppm"), os.path.join(folder, "=1+1<b>", "color.ppm"))
