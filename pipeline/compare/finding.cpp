@@ -67,19 +67,24 @@ bool isBlack(const Values& values, std::size_t i) {
     return values.at(i)[0] < 0.5 && values.at(i)[1] < 0.5 && values.at(i)[2] < 0.5;
 }
 
+// Whether all three channels are between the bounds of a pixel, within a tolerance. No bounds: they are not.
+template <class Channels>
+bool isBetween(const double* channels, const std::vector<Channels>& low, const std::vector<Channels>& high,
+               std::size_t pixel, double tolerance) {
+    if (low.empty()) return false;
+    for (int c = 0; c < 3; ++c)
+        if (channels[c] < double(low[pixel][c]) - tolerance || channels[c] > double(high[pixel][c]) + tolerance)
+            return false;
+    return true;
+}
+
 // Whether what is open in S explains the value.
 bool shadowExplains(const ReadFile& file, const Reference& reference, std::size_t i, double tolerance) {
     const BufferId id = file.file->name.buffer.id;
     if (reference.shadowOpen.empty() || !isLit(id)) return false;
-    if (id == Color || id == Intensity) {
-        const Values& low = id == Color ? reference.colorLow : reference.intensityLow;
-        const Values& high = id == Color ? reference.colorHigh : reference.intensityHigh;
-        if (low.numbers.empty()) return false;
-        for (int c = 0; c < 3; ++c)
-            if (file.mine.at(i)[c] < low.at(i)[c] - tolerance || file.mine.at(i)[c] > high.at(i)[c] + tolerance)
-                return false;
-        return true;
-    }
+    const double* const mine = file.mine.at(i);
+    if (id == Color) return isBetween(mine, reference.colorLow, reference.colorHigh, i, tolerance);
+    if (id == Intensity) return isBetween(mine, reference.intensityLow, reference.intensityHigh, i, tolerance);
     const auto& open = reference.shadowOpen[std::size_t(file.file->name.buffer.light)];
     return !open.empty() && open[i] != 0;
 }

@@ -67,17 +67,22 @@ FolderEvidence::FolderEvidence(const Conventions& conventions, const StatedConve
             if (!(isStated[0] && *stated.bottomUp != bottomUp) && !(isStated[1] && *stated.mirrored != mirrored))
                 m_geometries.push_back({bottomUp, mirrored});
     for (const ReadFile& read : conventions.files) {
-        Testimony one{*read.file, {}, {}};
-        const BufferName& name = one.file.name.buffer;
+        const HandedFile& whole = *read.file;
+        Testimony one;
+        const BufferName& name = whole.name.buffer;
         const Values& values = right.values.at(name.text());
         one.isPicture = values.domain == Domain::Pixel;
         // What a shadow buffer leads to, S, tells more; counts of fragments depend on who is cut where.
         one.counts = name.id != BufferId::ShadowBuffer && name.id != BufferId::Overdraw;
         one.tolerance = right.tolerances.at(name.text()), one.elements = values.count();
-        one.readings = allowedReadings(one.file, conventions.context, stated);
+        one.readings = allowedReadings(whole, conventions.context, stated);
+        if (one.isPicture && factor > 1)
+            one.file = std::make_shared<const HandedFile>(
+                HandedFile{whole.name, whole.path, smaller(whole.numbers, factor, isNames(name.id))});
+        else
+            one.file = std::shared_ptr<const HandedFile>(std::shared_ptr<const void>(), &whole);
         if (one.isPicture) {
-            if (factor > 1) one.file.numbers = smaller(one.file.numbers, factor, isNames(name.id));
-            one.sample = {one.file.name, one.file.path, m_sample.of(one.file.numbers)};
+            one.sample = {whole.name, whole.path, m_sample.of(one.file->numbers)};
             const Values some =
                 PictureSample(values.columns, values.rows, m_sample.columns.size(), m_sample.rows.size()).of(values);
             std::erase_if(one.readings, [&](const Reading& reading) {
@@ -92,15 +97,15 @@ FolderEvidence::FolderEvidence(const Conventions& conventions, const StatedConve
 
 BufferSet FolderEvidence::compared() const {
     BufferSet out;
-    for (const Testimony& one : m_files) out.set(index(one.file.name.buffer.id));
+    for (const Testimony& one : m_files) out.set(index(one.file->name.buffer.id));
     return out;
 }
 
 double FolderEvidence::sampledWrong(const Testimony& one, const Reading& reading, const Values& right,
                                     const std::vector<std::uint8_t>& covered) const {
     const Values mine = read(one.sample, reading, m_sampleContext, right);
-    const Measure measure = toleranceOf(one.file.name.buffer.id)->measure;
-    const std::vector<std::uint8_t> drawn = drawnIn(one.file.name, mine);
+    const Measure measure = toleranceOf(one.file->name.buffer.id)->measure;
+    const std::vector<std::uint8_t> drawn = drawnIn(one.file->name, mine);
     std::size_t wrong = 0, either = 0;
     for (std::size_t i = 0; i < mine.count(); ++i) {
         const bool here = drawn.empty() ? mine.there[i] && covered[i] : drawn[i] != 0, there = covered[i] != 0;
@@ -131,25 +136,25 @@ Reading FolderEvidence::bestOnSample(const Testimony& one, const Geometry& geome
 }
 
 double FolderEvidence::wrongIn(const Testimony& one, const Reading& reading, const Reference& hypothesis) const {
-    const std::string name = one.file.name.buffer.text();
+    const std::string name = one.file->name.buffer.text();
     if (!one.counts) return 0;
     const Values* const values = hypothesis.values.find(name);
     if (!values || (!one.isPicture && values->count() != one.elements)) return m_drawn;
     Values enlarged;
-    if (m_factor > 1 && one.file.name.buffer.id == BufferId::VerticesScreen) {
+    if (m_factor > 1 && one.file->name.buffer.id == BufferId::VerticesScreen) {
         enlarged = *values;
         for (std::size_t v = 0; v < enlarged.count(); ++v)
             enlarged.at(v)[0] *= double(m_factor), enlarged.at(v)[1] *= double(m_factor);
     }
     const Values& right = enlarged.numbers.empty() ? *values : enlarged;
     ReadingContext encoded;
-    const bool isEncoded = one.file.name.buffer.id == BufferId::Color && reading.coding != Coding::AsIs;
+    const bool isEncoded = one.file->name.buffer.id == BufferId::Color && reading.coding != Coding::AsIs;
     if (isEncoded) {
         encoded = m_context;
         encoded.unrounded = hypothesis.context.unrounded, encoded.iMax = hypothesis.context.iMax;
     }
     const ReadingContext& context = isEncoded ? encoded : m_context;
-    ReadFile file{&one.file, reading, read(one.file, reading, context, right)};
+    ReadFile file{one.file.get(), reading, read(*one.file, reading, context, right)};
     const Finding finding = compareValues(file, right, hypothesis);
     if (one.isPicture) return double(finding.bad());
     return finding.compared ? m_drawn * double(finding.bad()) / double(finding.compared) : 0;
@@ -165,7 +170,7 @@ Misfit FolderEvidence::misfit(const Reference& hypothesis) const {
     for (std::size_t g = 0; g < tried.size(); ++g) tried[g].misfit.geometry = m_geometries[g];
     for (const Testimony& one : m_files) {
         const Values* const values =
-            one.isPicture && one.counts ? hypothesis.values.find(one.file.name.buffer.text()) : nullptr;
+            one.isPicture && one.counts ? hypothesis.values.find(one.file->name.buffer.text()) : nullptr;
         const bool isThere = values != nullptr;
         const Values some = isThere ? m_sample.of(*values) : Values();
         for (Tried& t : tried) {

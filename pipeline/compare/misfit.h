@@ -29,7 +29,8 @@ struct Misfit {
 // a reading that was chosen for the right frame need not be the one under which a wrong frame explains the files.
 class FolderEvidence {
 public:
-    // factor: a picture of blocks of factor × factor pixels, for ranking.
+    // factor: a picture of blocks of factor × factor pixels, for ranking. With 1 the files of `conventions` are read in
+    // place: they have to outlive this.
     FolderEvidence(const Conventions& conventions, const StatedConventions& stated, const Reference& right,
                    std::size_t factor);
     Misfit misfit(const Reference& hypothesis) const;
@@ -37,7 +38,8 @@ public:
 
 private:
     struct Testimony {
-        HandedFile file, sample;  // the sample: some of its pixels
+        std::shared_ptr<const HandedFile> file;  // the folder's own, or a smaller picture made of it
+        HandedFile sample;                       // some of its pixels
         std::vector<Reading> readings;
         bool isPicture = false, counts = true;
         double tolerance = 0;

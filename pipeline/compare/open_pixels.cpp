@@ -16,9 +16,13 @@ constexpr int kSnappingBits = 4;
 }  // namespace
 
 bool OpenPixels::isOpen(std::size_t pixel) const {
-    const auto [at, isNew] = m_found.try_emplace(pixel, false);
-    if (isNew) at->second = find(pixel);
-    return at->second;
+    std::atomic<PixelState>& kept = (*m_reference.openPixels)[pixel];
+    PixelState state = kept.load(std::memory_order_relaxed);
+    if (state == PixelState::NotAsked) {
+        state = find(pixel) ? PixelState::Open : PixelState::Closed;
+        kept.store(state, std::memory_order_relaxed);  // others find the same
+    }
+    return state == PixelState::Open;
 }
 
 bool OpenPixels::find(std::size_t pixel) const {

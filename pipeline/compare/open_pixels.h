@@ -1,7 +1,4 @@
 #pragma once
-#include <map>
-#include <vector>
-
 #include "pipeline/compare/reference.h"
 
 namespace pipeline::foreign {
@@ -11,13 +8,13 @@ namespace pipeline::foreign {
 // as the tolerance of a depth tells.
 class OpenPixels {
 public:
+    // Of a reference with outlines.
     explicit OpenPixels(const Reference& reference) : m_reference(reference) {}
     bool isOpen(std::size_t pixel) const;
 
 private:
     bool find(std::size_t pixel) const;
     const Reference& m_reference;
-    mutable std::map<std::size_t, bool> m_found;  // of those that somebody has asked for
 };
 
 }  // namespace pipeline::foreign

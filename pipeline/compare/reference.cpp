@@ -45,6 +45,7 @@ bool anyAround(std::size_t i, int radius, std::size_t width, std::size_t height,
 void findOutline(Reference& reference) {
     const Values& polygons = reference.values.at("polygon_id");
     reference.outline.assign(polygons.count(), 0);
+    reference.openPixels = std::make_shared<std::vector<std::atomic<PixelState>>>(polygons.count());
     for (std::size_t i = 0; i < polygons.count(); ++i)
         reference.outline[i] = anyAround(i, 1, polygons.columns, polygons.rows, [&](std::size_t other) {
             return polygons.numbers[other] != polygons.numbers[i];
@@ -53,68 +54,78 @@ void findOutline(Reference& reference) {
 
 // Where the S of a light is open.
 std::vector<std::uint8_t> openShadow(Reference& reference, std::size_t light) {
-    const Values& s = reference.values.at("shadow." + std::to_string(light));
-    const Values& l = reference.values.at("light_vector." + std::to_string(light));
+    const NumbersInPlace s(*reference.frame, "shadow." + std::to_string(light));
+    const NumbersInPlace towards(*reference.frame, "light_vector." + std::to_string(light));
     const Values& polygons = reference.values.at("polygon_id");
     const auto& data = *dataOf<double>(*reference.frame);
-    std::vector<std::uint8_t> open(s.count(), 0);
     const auto& covered = reference.context.covered;
+    std::vector<std::uint8_t> open(covered.size(), 0);
     for (std::size_t i = 0; i < open.size(); ++i) {
         if (!covered[i]) continue;
-        const auto polygon = std::size_t(polygons.numbers[i]);
-        const Vec3d plane = polygonNormal(*data.transform, polygon);
-        const Vec3d towards(l.at(i)[0], l.at(i)[1], l.at(i)[2]);
-        const bool grazes = glm::dot(plane, towards) < kGrazing;
+        const Vec3d plane = polygonNormal(*data.transform, std::size_t(polygons.numbers[i]));
+        const bool grazes = glm::dot(plane, towards.vector(i)) < kGrazing;
         if (grazes) reference.grazing[i] = 1;
-        if (!grazes && s.numbers[i] < 0.5) reference.shadowed[i] = 1;
-        open[i] = grazes || anyAround(i, kShadowBand, s.columns, s.rows, [&](std::size_t other) {
-                      return covered[other] && std::abs(s.numbers[other] - s.numbers[i]) > 0.01;
+        if (!grazes && s[i] < 0.5) reference.shadowed[i] = 1;
+        open[i] = grazes || anyAround(i, kShadowBand, polygons.columns, polygons.rows, [&](std::size_t other) {
+                      return covered[other] && std::abs(s[other] - s[i]) > 0.01;
                   });
     }
     return open;
 }
 
-void findShadows(Reference& reference) {
-    const Scene& scene = reference.frame->scene();
-    if (!reference.unshadowed) return;
-    reference.shadowOpen.resize(scene.lights.size());
-    const Values& intensity = reference.values.at("intensity");
-    reference.intensityLow = reference.intensityHigh = intensity;
-    reference.shadowed.assign(intensity.count(), 0), reference.grazing.assign(intensity.count(), 0);
-    reference.shadowContrast.assign(intensity.count(), 0);
-    for (std::size_t k = 0; k < scene.lights.size(); ++k) {
-        if (!scene.lights[k].castsShadow) continue;
-        reference.shadowOpen[k] = openShadow(reference, k);
+// A term of a light that casts a shadow, with and without its S.
+struct ShadowedTerm {
+    std::size_t light;
+    NumbersInPlace here, whole;
+};
+std::vector<ShadowedTerm> shadowedTerms(const Frame& shadowed, const Frame& unshadowed) {
+    std::vector<ShadowedTerm> out;
+    const std::vector<Light>& lights = shadowed.scene().lights;
+    for (std::size_t k = 0; k < lights.size(); ++k)
         for (const std::string term : {"diffuse.", "specular."}) {
-            const Values& here = reference.values.at(term + std::to_string(k));
-            const auto whole =
-                valuesIn(*reference.unshadowed, *findBuffer(term + std::to_string(k)), reference.context.covered);
-            if (!whole) continue;
-            for (std::size_t i = 0; i < here.count(); ++i) {
-                const double change = std::max({whole->at(i)[0], whole->at(i)[1], whole->at(i)[2]});
-                reference.shadowContrast[i] += 255 * change / reference.context.iMax;
-                if (!reference.shadowOpen[k][i]) continue;
-                for (int c = 0; c < 3; ++c) {
-                    reference.intensityLow.at(i)[c] -= here.at(i)[c];
-                    reference.intensityHigh.at(i)[c] += whole->at(i)[c] - here.at(i)[c];
-                }
-            }
+            const std::string name = term + std::to_string(k);
+            if (lights[k].castsShadow) out.push_back({k, {shadowed, name}, {unshadowed, name}});
         }
-    }
-    reference.colorLow = reference.colorHigh = reference.values.at("color");
+    std::erase_if(out, [](const ShadowedTerm& term) { return term.here.empty() || term.whole.empty(); });
+    return out;
+}
+
+void findShadows(Reference& reference, const Frame& unshadowed) {
+    const Scene& scene = reference.frame->scene();
+    const std::size_t count = reference.context.covered.size();
+    reference.shadowOpen.resize(scene.lights.size());
+    reference.shadowed.assign(count, 0), reference.grazing.assign(count, 0);
+    for (std::size_t k = 0; k < scene.lights.size(); ++k)
+        if (scene.lights[k].castsShadow) reference.shadowOpen[k] = openShadow(reference, k);
+    reference.shadowContrast.resize(count), reference.unshadowedTerms.resize(count);
+    reference.colorLow.resize(count), reference.colorHigh.resize(count);
+    reference.intensityLow.resize(count), reference.intensityHigh.resize(count);
+    const NumbersInPlace intensity(*reference.frame, "intensity");
+    const std::vector<ShadowedTerm> terms = shadowedTerms(*reference.frame, unshadowed);
     const Planted planted = dataOf<double>(*reference.frame)->keys.shading.planted;
-    const auto set = [&](const Values& from, Values& to) {
-        for (std::size_t i = 0; i < from.count(); ++i) {
-            const Color8 color =
-                frameBufferValue({from.at(i)[0], from.at(i)[1], from.at(i)[2]}, reference.context.iMax, planted);
-            for (int c = 0; c < 3; ++c) to.at(i)[c] = color[c];
+    for (std::size_t i = 0; i < count; ++i) {
+        Vec3d low = intensity.vector(i), high = low, sum(0);
+        double contrast = 0;
+        for (const ShadowedTerm& term : terms) {
+            const Vec3d here = term.here.vector(i), whole = term.whole.vector(i);
+            sum += whole, contrast += std::max({whole.x, whole.y, whole.z});
+            if (reference.shadowOpen[term.light][i]) low -= here, high += whole - here;
         }
-    };
-    set(reference.intensityLow, reference.colorLow);
-    set(reference.intensityHigh, reference.colorHigh);
+        const double iMax = reference.context.iMax;
+        reference.shadowContrast[i] = float(255 * contrast / iMax), reference.unshadowedTerms[i] = sum;
+        reference.intensityLow[i] = low, reference.intensityHigh[i] = high;
+        reference.colorLow[i] = frameBufferValue(low, iMax, planted);
+        reference.colorHigh[i] = frameBufferValue(high, iMax, planted);
+    }
 }
 
 }  // namespace
+
+NumbersInPlace::NumbersInPlace(const Frame& frame, const std::string& name)
+    : m_buffer(frame.buffer(*findBuffer(name))) {
+    if (!m_buffer) return;
+    if (const auto* const numbers = std::get_if<std::span<const double>>(&m_buffer->data)) m_numbers = *numbers;
+}
 
 std::shared_ptr<const Scene> referenceScene(Scene scene, PixelCorner corner) {
     scene.settings.precision = Precision::Double;
@@ -137,7 +148,7 @@ bool castsShadows(const Scene& scene) { return std::ranges::any_of(scene.lights,
 
 // The frames, with shadows and, where some are open, without. False where it was stopped.
 bool drawFrames(Reference& out, const std::shared_ptr<const Scene>& scene, const BufferSet& wanted,
-                const FramePtr& before, const Stop& stop) {
+                const FramePtr& before, const Stop& stop, FramePtr& unshadowed) {
     const FrameRequest request{wanted, StageId::Shading, 0, stop};
     out.frame = runFrame(scene, request, before);
     if (!out.frame) return false;
@@ -147,8 +158,8 @@ bool drawFrames(Reference& out, const std::shared_ptr<const Scene>& scene, const
     for (Light& light : without.lights) light.castsShadow = false;
     FrameRequest terms = request;
     terms.wanted = BufferSet().set(index(BufferId::Diffuse)).set(index(BufferId::Specular));
-    out.unshadowed = runFrame(keepsWanted(std::move(without)), terms, out.frame);
-    return out.unshadowed != nullptr;
+    unshadowed = runFrame(keepsWanted(std::move(without)), terms, out.frame);
+    return unshadowed != nullptr;
 }
 
 // What a comparison reads of the frame, with the values of the buffers that are wanted.
@@ -162,19 +173,23 @@ void readFrame(Reference& out, const BufferSet& wanted) {
     out.context.iMax = maximumIntensity(scene);
     out.context.width = std::size_t(settings.width), out.context.height = std::size_t(settings.height);
     out.values = ReferenceValues(out.frame, out.context.covered, wanted);
-    const Values *const intensity = out.values.find("intensity"), *const color = out.values.find("color");
-    if (!intensity || !color || !(out.context.iMax > 0)) return;
-    for (std::size_t i = 0; i < intensity->numbers.size(); ++i) {
-        out.context.unrounded.push_back(255 * std::clamp(intensity->numbers[i] / out.context.iMax, 0.0, 1.0));
+    const NumbersInPlace intensity(*out.frame, "intensity");
+    const Values* const color = out.values.find("color");
+    if (intensity.empty() || !color || !(out.context.iMax > 0)) return;
+    out.context.unrounded.resize(color->numbers.size());
+    for (std::size_t i = 0; i < color->numbers.size(); ++i) {
+        const double unrounded = 255 * std::clamp(intensity[i] / out.context.iMax, 0.0, 1.0);
         // What a planted error of the frame buffer has stored does not follow.
-        if (!(std::abs(out.context.unrounded.back() - color->numbers[i]) < 0.6)) return out.context.unrounded.clear();
+        if (!(std::abs(unrounded - color->numbers[i]) < 0.6)) return out.context.unrounded = {}, void();
+        out.context.unrounded[i] = unrounded;
     }
 }
 
-void findOpen(Reference& out) {
-    if (out.values.contains("polygon_id")) findOutline(out);
-    if (out.values.contains("intensity") && out.values.contains("color") && out.values.contains("polygon_id"))
-        findShadows(out);
+// unshadowed: null where no light casts a shadow.
+void findOpen(Reference& out, const FramePtr& unshadowed) {
+    if (!out.values.contains("polygon_id")) return;
+    findOutline(out);
+    if (unshadowed && out.values.contains("intensity") && out.values.contains("color")) findShadows(out, *unshadowed);
 }
 
 }  // namespace
@@ -183,7 +198,8 @@ std::optional<Reference> makeReference(const Scene& scene, const std::map<std::s
                                        PixelCorner corner) {
     Reference out;
     out.corner = corner;
-    if (!drawFrames(out, referenceScene(scene, corner), allCompared(), nullptr, stop)) return {};
+    FramePtr unshadowed;
+    if (!drawFrames(out, referenceScene(scene, corner), allCompared(), nullptr, stop, unshadowed)) return {};
     readFrame(out, allCompared());
     double nearest = HUGE_VAL, farthest = 0;
     if (const Values* const z = out.values.find("z_view"))
@@ -200,7 +216,7 @@ std::optional<Reference> makeReference(const Scene& scene, const std::map<std::s
         if (buffer.id == BufferId::ShadowBuffer) out.context.ofShadowBuffers = row.value * of;
         out.tolerances[name] = override != overrides.end() ? override->second : row.value * of;
     }
-    findOpen(out);
+    findOpen(out, unshadowed);
     return out;
 }
 
@@ -216,9 +232,10 @@ std::optional<Reference> makeHypothesis(const Scene& wrong, const Reference& rig
         for (const BufferId id : {Color, Intensity, Diffuse, Specular, Shadow, LightVector, NDotL})
             compared.set(index(id));
     if (compared[index(Color)]) compared.set(index(Intensity));
-    if (!drawFrames(out, keepsWanted(*referenceScene(wrong, corner)), compared, before, stop)) return {};
+    FramePtr unshadowed;
+    if (!drawFrames(out, keepsWanted(*referenceScene(wrong, corner)), compared, before, stop, unshadowed)) return {};
     readFrame(out, compared);
-    findOpen(out);
+    findOpen(out, unshadowed);
     return out;
 }
 

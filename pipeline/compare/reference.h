@@ -1,6 +1,9 @@
 #pragma once
+#include <atomic>
 #include <map>
 #include <memory>
+#include <optional>
+#include <span>
 
 #include "pipeline/compare/handed_in/conventions.h"
 #include "pipeline/core/stop.h"
@@ -9,10 +12,12 @@
 
 namespace pipeline::foreign {
 
+// Whether right renderers may see another polygon at a pixel: found where somebody asks for it.
+enum class PixelState : std::uint8_t { NotAsked, Open, Closed };
+
 // What this program makes of the scene, with all that a comparison reads of it.
 struct Reference {
-    FramePtr frame;       // in double, with nothing left out
-    FramePtr unshadowed;  // the same without shadows; null where no light casts one
+    FramePtr frame;  // in double, with nothing left out
     ReferenceValues values;
     std::map<std::string, double> tolerances;  // by the buffer's name, in its unit
     ReadingContext context;
@@ -21,15 +26,37 @@ struct Reference {
 
     // Per pixel: whether a border between two polygons, or of one, is within a pixel.
     std::vector<std::uint8_t> outline;
+    // Per pixel, of OpenPixels: each file and reading asks anew. Shared by copies and threads. Null where outline is empty.
+    std::shared_ptr<std::vector<std::atomic<PixelState>>> openPixels;
     // Per light and pixel: whether right renderers may differ in S there, because an edge of a shadow is near or the
     // surface hardly faces the light. Empty where a light casts none.
     std::vector<std::vector<std::uint8_t>> shadowOpen;
     // Per pixel: whether it is in a shadow; whether some light hardly falls on its plane, so that a bias decides; and by how
     // much of 255 the lights that cast shadows may change its colour. Empty where no light casts one.
     std::vector<std::uint8_t> shadowed, grazing;
-    std::vector<double> shadowContrast;
-    // Per pixel, of color and intensity: the values between which they are right as far as S is open. Empty where no S is.
-    Values colorLow, colorHigh, intensityLow, intensityHigh;
+    std::vector<float> shadowContrast;
+    // Per pixel, intensity: the terms of the lights that cast shadows, with S = 1. Empty where no light casts one.
+    std::vector<Vec3<float>> unshadowedTerms;
+    // Per pixel: the least and the greatest color (0 to 255) and intensity that are right as far as S is open. Empty where
+    // no S is.
+    std::vector<Color8> colorLow, colorHigh;
+    std::vector<Vec3<float>> intensityLow, intensityHigh;
+};
+
+// The numbers of a buffer of a frame in double, in the order of the buffer, without a copy: copies of all terms of light
+// take as much memory as the frame. Empty where the frame has no such buffer.
+class NumbersInPlace {
+public:
+    NumbersInPlace(const Frame& frame, const std::string& name);
+    bool empty() const { return m_numbers.empty(); }
+    double operator[](std::size_t number) const { return m_numbers[number]; }
+    Vec3d vector(std::size_t pixel) const {  // of a buffer of three channels
+        return {m_numbers[3 * pixel], m_numbers[3 * pixel + 1], m_numbers[3 * pixel + 2]};
+    }
+
+private:
+    std::optional<AnyBuffer> m_buffer;  // keeps the frame's data alive
+    std::span<const double> m_numbers;
 };
 
 // In double, with nothing left out, sampled where their pixels are: what is compared with.

@@ -16,46 +16,49 @@ constexpr double kDark = 0.98;      // of what is lit: dark, where no light arri
 constexpr double kStripes = 0.05;   // of neighbours within what is lit: one of them dark
 constexpr double kMostlyLit = 0.9;  // of the wrong pixels: lit where it is dark
 
-// Per pixel what the lights that cast shadows add, all of it and in the reference.
-struct LightAndShadow {
-    Values lit, dark;  // colours
-};
-std::optional<LightAndShadow> colorsOf(const Reference& reference) {
-    if (!reference.unshadowed || !reference.values.contains("intensity")) return {};
-    const Scene& scene = reference.frame->scene();
-    Values lit = reference.values.at("intensity"), dark = lit;
-    for (std::size_t k = 0; k < scene.lights.size(); ++k) {
-        if (!scene.lights[k].castsShadow) continue;
-        for (const std::string term : {"diffuse.", "specular."}) {
-            const std::string name = term + std::to_string(k);
-            const auto whole = valuesIn(*reference.unshadowed, *findBuffer(name), reference.context.covered);
-            const Values* const here = reference.values.find(name);
-            if (!whole || !here) return {};
-            for (std::size_t i = 0; i < lit.numbers.size(); ++i) {
-                lit.numbers[i] += whole->numbers[i] - here->numbers[i];
-                dark.numbers[i] -= here->numbers[i];
-            }
-        }
+// The colours of a pixel where all light arrives, and where none of the lights that cast shadows does.
+class LitAndDark {
+public:
+    explicit LitAndDark(const Reference& reference)
+        : m_reference(reference), m_intensity(*reference.frame, "intensity") {
+        const std::vector<Light>& lights = reference.frame->scene().lights;
+        for (std::size_t k = 0; k < lights.size(); ++k)
+            for (const std::string term : {"diffuse.", "specular."})
+                if (lights[k].castsShadow) m_terms.emplace_back(*reference.frame, term + std::to_string(k));
     }
-    for (Values* const values : {&lit, &dark})
-        for (std::size_t i = 0; i < values->count(); ++i) {
-            double* const v = values->at(i);
-            const Color8 color = frameBufferValue({v[0], v[1], v[2]}, reference.context.iMax);
-            for (int c = 0; c < 3; ++c) v[c] = color[c];
-        }
-    return LightAndShadow{std::move(lit), std::move(dark)};
-}
+    bool areKnown() const {
+        return !m_reference.unshadowedTerms.empty() && !m_intensity.empty() &&
+               std::ranges::none_of(m_terms, &NumbersInPlace::empty);
+    }
+    Color8 dark(std::size_t pixel) const { return color(rest(pixel)); }
+    Color8 lit(std::size_t pixel) const { return color(rest(pixel) + Vec3d(m_reference.unshadowedTerms[pixel])); }
 
-bool isClose(const Values& a, const Values& b, std::size_t i, double tolerance) {
-    return differenceAt(Measure::Largest, a, b, i) <= tolerance;
+private:
+    Color8 color(const Vec3d& intensity) const { return frameBufferValue(intensity, m_reference.context.iMax); }
+    Vec3d rest(std::size_t pixel) const {
+        Vec3d sum = m_intensity.vector(pixel);
+        for (const NumbersInPlace& term : m_terms) sum -= term.vector(pixel);
+        return sum;
+    }
+
+    const Reference& m_reference;
+    NumbersInPlace m_intensity;
+    std::vector<NumbersInPlace> m_terms;
+};
+
+bool isClose(const Values& theirs, std::size_t pixel, Color8 color, double tolerance) {
+    if (!theirs.there[pixel]) return false;
+    for (int c = 0; c < 3; ++c)
+        if (!(std::abs(theirs.at(pixel)[c] - color[c]) <= tolerance)) return false;
+    return true;
 }
 
 }  // namespace
 
 ShadowAlone shadowAlone(const Finding& color, const Values& theirs, const Reference& reference) {
     ShadowAlone out;
-    const auto colors = colorsOf(reference);
-    if (!colors || reference.shadowed.empty()) return out;
+    const LitAndDark colors(reference);
+    if (!colors.areKnown()) return out;
     const double tolerance = color.tolerance + 0.5;
     enum State : std::uint8_t { Neither, Lit, Dark };
     std::vector<State> state(theirs.count(), Neither);
@@ -65,9 +68,9 @@ ShadowAlone shadowAlone(const Finding& color, const Values& theirs, const Refere
         const bool isWrong = of == Class::Wrong || of == Class::Missing || of == Class::Extra;
         wrong += isWrong;
         if (!reference.context.covered[i] || reference.shadowContrast[i] < kContrast) continue;
-        state[i] = isClose(theirs, colors->lit, i, tolerance)    ? Lit
-                   : isClose(theirs, colors->dark, i, tolerance) ? Dark
-                                                                 : Neither;
+        state[i] = isClose(theirs, i, colors.lit(i), tolerance)    ? Lit
+                   : isClose(theirs, i, colors.dark(i), tolerance) ? Dark
+                                                                   : Neither;
         const bool isDark = reference.shadowed[i] != 0;
         shouldBeLit += !isDark, darkThere += !isDark && state[i] == Dark;
         if (!isWrong) continue;

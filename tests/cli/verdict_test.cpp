@@ -305,8 +305,8 @@ TEST(Verdict, whatIsBrighterThanWhiteMayBeCutOff) {
 }
 
 // The frames of known errors are not kept, and of the reference's buffers those are read that somebody asks for: all of
-// them were 4.8 GB at half this size. 639 MB were measured.
-TEST(Verdict, namesTakeAtMost700MB) {
+// them were 4.8 GB at half this size.
+TEST(Verdict, namesTakeAtMost600MB) {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
     GTEST_SKIP() << "a sanitizer takes memory of its own";
 #endif
@@ -317,7 +317,7 @@ TEST(Verdict, namesTakeAtMost700MB) {
     ASSERT_EQ(done.status, 0) << done.err;
     const auto compared = test::run({"compare", scene, folder / "mine", "--size", "640x480"});
     EXPECT_EQ(compared.status, 1) << compared.err;
-    EXPECT_LE(compared.peakBytes, std::size_t{700} * 1000 * 1000);
+    EXPECT_LE(compared.peakBytes, std::size_t{600} * 1000 * 1000);
 }
 
 }  // namespace

@@ -109,7 +109,7 @@ public:
         for (Sounding& sounding : m_soundings)
             for (const Axis axis : {Channels, Code}) chooseAlone(sounding, axis);
     }
-    const std::vector<Sounding>& soundings() const { return m_soundings; }
+    std::vector<Sounding>& soundings() { return m_soundings; }
 
 private:
     void state() {
@@ -362,7 +362,8 @@ Conventions findConventions(const HandedIn& in, const ReferenceValues& reference
         out.said = before;
         choosing.emplace(std::move(soundings), stated, together, out).chooseAll();
     }
-    for (const Sounding& sounding : choosing->soundings()) {
+    soundings.clear();  // with the numbers of readings that are not taken
+    for (Sounding& sounding : choosing->soundings()) {
         const Reading reading = sounding.best().reading;
         std::vector<Reading> others;
         const auto with = [&](Reading other, int channels) {
@@ -381,6 +382,7 @@ Conventions findConventions(const HandedIn& in, const ReferenceValues& reference
         }
         const Values& right = reference.at(sounding.file->name.buffer.text());
         out.files.push_back({sounding.file, reading, sounding.numbers(reading, context, right), std::move(others)});
+        sounding.nearest.reset();
     }
     return out;
 }
