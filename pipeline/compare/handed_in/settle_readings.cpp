@@ -133,32 +133,29 @@ struct WrongPixels {
     std::size_t all = 0, atOutlines = 0;
     bool differ = false;
 };
-WrongPixels wrongPixels(const std::vector<Finding>& findings, const std::vector<std::uint8_t>& outline) {
+WrongPixels wrongPixels(const Finding& finding, const std::vector<std::uint8_t>& outline) {
     WrongPixels out;
-    for (const Finding& finding : findings) {
-        if (!finding.isPicture()) continue;
-        out.differ = out.differ || !finding.agrees;
-        for (std::size_t i = 0; i < finding.classes.size(); ++i) {
-            const Class of = finding.classes[i];
-            if (of != Class::Wrong && of != Class::Missing && of != Class::Extra) continue;
-            ++out.all, out.atOutlines += outline[i];
-        }
-    }
+    if (!finding.isPicture()) return out;
+    out.differ = !finding.agrees;
+    for (std::size_t i = 0; i < finding.classes.size(); ++i)
+        if (isBad(finding.classes[i])) ++out.all, out.atOutlines += outline[i];
     return out;
 }
-
-// The same readings beside another reference.
-std::vector<Finding> againstReference(const Conventions& conventions, const Reference& reference) {
-    std::vector<Finding> out;
-    for (const ReadFile& file : conventions.files) {
-        const Values& right = reference.values.at(file.file->name.buffer.text());
-        if (right.domain != Domain::Pixel) continue;
-        ReadingContext context = reference.context;
-        context.background = conventions.context.background;
-        out.push_back(
-            compareValues({file.file, file.reading, read(*file.file, file.reading, context, right)}, right, reference));
+WrongPixels wrongPixels(const std::vector<Finding>& findings, const std::vector<std::uint8_t>& outline) {
+    WrongPixels sum;
+    for (const Finding& finding : findings) {
+        const WrongPixels one = wrongPixels(finding, outline);
+        sum.all += one.all, sum.atOutlines += one.atOutlines, sum.differ = sum.differ || one.differ;
     }
-    return out;
+    return sum;
+}
+
+// A file, as it is read, beside another reference that has its buffer.
+Finding againstReference(const ReadFile& file, const Conventions& conventions, const Reference& reference) {
+    const Values& right = reference.values.at(file.file->name.buffer.text());
+    ReadingContext context = reference.context;
+    context.background = conventions.context.background;
+    return compareValues({file.file, file.reading, read(*file.file, file.reading, context, right)}, right, reference);
 }
 
 }  // namespace
@@ -175,13 +172,19 @@ bool settleSamples(Report& report, const StatedConventions& stated) {
         std::ranges::count_if(report.conventions.files, [](const ReadFile& file) { return file.reading.bottomUp; });
     const auto corner = bottomUp > 0 ? PixelCorner::LowerLeft : PixelCorner::UpperLeft;
     const Stop& stop = report.options.stop;
-    if (!stated.atCorner()) {  // before all is read anew: whether it can be
-        BufferSet handedIn;
-        for (const ReadFile& file : report.conventions.files) handedIn.set(index(file.file->name.buffer.id));
+    // Before all is read anew: whether it can be, by the picture that has the most wrong pixels there. A frame with the
+    // buffers of all files would be as large as the reference.
+    if (!stated.atCorner()) {
+        const auto most = std::ranges::max_element(report.findings, {}, [&](const Finding& finding) {
+            return wrongPixels(finding, reference->outline).atOutlines;
+        });
+        const auto handedIn = BufferSet().set(index(most->name.buffer.id));
         const auto other = makeHypothesis(*report.scene, *reference, handedIn, corner, {}, stop);
         if (!other) return false;
-        const WrongPixels roughly = wrongPixels(againstReference(report.conventions, *other), reference->outline);
-        if (roughly.differ && roughly.atOutlines > atCentre.atOutlines) return true;
+        const Finding moved = againstReference(report.fileOf(*most), report.conventions, *other);
+        if (!moved.agrees &&
+            wrongPixels(moved, reference->outline).atOutlines > wrongPixels(*most, reference->outline).atOutlines)
+            return true;
     }
     auto other = makeReference(*report.scene, report.options.tolerances, stop, corner);
     if (!other) return false;
