@@ -5,7 +5,9 @@ if(SHADESCOPE_WINDOW)
   set(CPACK_PACKAGE_NAME shadescope)
   set(other shadescope-cli)
   # Fonts and OpenGL in software are found at run time, so that no library says that they are needed.
-  set(CPACK_DEBIAN_PACKAGE_DEPENDS "fonts-inter, fonts-jetbrains-mono, fonts-stix, fonts-dejavu-core")
+  # Style sheets draw arrows and marks with Qt's plugin for SVG, which Debian 12 has in libqt6svg6.
+  set(CPACK_DEBIAN_PACKAGE_DEPENDS
+    "fonts-inter, fonts-jetbrains-mono, fonts-stix, fonts-dejavu-core, qt6-svg-plugins | libqt6svg6 (<< 6.7)")
   set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libgl1-mesa-dri, qt6-wayland")
   set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "step-by-step visualizer of a rendering pipeline")
   set(CPACK_DEBIAN_PACKAGE_DESCRIPTION

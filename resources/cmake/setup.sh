@@ -52,9 +52,10 @@ howToInstall() {
     echo "Install a C++20 compiler, CMake 3.25, Ninja and the libraries under [build] of resources/packages.txt, which has their names in Debian"
 }
 
-# installPackages SECTION...: those that are not there yet; the network is needed only for them.
+# installPackages SECTION...: those that are not there yet, and of Debian 13 those of SECTION-13 too; the network is needed
+# only for them.
 installPackages() {
-    local wanted missing='' log apt tool
+    local wanted missing='' log apt tool release
     if ! command -v apt-get > /dev/null; then
         for tool in c++ cmake ninja; do
             command -v $tool > /dev/null || missing+="${missing:+, }$tool"
@@ -63,7 +64,8 @@ installPackages() {
         [ -z "$missing" ] || cannotBuild "These programs are missing: $missing" "$(howToInstall)"
         return
     fi
-    wanted=$(packagesOf "$@")
+    release=$(. /etc/os-release && echo "${VERSION_ID:-}")
+    wanted=$(packagesOf "$@" "${@/%/-$release}")
     missing=$(comm -13 \
         <(dpkg-query -W -f '${db:Status-Status} ${Package}\n' $wanted 2> /dev/null | sed -n 's/^installed //p' | sort -u) \
         - <<< "$wanted" | paste -sd ' ')
