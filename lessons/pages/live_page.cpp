@@ -73,7 +73,7 @@ std::string paperOf(const std::string& handout) {
 // The core, or where it is.
 std::string coreElement(const LiveParts& parts) {
     if (!parts.sharedCore.empty()) return "<script src=\"" + pipeline::escapedHtml(parts.sharedCore) + "\"></script>";
-    return "<script type=\"application/octet-stream\" id=\"core\">" + pipeline::base64(parts.core) + "</script>";
+    return "<script type=\"application/octet-stream\" id=\"core\">" + pipeline::base85(parts.core) + "</script>";
 }
 
 // Of a lesson with questions of kind write: with its own core, unless pages share one.
@@ -126,7 +126,7 @@ Result<LiveParts> withWriter(LiveParts parts) {
     parts.writer = fmt::format(
         "<!-- The script below has acorn in it.\n{} -->\n"
         "<script type=\"application/octet-stream\" id=\"writer\">{}</script>\n",
-        writer->notice, pipeline::base64(packed));
+        writer->notice, pipeline::base85(packed));
     return parts;
 }
 

@@ -21,7 +21,7 @@ struct LiveParts {
     std::string page, style, script;  // page.html with holes @NAME@, its styles and scripts
     std::string writer = {};          // elements that a page has with questions of kind write: see withWriter()
     std::string places = {};          // of the whole program: what the page has beside a lesson
-    // The file beside the page that has the core, "globalThis.sharedCore = '…'" in base64; empty: it stands in the page.
+    // The file beside the page that has the core, "globalThis.sharedCore = '…'" in base85; empty: it stands in the page.
     std::string sharedCore = {};
     std::string index = {};  // the file beside the page that lists all pages; empty: none
 };

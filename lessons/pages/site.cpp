@@ -73,7 +73,7 @@ public:
         if (!ofWhole) return ofWhole.errors();
         LiveParts whole = std::move(ofWhole).value();
         m_parts.core = whole.core;  // one for all pages: it has the calls of a lesson's too
-        add(kCoreFile, "globalThis.sharedCore = '" + pipeline::base64(m_parts.core) + "';\n");
+        add(kCoreFile, "globalThis.sharedCore = '" + pipeline::base85(m_parts.core) + "';\n");
         m_parts.sharedCore = whole.sharedCore = kCoreFile, m_parts.index = kIndexFile;
         std::set<std::string> pages;
         for (const fs::path& file : manual) pages.insert(file.stem().string());

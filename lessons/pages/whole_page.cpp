@@ -118,7 +118,7 @@ Result<std::string> makeWholePage(const LiveParts& parts, const pipeline::Stop& 
                    {"lessons", ofLessons},
                    {"starter", starter},
                    {"beside", beside.lists}};
-    const std::string packed = pipeline::base64(pipeline::gzipped(all.dump()));
+    const std::string packed = pipeline::base85(pipeline::gzipped(all.dump()));
     return filledPage(
         parts, "Shadescope", Json::object(),
         {{"PAPER", beside.paper},

@@ -4,11 +4,15 @@
 
 const decoder = new TextDecoder(), encoder = new TextEncoder();
 
-/** What stands in a page as base64 of a gzip file. @param {string} base64 @returns {Promise<Uint8Array>} */
-async function unpacked(base64) {
-  const text = atob(base64.trim());
-  const packed = new Uint8Array(text.length);
-  for (let i = 0; i < text.length; ++i) packed[i] = text.charCodeAt(i);
+/** What stands in a page as base85 of a gzip file: see base85 in html_text.h. @param {string} base85 @returns {Promise<Uint8Array>} */
+async function unpacked(base85) {
+  const text = base85.trim(), packed = new Uint8Array(Math.floor(text.length / 5 * 4)), digits = new Uint8Array(128);
+  for (let code = 33, digit = 0; code < 127; ++code) if (!'"$&\'<>@\\`'.includes(String.fromCharCode(code))) digits[code] = digit++;
+  for (let from = 0, to = 0; from < text.length; from += 5) {
+    let four = 0;
+    for (let i = from; i < from + 5; ++i) four = 85 * four + (i < text.length ? digits[text.charCodeAt(i)] : 84);
+    for (let shift = 24; shift >= 0; shift -= 8) packed[to++] = four >>> shift;
+  }
   const stream = new Blob([packed]).stream().pipeThrough(new (/** @type {any} */ (globalThis).DecompressionStream)('gzip'));
   return new Uint8Array(await new Response(stream).arrayBuffer());
 }

@@ -18,6 +18,22 @@ std::string base64(std::string_view bytes) {
     return text;
 }
 
+std::string base85(std::string_view bytes) {
+    constexpr std::string_view kNoDigits = "\"$&'<>@\\`";
+    std::string digits, text;
+    for (char c = '!'; c <= '~'; ++c)
+        if (kNoDigits.find(c) == kNoDigits.npos) digits += c;
+    for (std::size_t at = 0; at < bytes.size(); at += 4) {
+        std::uint32_t four = 0;
+        for (std::size_t i = 0; i < 4; ++i)
+            four = four << 8 | (at + i < bytes.size() ? static_cast<unsigned char>(bytes[at + i]) : 0u);
+        std::string group(5, ' ');
+        for (std::size_t i = 5; i-- > 0; four /= 85) group[i] = digits[four % 85];
+        text.append(group, 0, bytes.size() - at + 1);
+    }
+    return text;
+}
+
 std::string imageSource(std::string_view type, std::string_view bytes) {
     return fmt::format("data:image/{};base64,{}", type, base64(bytes));
 }

@@ -204,5 +204,14 @@ TEST(HtmlText, EncodesBase64) {
     EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
 }
 
+// 2³² − 1 is 82·85⁴ + 23·85³ + 54·85² + 12·85. The texts are those of Python's base64.b85encode, its alphabet for this one.
+TEST(HtmlText, EncodesBase85) {
+    EXPECT_EQ(base85(""), "");
+    EXPECT_EQ(base85(std::string(1, '\0')), "!!");
+    EXPECT_EQ(base85("\xff\xff\xff\xff"), "|=_1!");
+    EXPECT_EQ(base85("f"), "Hl");
+    EXPECT_EQ(base85("foobar"), "HxK[|GC-");
+}
+
 }  // namespace
 }  // namespace pipeline
