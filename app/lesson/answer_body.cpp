@@ -47,9 +47,9 @@ public:
         m_field->setFocus();
         m_field->selectAll();
     }
-    void choose(int key) override {
+    void choose(QChar key) override {
         m_field->setFocus();
-        m_field->insert(QString::number(key));
+        m_field->insert(key);
     }
     QString advice() const override { return tr("Type the number, then Enter checks."); }
 

@@ -18,7 +18,7 @@ public:
     virtual std::optional<lessons::Given> given() const = 0;
     virtual void takeAttempt(const lessons::Attempt& attempt) { Q_UNUSED(attempt) }  // after a try
     virtual void takeFocus() = 0;
-    virtual void choose(int key) { Q_UNUSED(key) }  // 1 to 9
+    virtual void choose(QChar key) { Q_UNUSED(key) }  // a digit, or the sign of a number
     // What one can do now: "Choose with 1 to 4, then Enter checks."
     virtual QString advice() const = 0;
     // For the bar over the views; empty where the answer is given in the card.

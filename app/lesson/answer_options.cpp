@@ -59,9 +59,10 @@ public:
         for (QAbstractButton* row : m_rows)
             if (row->isEnabled()) return row->setFocus();
     }
-    void choose(int key) override {
-        if (key < 1 || key > int(m_rows.size()) || !m_rows[std::size_t(key - 1)]->isEnabled()) return;
-        QAbstractButton* row = m_rows[std::size_t(key - 1)];
+    void choose(QChar key) override {
+        const int number = key.digitValue();
+        if (number < 1 || number > int(m_rows.size()) || !m_rows[std::size_t(number - 1)]->isEnabled()) return;
+        QAbstractButton* row = m_rows[std::size_t(number - 1)];
         row->setFocus();
         m_several ? row->toggle() : row->setChecked(true);
     }

@@ -90,10 +90,11 @@ public:
         return ordered;
     }
     void takeFocus() override { m_list->setFocus(); }
-    void choose(int key) override {
-        if (key > m_list->count()) return;
+    void choose(QChar key) override {
+        const int number = key.digitValue();
+        if (number < 1 || number > m_list->count()) return;
         m_list->setFocus();
-        m_list->setCurrentRow(key - 1);
+        m_list->setCurrentRow(number - 1);
     }
     QString advice() const override { return tr("Move a row with Alt+↑, Alt+↓ or the mouse, then Enter checks."); }
 

@@ -53,12 +53,7 @@ LessonPanel::LessonPanel(Document& document, QWidget* parent)
     connect(&m_run, &LessonRun::pageChanged, this, &LessonPanel::showPage);
     connect(&m_run, &LessonRun::filled, this, [this] {
         m_page->fill();
-        if (std::exchange(m_keysWait, false)) {
-            m_page->card().isOpen() ? m_page->card().takeFocus() : m_foot->takeFocus();
-            const auto grips = m_views ? m_views->findChildren<HoldGrip*>() : QList<HoldGrip*>();
-            const auto grip = std::ranges::find_if(grips, &QWidget::isVisible);
-            if (m_page->card().isOpen() && grip != grips.end()) (*grip)->setFocus();
-        }
+        if (std::exchange(m_keysWait, false)) takeKeys();
         emit bannerChanged();
     });
     connect(&m_run, &LessonRun::changed, this, &LessonPanel::showChange);
@@ -132,6 +127,17 @@ QWidget* LessonPanel::makeLesson() {
     return all;
 }
 
+// The first grip of an open page, where it has one, else its question. The grips of the first page that is opened come
+// after its texts, with the first frame.
+void LessonPanel::takeKeys() {
+    const bool isOpen = m_page->card().isOpen();
+    isOpen ? m_page->card().takeFocus() : m_foot->takeFocus();
+    const auto grips = m_views && isOpen ? m_views->findChildren<HoldGrip*>() : QList<HoldGrip*>();
+    const auto grip = std::ranges::find_if(grips, &QWidget::isVisible);
+    m_gripWaits = isOpen && grip == grips.end();
+    if (grip != grips.end()) (*grip)->setFocus();
+}
+
 // Keys of the lesson go before those of the window and its menus.
 bool LessonPanel::takesKey(const QKeyEvent& event) const {
     if (!lesson() || m_run.isAtEnd()) return false;
@@ -139,12 +145,16 @@ bool LessonPanel::takesKey(const QKeyEvent& event) const {
     if (modifiers == Qt::AltModifier)
         return key == Qt::Key_H || key == Qt::Key_S || key == Qt::Key_Left || key == Qt::Key_Right;
     return modifiers == Qt::NoModifier && m_page->card().isOpen() &&
-           ((key >= Qt::Key_0 && key <= Qt::Key_9) || key == Qt::Key_Return || key == Qt::Key_Enter);
+           ((key >= Qt::Key_0 && key <= Qt::Key_9) || key == Qt::Key_Minus || key == Qt::Key_Return ||
+            key == Qt::Key_Enter);
 }
 
 // Takes the lesson's keys before other widgets. Alt keys: anywhere in the panel and in the views. Digits and Enter: on a
 // grip, which does not use them, and in the view area once the view in it has ignored them.
 bool LessonPanel::eventFilter(QObject* to, QEvent* event) {
+    if (m_gripWaits && event->type() == QEvent::Show)
+        if (auto* const grip = qobject_cast<HoldGrip*>(to)) m_gripWaits = false, grip->setFocus();
+    if (event->type() == QEvent::KeyPress || event->type() == QEvent::MouseButtonPress) m_gripWaits = false;
     if (event->type() != QEvent::KeyPress && event->type() != QEvent::ShortcutOverride) return false;
     auto* const widget = qobject_cast<QWidget*>(to);
     const auto isIn = [widget](const QWidget* room) { return room && (room == widget || room->isAncestorOf(widget)); };
@@ -173,7 +183,7 @@ void LessonPanel::keyPressEvent(QKeyEvent* event) {
         case Qt::Key_Right: return m_run.isSettled() ? m_run.goTo(page() + 1) : void();
         case Qt::Key_Return:
         case Qt::Key_Enter: return card.check();
-        default: return card.choose(event->key() - Qt::Key_0);
+        default: return card.choose(QChar(event->key()));
     }
 }
 
@@ -231,7 +241,7 @@ void LessonPanel::showPage() {
         m_scroll->verticalScrollBar()->setValue(0);
         m_head->showRun();
         m_foot->showRun();
-        m_keysWait = !atEnd;
+        m_keysWait = !atEnd, m_gripWaits = false;
         if (atEnd) m_end->takeFocus();
     }
     emit pageChanged();

@@ -66,6 +66,7 @@ private:
     void settle();
     void askToForget();
     bool takesKey(const QKeyEvent& event) const;
+    void takeKeys();
 
     Document& m_document;
     LessonShelf* m_shelf;
@@ -81,7 +82,8 @@ private:
     HandoutButton* m_handout = nullptr;
     class KeptInSight* m_sight;
     QWidget* m_views = nullptr;
-    bool m_keysWait = false;  // for the page that opens
+    bool m_keysWait = false;   // for the page that opens
+    bool m_gripWaits = false;  // for the keys, until it is shown
 };
 
 }  // namespace app

@@ -304,7 +304,7 @@ void QuestionCard::askToShow() {
     m_acts->findChild<QPushButton*>("showSure")->setFocus();
 }
 
-void QuestionCard::choose(int key) {
+void QuestionCard::choose(QChar key) {
     if (isOpen()) m_body->choose(key);
 }
 

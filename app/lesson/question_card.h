@@ -27,8 +27,8 @@ public:
     void showWindow();  // whether the window shows what the page does
     void check();
     void giveHint();
-    void askToShow();  // the answer: once, in its place
-    void choose(int key);
+    void askToShow();        // the answer: once, in its place
+    void choose(QChar key);  // a digit, or the sign of a number
     void takeFocus();
     bool isOpen() const;     // answers are taken
     QString advice() const;  // what one can do now

@@ -116,7 +116,7 @@ function startKeys() {
     if (!isLessonShown() || event.ctrlKey || event.metaKey || event.altKey || one('#help').open) return;
     if (/** @type {Element} */ (event.target).matches('input[type=text], select, textarea')) return;
     const typed = one('#typed');
-    if (typed && takesKeys(typed) && /^[0-9]$/.test(event.key)) return void typed.focus();  // which takes the digit
+    if (typed && takesKeys(typed) && /^[-0-9]$/.test(event.key)) return void typed.focus();  // which takes the key
     const work = digitKey(event.key) || kKeys[event.key] || (view.inside ? kInsideKeys[event.key] : undefined);
     if (!work) return;
     event.preventDefault();

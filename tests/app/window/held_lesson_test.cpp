@@ -242,6 +242,25 @@ TEST_F(HeldLesson, LookInsideShowsTheInstrumentsAndThePictureAgain) {
     EXPECT_FALSE(window.views().first().header().isVisible());
 }
 
+// The page of "Light from everywhere" asks for a number: the sign goes to its field, as a digit does.
+TEST_F(HeldLesson, APageOpensWithTheKeysOnWhatItHolds) {
+    open("diffuse");
+    EXPECT_TRUE(QTest::qWaitFor([&] { return QApplication::focusWidget() == &grip(); }, 5000));
+    press("-");
+    EXPECT_EQ(QApplication::focusWidget(), find<QLineEdit>("answer"));
+    EXPECT_EQ(find<QLineEdit>("answer")->text(), "-");
+}
+
+// "Half of the light" holds nothing.
+TEST_F(HeldLesson, APageThatHoldsNothingOpensWithTheKeysOnItsQuestion) {
+    open("diffuse");
+    ASSERT_TRUE(QTest::qWaitFor([&] { return qobject_cast<HoldGrip*>(QApplication::focusWidget()); }, 5000));
+    run().goTo(1);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return run().texts().has_value(); }, 10000));
+    ASSERT_TRUE(waitForFrame());
+    EXPECT_TRUE(window.findChild<LessonPanel*>()->isAncestorOf(QApplication::focusWidget()));
+}
+
 TEST_F(HeldLesson, OnAGripTheLessonHasItsKeys) {
     open("diffuse");
     grip().setFocus();
