@@ -47,17 +47,17 @@ glm::dvec2 HoldPlaces::forHand(const HeldGrip& grip, QPointF at) const {
 void HoldPlaces::follow(bool isShown) {
     m_vectors.reset();
     const std::optional<glm::ivec2> pixel = m_view.document().pointing().pixel();
-    if (isShown && showsVectors() && pixel && m_view.frame()) m_vectors = vectorsInPicture(*m_view.frame(), *pixel);
+    const bool isLamp = !m_hand.holds().empty() && m_hand.holds()[0].kind == HoldKind::LampAtInfinity;
+    if (!isShown || !isLamp || !pixel || !m_view.frame() || hides(BufferId::Normal) || hides(BufferId::LightVector))
+        return;
+    m_vectors = vectorsInPicture(*m_view.frame(), *pixel);
+    if (m_vectors && hides(BufferId::HalfwayVector)) m_vectors->H.reset();
 }
 
-// A page that asks for N or L hides their buffers.
-bool HoldPlaces::showsVectors() const {
-    const lessons::Hidden& hidden = m_view.document().hidden();
-    const auto hides = [&](BufferId id) {
-        return std::ranges::any_of(hidden.buffers, [&](const pipeline::BufferName& name) { return name.id == id; });
-    };
-    return !m_hand.holds().empty() && m_hand.holds()[0].kind == HoldKind::LampAtInfinity && !hides(BufferId::Normal) &&
-           !hides(BufferId::LightVector);
+// A page that asks for a vector hides its buffer.
+bool HoldPlaces::hides(BufferId id) const {
+    return std::ranges::any_of(m_view.document().hidden().buffers,
+                               [&](const pipeline::BufferName& name) { return name.id == id; });
 }
 
 bool HoldPlaces::isOnBand(const HeldGrip& grip) const { return grip.button->parentWidget() == &m_band; }
@@ -135,8 +135,11 @@ HeldMarks HoldPlaces::marks(const std::vector<HeldGrip>& grips, bool hasRing) co
             for (const glm::dvec2 point : points) shape << onCanvas(point);
             return shape;
         };
-        marks.vectors = {onCanvas(m_vectors->at), onCanvas(m_vectors->N),  onCanvas(m_vectors->L),
-                         m_vectors->nDotL > 0,    polygon(m_vectors->arc), polygon(m_vectors->horizon)};
+        marks.vectors = {
+            onCanvas(m_vectors->at),    onCanvas(m_vectors->N),
+            onCanvas(m_vectors->L),     m_vectors->H ? std::optional(onCanvas(*m_vectors->H)) : std::nullopt,
+            m_vectors->nDotL > 0,       polygon(m_vectors->arc),
+            polygon(m_vectors->horizon)};
     }
     if (const auto& play = m_hand.held().play) {
         const QString done = toQString(play->done);

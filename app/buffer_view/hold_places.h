@@ -37,7 +37,7 @@ public:
 private:
     bool isOnBand(const HeldGrip& grip) const;
     QLineF trackOf(const HeldGrip& grip) const;  // from low to high
-    bool showsVectors() const;
+    bool hides(pipeline::BufferId id) const;
     HoldGrip::Place placeOfHold(const HeldGrip& grip) const;
 
     BufferView& m_view;

@@ -68,6 +68,12 @@ void HoldMarks::paintVectors(QPainter& painter, const HeldMarks::Vectors& vector
     painter.drawPolyline(vectors.arc);
     paintLetter(painter, vectors.at, vectors.N, QStringLiteral("N"), N);
     paintLetter(painter, vectors.at, vectors.L, QStringLiteral("L"), dark().L);
+    if (!vectors.H) return;
+    line(painter, vectors.at, *vectors.H, dark().H);
+    // Its letter stands aside: H may lie on N.
+    const QLineF along(vectors.at, *vectors.H);
+    const QPointF aside = along.length() > 0 ? along.normalVector().unitVector().p2() - along.p1() : QPointF();
+    paintLetter(painter, *vectors.H, *vectors.H + aside, QStringLiteral("H"), dark().H);
 }
 
 // Beyond the tip.

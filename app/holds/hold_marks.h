@@ -17,7 +17,8 @@ struct HeldMarks {
     };
     struct Vectors {
         QPointF at, N, L;  // where they begin and end
-        bool isLit;        // L is above the horizon
+        std::optional<QPointF> H;
+        bool isLit;  // L is above the horizon
         QPolygonF arc, horizon;
     };
     std::vector<Lead> leads;

@@ -28,6 +28,11 @@ std::optional<PictureVectors> vectorsInPicture(const Frame& frame, glm::ivec2 pi
     };
     PictureVectors vectors{
         .at = projected(view, at).value_or(middle), .N = inPicture(N), .L = inPicture(L), .nDotL = glm::dot(N, L)};
+    const Material& material =
+        effectiveMaterial(scene.objects[std::size_t(report.object)], scene.settings, report.back);
+    const Model model = scene.settings.model;
+    if (shines(model, material) && modelFacts(model).specularReads(usesHalfway(model, material)).H)
+        vectors.H = inPicture(evaluation.lights[0].H);
     for (int i = 0; i <= 16; ++i) {
         const Vec3d between = (1 - i / 16.0) * N + i / 16.0 * L;
         const double length = glm::length(between);

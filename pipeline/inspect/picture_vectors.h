@@ -10,6 +10,7 @@ namespace pipeline {
 // circle of directions at a right angle to N. Pixels, row 0 on top.
 struct PictureVectors {
     glm::dvec2 at{0.0}, N{0.0}, L{0.0};  // where they begin and end
+    std::optional<glm::dvec2> H{};       // where the highlight of the surface reads it
     double nDotL = 0;
     std::vector<glm::dvec2> arc{}, horizon{};
 };

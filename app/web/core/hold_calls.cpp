@@ -144,14 +144,15 @@ WEB_CALL(figure) int webFigure(double width, double left, double perColumn, int 
                  {"track", figure.track ? listOf(*figure.track) : Json()}});
 }
 
-// N and the first L at a pixel as lines in the picture, with the arc between them and the horizon; null where nothing is
-// lit. Pixels.
+// N, the first L, and H or null, at a pixel as lines in the picture, with the arc between N and L and the horizon; null where
+// nothing is lit. Pixels.
 WEB_CALL(vectors) int webVectors(int x, int y) {
     const auto vectors = vectorsInPicture(*core().own.frame, {x, y});
     if (!vectors) return give(Json());
     return give({{"at", pair(vectors->at)},
                  {"N", pair(vectors->N)},
                  {"L", pair(vectors->L)},
+                 {"H", vectors->H ? pair(*vectors->H) : Json()},
                  {"n_dot_l", vectors->nDotL},
                  {"arc", listOf(vectors->arc)},
                  {"horizon", listOf(vectors->horizon)}});

@@ -384,11 +384,16 @@ function drawOver(cell, sides) {
   if (lamp?.kind === 'vertex') out += (([x, y]) => `<circle class="before" r="6" cx="${x}" cy="${y}"/>`)(at(lamp.around));
   if (lamp?.place) out += `<line class="lead" x1="${at(lamp.place)[0]}" y1="${at(lamp.place)[1]}" x2="${at(lamp.around)[0]}" y2="${at(lamp.around)[1]}"/>`;
   if (view.pixel) {
-    const o = at(view.pixel.map(v => v + 0.5)), isShown = !page.hidden.buffers.some(name => /^(normal|light_vector)/.test(name)), vectors = lamp?.kind === 'lamp' && isShown ? core.ask('vectors', ...view.pixel) : null;
+    const o = at(view.pixel.map(v => v + 0.5)), hides = name => page.hidden.buffers.some(hidden => hidden.startsWith(name)), isShown = !hides('normal') && !hides('light_vector'), vectors = lamp?.kind === 'lamp' && isShown ? core.ask('vectors', ...view.pixel) : null;
     if (vectors) {
       const from = at(vectors.at), n = at(vectors.N), l = at(vectors.L), away = v => { const d = Math.hypot(v[0] - from[0], v[1] - from[1]) || 1; return [v[0] + 16 * (v[0] - from[0]) / d, v[1] + 6 + 16 * (v[1] - from[1]) / d]; };
       out += `<polygon class="horizon" points="${pointsOf(vectors.horizon.map(at))}"/>` + svgLine(from, n, 'var(--on-N)') + svgLine(from, l, 'var(--sun)', 3, vectors.n_dot_l > 0 ? '' : '2 7');
       out += `<polyline class="arc" points="${pointsOf(vectors.arc.map(at))}"/>` + svgWords(away(n), 'N', 'class="symbol" style="fill:var(--on-N)"') + svgWords(away(l), 'L', 'class="symbol" style="fill:var(--sun)"');
+      if (vectors.H && !hides('halfway_vector')) {
+        // Its letter stands aside: H may lie on N.
+        const h = at(vectors.H), d = Math.hypot(h[0] - from[0], h[1] - from[1]) || 1;
+        out += svgLine(from, h, 'var(--on-H)') + svgWords([h[0] + 18 * (h[1] - from[1]) / d, h[1] + 6 - 18 * (h[0] - from[0]) / d], 'H', 'class="symbol" style="fill:var(--on-H)"');
+      }
     }
     let fill = 'none';
     if (cell.shown.buffer === 'color' && sides[0] === 0) {

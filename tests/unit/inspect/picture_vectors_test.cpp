@@ -19,5 +19,20 @@ TEST(PictureVectors, StandTogetherAtThePixelOfAFlatPolygon) {
     EXPECT_LT(glm::distance(middle, vectors->at), 0.1 * across);
 }
 
+// H is in the plane of L and V, and V is seen end on: H lies along L in the picture, and is shorter.
+TEST(PictureVectors, HaveHWhereTheHighlightReadsIt) {
+    Scene scene = test::pyramid();
+    EXPECT_FALSE(vectorsInPicture(*test::frameOf(scene), {268, 281})->H) << "Phong's highlight reads R";
+    scene.objects[0].material.highlight = Highlight::BlinnPhong;
+    const auto vectors = vectorsInPicture(*test::frameOf(scene), {268, 281});
+    ASSERT_TRUE(vectors && vectors->H);
+    const glm::dvec2 H = *vectors->H - vectors->at, L = vectors->L - vectors->at;
+    EXPECT_NEAR(H.x * L.y - H.y * L.x, 0, 1e-6 * glm::length(H) * glm::length(L));
+    EXPECT_GT(glm::dot(H, L), 0);
+    EXPECT_LT(glm::length(H), glm::length(L));
+    scene.objects[0].material.specular = Vec3d(0);
+    EXPECT_FALSE(vectorsInPicture(*test::frameOf(scene), {268, 281})->H) << "without a highlight";
+}
+
 }  // namespace
 }  // namespace pipeline
