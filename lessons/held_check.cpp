@@ -70,6 +70,8 @@ private:
     void play(const Play& play, const pipeline::Frame& frame) {
         if (const std::size_t words = wordsOf(play.text); words > kMostWordsOfPlay)
             add(play.where, fmt::format("this play has {} words", words), "at most 14");
+        if ((play.text + play.done).find('*') != std::string::npos)
+            add(play.where, "this play has Markdown", "plain text, as the picture shows it");
         const auto holds = evaluate(play.until, {.frame = frame, .stop = m_stop});
         if (!holds)
             m_errors.insert(m_errors.end(), holds.errors().begin(), holds.errors().end());

@@ -74,13 +74,13 @@ public:
         if (node.changes.empty())
             for (const Node& operand : node.operands) lookAtReads(operand, shown, where);
     }
-    Errors take() { return std::move(m_errors); }
-
-private:
     void lookIn(const std::string& text, const SourceLocation& where, const char* what) {
         for (const double number : numbersIn(text))
             if (isAnswer(number)) return tell(where, what);
     }
+    Errors take() { return std::move(m_errors); }
+
+private:
     void tell(const SourceLocation& where, const std::string& what) {
         m_errors.push_back({where, fmt::format("{} gives the answer before it is asked for", what),
                             "it after \"## then\", or in \"works\""});
@@ -133,6 +133,10 @@ Errors leaksOf(const Page& page, const Context& context) {
     Search search(context, value, tolerance);
     search.look(page.first.text, page.where, "the first half");
     search.look(page.first.paper, page.where, "the first half on paper");
+    const Held& held = page.first.held;
+    search.look(held.shows, held.where, "what is shown beside the hand");
+    for (const pipeline::Hold& hold : held.holds)
+        search.lookIn(wordsOf(context.frame.scene(), hold), held.where, "the value beside the hand");
     search.look(question.text, question.where, "the question");
     search.look(question.paper, question.where, "the question on paper");
     search.look(question.wrong, question.where, "\"wrong\"");

@@ -118,6 +118,13 @@ TEST(Held, AHandDoesNotLeadToTheSecondHalf) {
     EXPECT_NE(
         faults(hold + "play: Go.\n  until: setting(material.0.n) = 8\n  done: There.\n", "").find("from the beginning"),
         std::string::npos);
+    EXPECT_NE(faults("hold: camera | Eye\nplay: Go *up*.\n  until: setting(camera.phi) < 5\n  done: Up.\n", "")
+                  .find("has Markdown"),
+              std::string::npos);
+    EXPECT_NE(faults("hold: camera | Eye\nshows: row {300 + 10}\n", "")
+                  .find("what is shown beside the hand gives the answer"),
+              std::string::npos);
+    EXPECT_EQ(faults("hold: camera | Eye\nshows: row {300 + 11}\n", ""), "");
     std::string words = "\n";
     for (int i = 0; i < 61; ++i) words += "word ";
     const auto long_ = read(hold, words + kQuestion);
@@ -156,6 +163,70 @@ TEST(HeldFigure, TheTermsOfTheEquationAreThePixelsIntensity) {
     ASSERT_EQ(figure.terms.size(), 2u);
     EXPECT_EQ(termText(figure.terms[0].value, figure.most), "48.0");
     EXPECT_NEAR(figure.sum, frame->buffer({pipeline::BufferId::Intensity})->value(211, 268, 0), 1e-9);
+}
+
+// Every hold of the first halves of the program's lessons, but for questions that return.
+template <class Visit>
+void eachHold(Visit visit) {
+    for (const std::string& name : lessonNames()) {
+        const auto lesson = readLesson(lessonFolder() / name);
+        ASSERT_TRUE(lesson) << name;
+        for (std::size_t i = returningPages(*lesson); i < lesson->pages.size(); ++i)
+            for (const pipeline::Hold& hold : lesson->pages[i].first.held.holds) {
+                SCOPED_TRACE(name + ", " + lesson->pages[i].heading + ": " + hold.name);
+                visit(lesson->pages[i].first, hold);
+            }
+    }
+}
+
+// Where a drag has led, a drag to that place leads again: within 0.5 px, of a number half a pixel of a track of 260. The eye
+// and a turn have no place that a value gives: their grips stand still.
+TEST(HeldGrid, APlaceGivesTheValuesThatGiveThePlace) {
+    int places = 0;
+    eachHold([&](const Half& half, const pipeline::Hold& hold) {
+        using Kind = pipeline::Hold::Kind;
+        const pipeline::Scene& scene = half.state.scene;
+        const auto from = placeOf(scene, hold);
+        ASSERT_TRUE(from);
+        if (hold.kind == Kind::Eye || hold.kind == Kind::Turn) return;
+        const auto after = [&](glm::dvec2 to) {
+            return withSettings(scene, pipeline::toText(valuesAt(scene, hold, from->at, to)));
+        };
+        const bool isNumber = hold.kind == Kind::Number;
+        for (const double x : {-1.0, -0.4, 0.3, 1.0})
+            for (const double y : {-1.0, 0.4}) {
+                const auto moved = after(isNumber ? glm::dvec2((x + 1) / 2) : from->at + 80.0 * glm::dvec2(x, y));
+                ASSERT_TRUE(moved) << format(moved.errors());
+                const auto there = placeOf(*moved, hold);
+                if (!there) continue;  // behind the eye
+                const auto again = after(there->at);
+                ASSERT_TRUE(again) << format(again.errors());
+                const auto back = placeOf(*again, hold);
+                ASSERT_TRUE(back);
+                EXPECT_LE(glm::distance(back->at, there->at), isNumber ? 0.5 / 260 : 0.5) << x << ", " << y;
+                ++places;
+            }
+    });
+    EXPECT_GT(places, 200);
+}
+
+// Of two opposite arrow keys at least one moves what stands at its limit, and all keep it within its limits. Home gives the
+// page's own values as text, which a setting takes back to the bit.
+TEST(HeldGrid, ArrowKeysMoveItAndHomeRestoresIt) {
+    eachHold([](const Half& half, const pipeline::Hold& hold) {
+        const pipeline::Scene& scene = half.state.scene;
+        const auto own = valuesOf(scene, hold);
+        int moves = 0;
+        for (const glm::ivec2 by : {glm::ivec2(1, 0), glm::ivec2(-1, 0), glm::ivec2(0, 1), glm::ivec2(0, -1)}) {
+            const auto moved = withSettings(scene, pipeline::toText(nudged(scene, hold, by, false)));
+            ASSERT_TRUE(moved) << format(moved.errors());
+            moves += valuesOf(*moved, hold) != own;
+            const auto home = withSettings(*moved, pipeline::toText(own));
+            ASSERT_TRUE(home);
+            EXPECT_EQ(valuesOf(*home, hold), own);
+        }
+        EXPECT_GE(moves, 2);
+    });
 }
 
 // What of the settings that a hand holds reaches which stage: a light its shadow buffer and shading, an exponent shading
