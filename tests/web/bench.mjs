@@ -44,22 +44,21 @@ try {
       await page.close();
     }
   }
-  // What a hand waits for: a step of the first hold of each first page with all that follows it, and its frame alone.
+  // What a hand waits for: a step of the first hold of each first page with all that follows it, and its frame alone, there
+  // and back interleaved.
   for (const { name } of JSON.parse(execFileSync(program, ['lesson', 'list', '--json'], { encoding: 'utf8' }))) {
     const held = await browser.open(make(name + ' lesson', 'lesson', 'export', name) + '?page=1');
     const [step, frame, hold] = await held.run(`(async () => {
       if (held.holds.length === 0) return [0, 0, ''];
       const steps = [], frames = [], at = i => core.ask('nudge', 0, i % 2 ? 1 : -1, i % 2 ? 1 : -1, 1);
-      for (let i = 0; i < 19; ++i) {
+      for (let i = 0; i < 38; i += 2) {
         isLong = false;
-        const began = performance.now();
+        let began = performance.now();
         putHand(at(i));
         document.body.offsetHeight;
         steps.push(performance.now() - began);
-      }
-      for (let i = 0; i < 19; ++i) {
-        core.ask('set', at(i));
-        const began = performance.now();
+        core.ask('set', at(i + 1));
+        began = performance.now();
         core.call('frame', 0);
         frames.push(performance.now() - began);
       }

@@ -73,8 +73,14 @@ async function launch() {
     const { value } = await send('WebDriver:FindElement', { using: 'css selector', value: selector });
     await send('WebDriver:ElementSendKeys', { id: Object.values(value)[0], text: files.join('\n') });
   };
+  /** By mouse, from the middle of a part. @param {string} selector @param {number} dx @param {number} dy CSS pixels */
+  const drag = async (selector, dx, dy) => {
+    const [x, y] = await run(`(box => [box.x + box.width / 2, box.y + box.height / 2].map(Math.round))(document.querySelector(${JSON.stringify(selector)}).getBoundingClientRect())`);
+    const move = (toX, toY) => ({ type: 'pointerMove', x: toX, y: toY, duration: 0 });
+    await send('WebDriver:PerformActions', { actions: [{ type: 'pointer', id: 'mouse', parameters: { pointerType: 'mouse' }, actions: [move(x, y), { type: 'pointerDown', button: 0 }, move(x + dx / 2, y + dy / 2), move(x + dx, y + dy), { type: 'pointerUp', button: 0 }] }] });
+  };
   const size = (width, height) => send('WebDriver:SetWindowRect', { width, height });
-  return { give, size, open: url => send('WebDriver:Navigate', { url }), run, until, key, shot, close };
+  return { give, drag, size, open: url => send('WebDriver:Navigate', { url }), run, until, key, shot, close };
 }
 
 const write = (name, ...args) => {
@@ -105,6 +111,29 @@ try {
   const first = await firefox.run(picture);
   await firefox.run(`(s => { s.value = '0.3'; s.dispatchEvent(new Event('input', { bubbles: true })); })(document.getElementById('set-light.0.intensity'))`);
   expect('its worker draws', await firefox.until(`${picture} !== ${first}`), await firefox.run('document.querySelector("#wrong").textContent'));
+
+  // Pages that are held: a lamp, a number on its axis, a vertex, by keys and by mouse. The words at the grip say where it is.
+  await firefox.size(1366, 768);
+  for (const [name, answer] of [['diffuse', '48'], ['depth-precision', 'In its upper half'], ['pyramid', 'They name it by number']]) {
+    await firefox.open(write(`${name}-held.html`, 'lesson', 'export', name, '--live') + '?page=1');
+    expect(`${name} starts`, await firefox.until(kReady) && await firefox.run('document.querySelector("#wrong").hidden'), await firefox.run('document.querySelector("#wrong").textContent'));
+    const words = 'document.querySelector(".grip:not([hidden])").getAttribute("aria-valuetext")', heading = 'document.querySelector("#heading").textContent';
+    const own = await firefox.run(words), first = await firefox.run(heading);
+    await firefox.run('void document.querySelector(".grip:not([hidden])").focus()');
+    await firefox.key('\uE014');  // Right
+    expect(`an arrow key moves what ${name} holds`, await firefox.until(`${words} !== ${JSON.stringify(own)}`), own);
+    await firefox.key('\uE011');  // Home
+    expect(`${name}: Home puts it back`, await firefox.until(`${words} === ${JSON.stringify(own)}`), await firefox.run(words));
+    await firefox.drag('.grip:not([hidden])', 60, -20);
+    expect(`a drag moves what ${name} holds`, await firefox.until(`${words} !== ${JSON.stringify(own)}`), own);
+    const moved = await firefox.run(words);
+    await firefox.run(`void (field => { if (field) field.value = ${JSON.stringify(answer)}; else [...document.querySelectorAll('#answer .option')].find(option => option.textContent.includes(${JSON.stringify(answer)})).querySelector('input').click(); document.querySelector('#answer').requestSubmit(); })(document.querySelector('#typed'))`);
+    expect(`${name} is answered`, await firefox.until('document.querySelector("#question").classList.contains("right")'), await firefox.run('document.querySelector("#said").textContent'));
+    if (name === 'diffuse') expect('what is held stays in the hand', (await firefox.run(words)) === moved, [moved, await firefox.run(words)]);
+    if (process.env.SHADESCOPE_SHOTS) await firefox.shot(path.join(process.env.SHADESCOPE_SHOTS, `firefox-${name}.png`));
+    await firefox.run('void document.querySelector("#next").click()');
+    expect(`${name} goes on`, await firefox.until(`${heading} !== ${JSON.stringify(first)}`), first);
+  }
 
   // The program in one page: files, links, widths, and nothing asked of the network.
   const one = write('shadescope.html', 'site', 'export', '--one'), mineFolder = path.join(folder, 'mine');

@@ -29,6 +29,51 @@ const shown = p => p.run('new Promise(done => requestAnimationFrame(() => reques
 const settle = async p => { await shown(p), await p.until('typeof running === "undefined" || !running'), await shown(p); };
 const picture = '(c => { const d = c.getContext("2d").getImageData(0, 0, c.width, c.height).data; let h = 0; for (let i = 0; i < d.length; ++i) h = (h * 31 + d[i]) | 0; return h; })(cells[0].canvases[0])';
 
+/** What a number or a choice is judged with the page's own values, and with every hand three coarse steps away: the answer
+ * that the page gives, or every option. */
+const verdictsMoved = `(() => {
+  const mark = given => (core.call('check', JSON.stringify(given)) ? JSON.parse(core.text()).mark : 'settled');
+  const pages = judge => {
+    localStorage.clear(), takeLesson(data);
+    return Array.from({ length: data.pages }, (_, i) => {
+      openPage(i);
+      return page.question && held.holds.length && ['number', 'choice'].includes(page.question.kind) ? judge(page.question, i) : '';
+    });
+  };
+  const said = pages(() => (core.ask('show'), core.ask('read').question.solution.answer.replace(/<[^>]*>/g, '').replaceAll('−', '-').match(/-?[0-9.]+/)?.[0] ?? ''));
+  const marks = steps => pages((question, i) => {
+    for (let step = 0; step < steps; ++step) held.holds.forEach((_, number) => core.ask('set', core.ask('nudge', number, 1, -1, 1)));
+    core.call('frame', 0);
+    return question.kind === 'number' ? mark({ typed: said[i] }) : question.options.map((_, option) => mark({ chosen: [option] })).join();
+  });
+  const own = marks(0), moved = marks(3);
+  return own.map((mark, i) => [i + 1, mark, moved[i]]).filter(([, before, after]) => before !== after);
+})()`;
+/** Of each first half with something to hold: a question out of view, grips too small or over one another, words cut off. */
+const layoutOfHeld = `(async () => {
+  const wrong = [], boxOf = part => part.getBoundingClientRect();
+  localStorage.clear(), takeLesson(data);
+  for (let i = 0; i < data.pages; ++i) {
+    openPage(i);
+    if (!page.question || !grips.some(grip => grip.number >= 0)) continue;
+    scrollTo(0, 0);
+    for (let frame = 0; frame < 3; ++frame) await new Promise(done => requestAnimationFrame(done));
+    const shown = grips.filter(grip => !grip.button.hidden), stage = boxOf(one('.stage'));
+    if (boxOf(one('#asked')).bottom > innerHeight) wrong.push([i + 1, 'the question ends at', Math.round(boxOf(one('#asked')).bottom)]);
+    if (document.documentElement.scrollWidth > innerWidth) wrong.push([i + 1, 'scrolls sideways']);
+    for (const { name, button, bubble } of shown) {
+      if (button.offsetWidth < 44 || button.offsetHeight < 44) wrong.push([i + 1, name, 'is small']);
+      const b = boxOf(bubble);
+      if (!bubble.hidden && (b.left < stage.left - 1 || b.right > stage.right + 1 || b.top < stage.top - 1)) wrong.push([i + 1, name, 'has its words cut off']);
+    }
+    shown.forEach(({ name, button }, k) => shown.slice(0, k).forEach(other => {
+      const a = boxOf(button), b = boxOf(other.button), over = Math.min(Math.min(a.right, b.right) - Math.max(a.left, b.left), Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top));
+      if (over > 8) wrong.push([i + 1, name, 'is over', other.name, Math.round(over)]);
+    }));
+  }
+  return wrong;
+})()`;
+
 try {
   const names = JSON.parse(execFileSync(program, ['lesson', 'list', '--json'], { encoding: 'utf8' })).map(lesson => lesson.name);
   const files = Object.fromEntries(['pyramid', 'diffuse', 'depth-precision', 'smooth', 'z-buffer', 'highlight'].map(name => [name, write(name)]));
@@ -258,6 +303,14 @@ try {
       return wrong;
     })()`);
     expect(`every page of ${name} stands on the stage`, found.length === 0 && l.log.length === 0, [found, l.log]);
+    const moved = await l.run(verdictsMoved);
+    expect(`no hand moves a verdict of ${name}`, moved.length === 0, moved);
+    for (const [size, { width, height, mobile = false }] of kSizes.slice(0, 3)) {
+      await l.ask('Emulation.setDeviceMetricsOverride', { width, height, deviceScaleFactor: 1, mobile });
+      await l.run(`document.documentElement.classList.toggle('projector', ${size === 'projector'})`);
+      const laid = await l.run(layoutOfHeld);
+      expect(`every first half of ${name} that holds something has its room at ${size}`, laid.length === 0, laid);
+    }
     await l.close();
   }
 } finally {
