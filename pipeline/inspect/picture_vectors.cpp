@@ -12,7 +12,7 @@ namespace pipeline {
 std::optional<PictureVectors> vectorsInPicture(const Frame& frame, glm::ivec2 pixel) {
     const Scene& scene = frame.scene();
     if (pixel.x < 0 || pixel.y < 0 || pixel.x >= scene.settings.width || pixel.y >= scene.settings.height) return {};
-    const PixelReport report = inspectPixel(frame, pixel);
+    const PixelReport report = inspectShading(frame, pixel);
     if (report.evaluations.empty() || report.evaluations[0].lights.empty()) return {};
     const auto& evaluation = report.evaluations[0];
     const View view = makeView(scene);
