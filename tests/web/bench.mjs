@@ -44,8 +44,8 @@ try {
       await page.close();
     }
   }
-  // What a hand waits for: a step of the first hold of each first page with all that follows it, and its frame alone, there
-  // and back interleaved.
+  // What a hand waits for: a step of the first hold of each first page with all that follows it, and its frame alone, up to
+  // where the page stands in it; there and back interleaved.
   for (const { name } of JSON.parse(execFileSync(program, ['lesson', 'list', '--json'], { encoding: 'utf8' }))) {
     const held = await browser.open(make(name + ' lesson', 'lesson', 'export', name) + '?page=1');
     const [step, frame, hold] = await held.run(`(async () => {
@@ -59,7 +59,7 @@ try {
         steps.push(performance.now() - began);
         core.ask('set', at(i + 1));
         began = performance.now();
-        core.call('frame', 0);
+        core.call('frame', 0), goToPlace();
         frames.push(performance.now() - began);
       }
       const best = list => Math.min(...list.slice(1));

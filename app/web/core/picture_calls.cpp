@@ -41,6 +41,17 @@ PaletteRange rangeOf(const AnyBuffer& buffer, pipeline::DepthFormat format) {
     return fittingRange(buffer, isBytes ? pipeline::BufferStatistics{} : statistics(buffer), format);
 }
 
+// What is drawn most often: three bytes a pixel.
+void paintBytes(std::span<const std::uint8_t> numbers, std::size_t columns, pipeline::Tile part,
+                const std::array<std::uint8_t, 256>& shares) {
+    std::uint8_t* out = s_pixels.data();
+    for (int y = part.min.y; y < part.max.y; ++y) {
+        const std::uint8_t* number = numbers.data() + 3 * (std::size_t(y) * columns + std::size_t(part.min.x));
+        for (int x = part.min.x; x < part.max.x; ++x, number += 3)
+            put(out, {shares[number[0]], shares[number[1]], shares[number[2]]}, true);
+    }
+}
+
 // Neighbours are often equal, above all in flat shading. channel: of three, the one that is shown alone; below 0: all of
 // them as a colour. drawn: the ids of what is seen; null: everything is shown.
 template <class T>
@@ -67,6 +78,8 @@ void paint(const AnyBuffer& buffer, std::span<const T> numbers, pipeline::Tile p
         }
         return color;
     };
+    if constexpr (std::is_same_v<T, std::uint8_t>)
+        if (isColor && !drawn) return paintBytes(numbers, buffer.columns(), part, shares);
     std::array<T, 3> last{};
     Color8 color = colorOf(last.data());
     std::uint8_t* out = s_pixels.data();

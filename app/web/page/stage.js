@@ -64,7 +64,7 @@ function buildStage() {
     canvases.forEach((canvas, i) => { canvas.setAttribute('role', 'img'); if (i) canvas.hidden = true; });
     over.setAttribute('aria-hidden', 'true');
     const caption = element('figcaption'), box = element('figure', { className: 'cell' }, field, caption);
-    return { shown, canvases, over, field, caption, box, part: stagePart(shown), wipe: shown.wipe ?? 0.5, fit: { k: 1, x: 0, y: 0 } };
+    return { shown, canvases, over, field, caption, box, part: stagePart(shown), wipe: shown.wipe ?? 0.5, fit: { k: 1, x: 0, y: 0 }, corner: [0, 0] };
   });
   const space = one('.space'), inStage = page.space !== '' && !view.inside && !hides('inspector');
   one('#cells').replaceChildren(...cells.map(cell => cell.box), ...(inStage ? [space] : []));
@@ -96,11 +96,18 @@ function makeGrip(kind, name, number, cell = cells[0]) {
 
 // ---- Places: of the picture, of a track, of the page.
 
-const onField = (cell, [x, y]) => [cell.fit.x + x * cell.fit.k, cell.fit.y + y * cell.fit.k];
-function onRoom(cell, place) {
-  const [x, y] = onField(cell, place), room = one('#room').getBoundingClientRect(), field = cell.field.getBoundingClientRect();
-  return [x + field.left - room.left, y + field.top - room.top];
+/** CSS pixels. Read once a step, before anything is drawn: what is read between two changes is laid out anew. */
+let roomSize = { width: 0, height: 0 };
+function measureRoom() {
+  const room = one('#room').getBoundingClientRect();
+  roomSize = { width: room.width, height: room.height };
+  for (const cell of cells) {
+    const field = cell.field.getBoundingClientRect();
+    cell.corner = [field.left - room.left, field.top - room.top];
+  }
 }
+const onField = (cell, [x, y]) => [cell.fit.x + x * cell.fit.k, cell.fit.y + y * cell.fit.k];
+const onRoom = (cell, place) => onField(cell, place).map((value, i) => value + cell.corner[i]);
 /** A pointer in pixels of the cell's picture. */
 function inPicture(cell, event) {
   const box = cell.field.getBoundingClientRect();
@@ -109,25 +116,25 @@ function inPicture(cell, event) {
 /** The track of a number: its ends, from low to high. */
 function trackOf(grip) {
   if (grip.onAxis) return figure.track;
-  const tracks = grips.filter(other => other.kind === 'number' && !other.onAxis), room = one('#room'), x = 40 + 84 * tracks.indexOf(grip), low = room.clientHeight - 44;
+  const tracks = grips.filter(other => other.kind === 'number' && !other.onAxis), x = 40 + 84 * tracks.indexOf(grip), low = roomSize.height - 44;
   return [[x, low], [x, Math.max(low - 260, 96)]];
 }
 function placeOfGrip(grip) {
-  const room = one('#room');
+  const { width, height } = roomSize;
   if (grip.kind === 'line') return [onRoom(grip.cell, [grip.cell.wipe * pictureSize()[0], 0])[0], Math.max(34, onRoom(grip.cell, [0, grip.cell.part[1]])[1] + 34)];
   if (grip.kind === 'pixel') {
     const { spot } = page.held, at = view.pixel || (spot && [pictureSize()[0] >> 3, spot.row]);
-    return at ? onRoom(grip.cell, at.map(v => v + 0.5)) : [room.clientWidth / 2, room.clientHeight / 2];
+    return at ? onRoom(grip.cell, at.map(v => v + 0.5)) : [width / 2, height / 2];
   }
   const hold = held.holds[grip.number];
-  if (grip.kind === 'eye') return [room.clientWidth - 46, room.clientHeight - 44];
+  if (grip.kind === 'eye') return [width - 46, height - 44];
   if (grip.kind === 'number') {
     const [[x0, y0], [x1, y1]] = trackOf(grip), share = hold.place[0];
     return [x0 + share * (x1 - x0), y0 + share * (y1 - y0)];
   }
   if (!hold.place) return null;
   const [x, y] = onRoom(grip.cell, hold.place);
-  return [clamp(x, 22, room.clientWidth - 22), clamp(y, 22, room.clientHeight - 22)];
+  return [clamp(x, 22, width - 22), clamp(y, 22, height - 22)];
 }
 /** Where a pointer is for the core: pixels of the picture, or the share of a track. */
 function forCore(grip, event) {
@@ -223,7 +230,7 @@ function drawHeld() {
   held = core.ask('holds');
   if (page.space !== '') drawPixel();
   drawStage();
-  if (page.question?.kind === 'until' && !page.question.settled) page = core.ask('read'), drawQuestion();
+  if (page.question?.gauge && !page.question.settled) page = core.ask('read'), drawQuestion();
   drawSettings();
   if (page.space !== '' && !hides('inspector')) drawSpace();
 }
@@ -270,6 +277,7 @@ function startStage() {
 
 function drawStage() {
   if (view.inside) return;
+  measureRoom();
   cells.forEach(drawCell);
   drawFigure();
   placeGrips();
@@ -431,13 +439,13 @@ function edgesOver(at) {
 }
 
 function placeGrips() {
-  const codes = page.held.figure === 'codes', room = one('#room');
+  const codes = page.held.figure === 'codes';
   for (const grip of grips) {
     const hold = held.holds[grip.number];
     grip.onAxis = codes && hold?.keys[0] === 'camera.near';
     const into = one(grip.onAxis ? '#figure' : '#grips');
     if (grip.button.parentNode !== into) into.append(grip.button, grip.bubble);
-    const p = placeOfGrip(grip);
+    const p = grip.place = placeOfGrip(grip);
     grip.button.hidden = grip.bubble.hidden = !p;
     if (!p) continue;
     grip.button.style.left = p[0] + 'px', grip.button.style.top = p[1] + 'px';
@@ -449,16 +457,17 @@ function placeGrips() {
     if (grip.kind === 'number') grip.button.setAttribute('aria-valuemin', hold.low), grip.button.setAttribute('aria-valuemax', hold.high);
     grip.bubble.textContent = grip.kind === 'line' || (grip.kind === 'pixel' && !drag) ? '' : grip.words;
     grip.bubble.hidden = grip.bubble.textContent === '';
-    placeBubble(grip, p, room);
   }
+  const shown = grips.filter(grip => grip.place), halves = shown.map(grip => grip.bubble.offsetWidth / 2 + 6);
+  shown.forEach((grip, i) => placeBubble(grip, halves[i]));
   const shows = held.shows !== '' && grips[0]?.onAxis ? held.shows : '';
   one('#shows').hidden = shows === '', one('#shows').textContent = shows;
 }
 
 /** Words never lie under the finger, nor on the play. */
-function placeBubble(grip, p, room) {
-  const half = grip.bubble.offsetWidth / 2 + 6, beside = ((grip.kind === 'number' || grip.kind === 'turn') && !grip.onAxis) || (!grip.onAxis && p[1] < 76);
-  const x = beside ? (p[0] + 30 + 2 * half > room.clientWidth ? p[0] - 30 - half : p[0] + 30 + half) : clamp(p[0], half, room.clientWidth - half);
+function placeBubble(grip, half) {
+  const p = grip.place, beside = ((grip.kind === 'number' || grip.kind === 'turn') && !grip.onAxis) || (!grip.onAxis && p[1] < 76);
+  const x = beside ? (p[0] + 30 + 2 * half > roomSize.width ? p[0] - 30 - half : p[0] + 30 + half) : clamp(p[0], half, roomSize.width - half);
   grip.bubble.style.left = x + 'px';
   grip.bubble.style.top = (beside ? p[1] - 14 : grip.onAxis ? p[1] - 62 : p[1] - 54) + 'px';
 }
