@@ -287,11 +287,14 @@ function drawStage() {
 
 /** The files that the scene would be. The line of the vertex in the hand is lit; after the answer its number is marked. */
 function drawFiles() {
-  const box = one('#files'), { files } = held, vertex = held.holds.find(hold => hold.kind === 'vertex')?.vertex, known = JSON.stringify([files, page.then]);
+  const box = one('#files'), { files } = held, vertex = held.holds.find(hold => hold.kind === 'vertex')?.vertex, known = JSON.stringify([files.map(({ title, lines }) => [title, lines.length]), page.then]);
   box.hidden = files.length === 0, one('#stage').classList.toggle('filed', !box.hidden);
-  if (drawFiles.known === known) return;
-  drawFiles.known = known;
   const mark = text => !page.then || !/^\d+,\(/.test(text) ? [text] : text.split(/(\d+)/).map((part, i) => (i > 1 && i % 2 && part === String(vertex) ? element('u', { textContent: part }) : part));
+  if (drawFiles.known === known) {
+    const rows = all('tr', box);
+    return void files.flatMap(file => file.lines).forEach((line, i) => { if (rows[i].children[1].textContent !== line.text) rows[i].children[1].replaceChildren(...mark(line.text)); });
+  }
+  drawFiles.known = known;
   box.replaceChildren(...files.map(({ title, lines }, i) => {
     const isLast = i === files.length - 1, rows = lines.map(line => element('tr', { className: line.vertex === vertex ? 'lit' : '' }, element('td', { textContent: line.number || '' }), element('td', {}, ...mark(line.text)), element('td', { textContent: line.meaning })));
     return element('details', { open: isLast || (innerWidth > 760 && innerHeight > 740) }, element('summary', { textContent: title }), element('table', {}, element('tbody', {}, ...rows)));
