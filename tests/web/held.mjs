@@ -98,6 +98,7 @@ try {
       await p.run('core.ask("show"), readAgain(), showThen()');
       await settle(p);
       expect(`${name}: the second half opens at ${size}`, await p.run('page.then'), await p.run('document.querySelector("#wrong").textContent'));
+      expect(`${name}: the figure of the second half is drawn at ${size}`, await p.run('!page.held.figure || one("#figure .made").firstElementChild?.getBoundingClientRect().width > 100'));
       if (shots) await new Promise(done => setTimeout(done, 1600)), await p.shot(path.join(shots, `${size}-${name}-1-then.png`));
       expect(`${name}: no error at ${size}`, p.log.length === 0, p.log);
       await p.close();

@@ -488,6 +488,7 @@ function drawFigure() {
   if (!made) box.prepend(made = element('div', { className: 'made' }));
   if (kind !== drawFigure.kind) made.replaceChildren(), box.classList.toggle('rise', page.then && kind !== '');
   drawFigure.kind = kind;
+  if (kind) box.classList.remove('empty');  // on a small screen an empty one is away, and has no width
   const [left, next] = [0, 1].map(column => onRoom(cells[0], [column, 0])[0]);
   figure = kind ? core.ask('figure', box.clientWidth, left, next - left, ...(view.pixel || [-1, -1]), view.channel) : null;
   box.classList.toggle('empty', !figure?.spoken);
