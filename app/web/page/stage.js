@@ -399,11 +399,11 @@ function drawOver(cell, sides) {
     if (vectors) {
       const from = at(vectors.at), n = at(vectors.N), l = at(vectors.L), away = v => { const d = Math.hypot(v[0] - from[0], v[1] - from[1]) || 1; return [v[0] + 16 * (v[0] - from[0]) / d, v[1] + 6 + 16 * (v[1] - from[1]) / d]; };
       out += `<polygon class="horizon" points="${pointsOf(vectors.horizon.map(at))}"/>` + svgLine(from, n, 'var(--on-N)') + svgLine(from, l, 'var(--sun)', 3, vectors.n_dot_l > 0 ? '' : '2 7');
-      out += `<polyline class="arc" points="${pointsOf(vectors.arc.map(at))}"/>` + svgWords(away(n), 'N', 'class="symbol" style="fill:var(--on-N)"') + svgWords(away(l), 'L', 'class="symbol" style="fill:var(--sun)"');
+      out += `<polyline class="arc" points="${pointsOf(vectors.arc.map(at))}"/>` + svgWords(away(n), 'N', 'class="symbol N"') + svgWords(away(l), 'L', 'class="symbol L"');
       if (vectors.H && !hides('halfway_vector')) {
         // Its letter stands aside: H may lie on N.
         const h = at(vectors.H), d = Math.hypot(h[0] - from[0], h[1] - from[1]) || 1;
-        out += svgLine(from, h, 'var(--on-H)') + svgWords([h[0] + 18 * (h[1] - from[1]) / d, h[1] + 6 - 18 * (h[0] - from[0]) / d], 'H', 'class="symbol" style="fill:var(--on-H)"');
+        out += svgLine(from, h, 'var(--on-H)') + svgWords([h[0] + 18 * (h[1] - from[1]) / d, h[1] + 6 - 18 * (h[0] - from[0]) / d], 'H', 'class="symbol H"');
       }
     }
     let fill = 'none';
