@@ -195,10 +195,12 @@ TEST(HeldGrid, APlaceGivesTheValuesThatGiveThePlace) {
         const bool isNumber = hold.kind == Kind::Number;
         for (const double x : {-1.0, -0.4, 0.3, 1.0})
             for (const double y : {-1.0, 0.4}) {
-                const auto moved = after(isNumber ? glm::dvec2((x + 1) / 2) : from->at + 80.0 * glm::dvec2(x, y));
+                const glm::dvec2 to = isNumber ? glm::dvec2((x + 1) / 2) : from->at + 80.0 * glm::dvec2(x, y);
+                const auto moved = after(to);
                 ASSERT_TRUE(moved) << format(moved.errors());
                 const auto there = placeOf(*moved, hold);
-                if (!there) continue;  // behind the eye
+                // Behind the eye; or a vertex that has stopped before a polygon turned over, which has no place of its own.
+                if (!there || (hold.kind == Kind::Vertex && glm::distance(there->at, to) > 0.5)) continue;
                 const auto again = after(there->at);
                 ASSERT_TRUE(again) << format(again.errors());
                 const auto back = placeOf(*again, hold);
