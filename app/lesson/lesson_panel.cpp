@@ -53,7 +53,16 @@ LessonPanel::LessonPanel(Document& document, QWidget* parent)
     connect(&m_run, &LessonRun::pageChanged, this, &LessonPanel::showPage);
     connect(&m_run, &LessonRun::filled, this, [this] {
         m_page->fill();
-        if (std::exchange(m_keysWait, false)) takeKeys();
+        if (std::exchange(m_keysWait, false)) {
+            // The first grip of an open page, where it has one, else its question. The grips of the first page that is
+            // opened come after its texts, with the first frame.
+            const bool isOpen = m_page->card().isOpen();
+            isOpen ? m_page->card().takeFocus() : m_foot->takeFocus();
+            const auto grips = m_views && isOpen ? m_views->findChildren<HoldGrip*>() : QList<HoldGrip*>();
+            const auto grip = std::ranges::find_if(grips, &QWidget::isVisible);
+            m_gripWaits = isOpen && grip == grips.end();
+            if (grip != grips.end()) (*grip)->setFocus();
+        }
         emit bannerChanged();
     });
     connect(&m_run, &LessonRun::changed, this, &LessonPanel::showChange);
@@ -125,17 +134,6 @@ QWidget* LessonPanel::makeLesson() {
             [this] { LessonResultsDialog::showResults(*m_shelf, m_run.results(), this); });
     followTheme(handout, [rows, &card] { card.standIn(Theme::current().scale() > kScaleOfFoot ? rows : nullptr); });
     return all;
-}
-
-// The first grip of an open page, where it has one, else its question. The grips of the first page that is opened come
-// after its texts, with the first frame.
-void LessonPanel::takeKeys() {
-    const bool isOpen = m_page->card().isOpen();
-    isOpen ? m_page->card().takeFocus() : m_foot->takeFocus();
-    const auto grips = m_views && isOpen ? m_views->findChildren<HoldGrip*>() : QList<HoldGrip*>();
-    const auto grip = std::ranges::find_if(grips, &QWidget::isVisible);
-    m_gripWaits = isOpen && grip == grips.end();
-    if (grip != grips.end()) (*grip)->setFocus();
 }
 
 // Keys of the lesson go before those of the window and its menus.

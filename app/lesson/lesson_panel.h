@@ -66,12 +66,11 @@ private:
     void settle();
     void askToForget();
     bool takesKey(const QKeyEvent& event) const;
-    void takeKeys();
 
     Document& m_document;
     LessonShelf* m_shelf;
     LessonRun m_run;
-    QStackedWidget *m_stack, *m_middle = nullptr;
+    QStackedWidget* m_stack;
     ErrorList* m_errors;
     QListView* m_list = nullptr;
     QScrollArea* m_scroll = nullptr;
