@@ -137,9 +137,9 @@ TEST(CompareConfusion, twoAtOnceAreBothNamed) {
         // Every known error is tried, and each is told of once.
         foreign::CompareOptions options;
         std::size_t told = 0;
-        options.progress = [&](std::string_view, std::size_t done, std::size_t all) {
+        options.progress = [&](std::string_view, std::size_t done, std::size_t count) {
             EXPECT_EQ(done, told++);
-            EXPECT_EQ(all, foreign::knownErrors(scene).size());
+            EXPECT_EQ(count, foreign::knownErrors(scene).size());
         };
         const auto report = compareRenderer(scene, reference, std::move(in), "mine", options);
         ASSERT_TRUE(report && report->suspects) << two.ids[0];
