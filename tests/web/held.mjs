@@ -104,6 +104,25 @@ try {
       await p.close();
     }
 
+  // The stage is black in every theme; what stands on it has a contrast of 4.5 (WCAG 2.2, 1.4.3), by relative luminance.
+  const reflection = write('reflection');
+  for (const [size, options, query] of [kSizes[1], kSizes[2]]) {
+    const p = await browser.open(reflection + `?page=1${query}`, options);
+    await p.run('core.ask("show"), readAgain(), showThen()');
+    await settle(p);
+    const contrasts = await p.run(`(() => {
+      const luminance = text => { const [r, g, b] = text.match(/[0-9.]+/g).map(x => x / 255).map(x => x <= 0.04045 ? x / 12.92 : ((x + 0.055) / 1.055) ** 2.4); return 0.2126 * r + 0.7152 * g + 0.0722 * b; };
+      const contrast = (a, b) => (Math.max(luminance(a), luminance(b)) + 0.05) / (Math.min(luminance(a), luminance(b)) + 0.05);
+      const probe = document.querySelector('#space').parentElement.appendChild(document.createElement('i'));
+      const letters = ['N', 'L', 'V', 'R', 'H', 'text', 'text2', 'text3'].map(name => { probe.style.color = 'var(--' + name + ')'; return [name, contrast(getComputedStyle(probe).color, 'rgb(0, 0, 0)')]; });
+      probe.remove();
+      const buttons = [...document.querySelectorAll('#spaces button')].filter(button => button.offsetParent).map(button => [button.textContent, contrast(getComputedStyle(button).color, getComputedStyle(button).backgroundColor)]);
+      return [...letters, ...buttons];
+    })()`);
+    expect(`letters and buttons of the stage at ${size}`, contrasts.length === 10 && contrasts.every(([, value]) => value >= 4.5), contrasts);
+    await p.close();
+  }
+
   // The lamp: by mouse.
   const p = await browser.open(files.diffuse + '?page=1', { width: 1366, height: 768 });
   const text = await p.run('document.querySelector("#text").textContent'), before = await p.run(picture);

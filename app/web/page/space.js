@@ -6,7 +6,8 @@ const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a
 const norm = a => Math.sqrt(dot(a, a)), unit = a => times(a, 1 / (norm(a) || 1));
 const radians = degrees => degrees * Math.PI / 180;
 const angleText = cosine => (Math.acos(Math.max(-1, Math.min(1, cosine))) * 180 / Math.PI).toFixed(1) + '°';
-const colorOf = name => getComputedStyle(document.documentElement).getPropertyValue('--' + name).trim();
+// On a stage, which is dark in every theme, colours are not those of the page.
+const colorOf = name => getComputedStyle(one('#space')).getPropertyValue('--' + name).trim();
 
 /** The vectors that the report of the picked pixel has; null where no surface is lit. */
 function vectorsHere() {
