@@ -28,7 +28,12 @@ int say(std::string_view sentence) {
     return kCouldNotWrite;
 }
 
+// Several threads may fail at once: the first says so and ends the program, the others wait for that.
 [[noreturn]] void end(int (*say)() = sayOutOfMemory) {
+    static std::atomic_flag isEnding;
+    thread_local bool endsHere = false;  // and what it does for that fails too
+    while (!endsHere && isEnding.test_and_set()) ::pause();
+    endsHere = true;
     pipeline::removeHiddenFolders();
     ::_exit(say());
 }
