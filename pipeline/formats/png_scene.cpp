@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <csetjmp>
+#include <cstdlib>
 #include <cstring>
 
 #include "pipeline/formats/toml/toml_scene.h"
@@ -27,11 +28,19 @@ void ignore(png_structp, png_const_charp) {}
 
 // A few KB may hold a thousand texts of a megabyte each; ours hold a few.
 constexpr png_uint_32 kMostChunks = 32;
+constexpr png_alloc_size_t kMostChunkBytes = 2 * kMaxCarriedScene;
+
+// libpng only warns of a chunk that claims more than its limit, and allocates what it claims, up to 2 GB. A chunk within
+// the limit takes some bytes beside its own.
+png_voidp allocate(png_structp, png_alloc_size_t size) {
+    return size <= 2 * kMostChunkBytes ? std::malloc(size) : nullptr;
+}
+void release(png_structp, png_voidp memory) { std::free(memory); }
 
 // libpng reports by longjmp: what has a destructor lives in the caller. Text stands before the pixels.
 bool readHead(png_structp png, png_infop info, Bytes& from) {
     if (setjmp(png_jmpbuf(png)) != 0) return false;
-    png_set_chunk_malloc_max(png, 2 * kMaxCarriedScene);
+    png_set_chunk_malloc_max(png, kMostChunkBytes);
     png_set_chunk_cache_max(png, kMostChunks);
     png_set_read_fn(png, &from, take);
     png_read_info(png, info);
@@ -41,7 +50,8 @@ bool readHead(png_structp png, png_infop info, Bytes& from) {
 // The text of one key; empty where there is none, or the file is damaged.
 std::string textOf(std::string_view file, std::string_view key, const Stop& stop) {
     Bytes from{file, StopCheck(stop)};
-    png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, fail, ignore);
+    png_structp png =
+        png_create_read_struct_2(PNG_LIBPNG_VER_STRING, nullptr, fail, ignore, nullptr, allocate, release);
     png_infop info = png ? png_create_info_struct(png) : nullptr;
     std::string found;
     if (info && readHead(png, info, from)) {

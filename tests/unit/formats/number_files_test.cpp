@@ -6,39 +6,20 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <fstream>
 #include <sstream>
 
-#include "pipeline/core/memory.h"
 #include "pipeline/formats/numbers/number_file.h"
 #include "tests/support/files.h"
+#include "tests/support/peak_memory.h"
 
 namespace pipeline {
 namespace {
 
 constexpr double kMiB = 1024.0 * 1024;
 
-// Of this process, the most that it has held.
-double peakBytes() {
-    std::ifstream status("/proc/self/status");
-    for (std::string line; std::getline(status, line);)
-        if (line.starts_with("VmHWM:")) return std::stod(line.substr(6)) * 1024;
-    return 0;
-}
-
-// How much more it held at most while `work` ran.
-template <class Work>
-double peakOf(Work work) {
-    giveBackFreedMemory();
-    std::ofstream("/proc/self/clear_refs") << 5;  // the peak begins anew, see proc(5)
-    const double before = peakBytes();
-    work();
-    return peakBytes() - before;
-}
-
 TEST(NumberFiles, ACsvOfSeparatorsTakesNoMemoryOfItsOwn) {
     const std::string commas(20'000'000, ',');
-    const double taken = peakOf([&] {
+    const double taken = test::peakOf([&] {
         const auto read = readCsvNumbers(commas, "depth.csv", 1000);
         ASSERT_FALSE(read);
         EXPECT_EQ(read.errors()[0].found, "no numbers");
@@ -91,7 +72,7 @@ std::string exrHeader(int width, int height, char compression) {
 TEST(NumberFiles, AnExrTakesMemoryForWhatItHolds) {
     constexpr std::size_t kMost = std::size_t{4} << 26;
     constexpr char kZip = 3, kDwab = 9;
-    const double taken = peakOf([&] {
+    const double taken = test::peakOf([&] {
         const auto ends = readExrNumbers(exrHeader(16000, 1500, kZip), "color.exr", kMost);
         ASSERT_FALSE(ends);
         EXPECT_TRUE(ends.errors()[0].found.starts_with("a file that cannot be read")) << ends.errors()[0].found;

@@ -12,6 +12,7 @@
 #include "pipeline/export/export_frame.h"
 #include "pipeline/formats/scene_reader.h"
 #include "tests/support/files.h"
+#include "tests/support/peak_memory.h"
 #include "tests/support/scenes.h"
 
 namespace pipeline {
@@ -99,6 +100,18 @@ TEST(PngScene, ADamagedPictureIsReadOrRefused) {
     }
     EXPECT_GT(refused, 200);
     EXPECT_TRUE(readPngScene({whole, "x.png"}, kNoFiles));
+}
+
+// The length in a chunk's first four bytes is a claim, here 768 MB in a file of some hundred bytes.
+TEST(PngScene, AChunkTakesNoMoreMemoryThanAScene) {
+    std::string bytes = pngOf(std::array<std::uint8_t, 4>{}, {1, 1}, {{"Title", "depth"}});
+    const std::size_t chunk = bytes.find("tEXt");
+    ASSERT_NE(chunk, bytes.npos);
+    bytes[chunk - 4] = '\x30';
+    Result<Scene> scene = Error{};
+    const double taken = test::peakOf([&] { scene = readPngScene({bytes, "x.png"}, kNoFiles); });
+    EXPECT_FALSE(scene);
+    EXPECT_LT(taken, 16.0 * kMaxCarriedScene);
 }
 
 }  // namespace
