@@ -108,6 +108,7 @@ struct ModelFacts {
     int decimals = 3;             // of intensities in tables: up to some hundreds in lecture 1's model
     std::optional<int> mostLights{};
     std::optional<double> mostExponent{};
+    bool fixedFunctions = false;  // OpenGL 1.x has it built in: its calls alone draw the same picture
 
     // What the formula says: see completed().
     struct Found {

@@ -300,12 +300,11 @@ bool drawsPieces(const Mesh& mesh) {
 
 }  // namespace
 
-// The one model that fixed functions evaluate.
-constexpr Model kModelOfCalls = Model::OpenGl;
-
 std::string glRefuses(const Scene& scene) {
-    if (scene.settings.model != kModelOfCalls)
-        return "OpenGL's calls draw the illumination model opengl alone: set model to opengl";
+    if (!modelFacts(scene.settings.model).fixedFunctions) {
+        const auto drawn = std::ranges::find_if(modelTable(), &ModelFacts::fixedFunctions)->word;
+        return fmt::format("OpenGL's calls draw the illumination model {0} alone: set model to {0}", drawn);
+    }
     if (scene.settings.shading == Shading::Phong)
         return "OpenGL 1.x shades flat or smooth, not per pixel: set shading to flat or gouraud";
     if (scene.settings.shading == Shading::Gouraud && scene.settings.interpolation != Interpolation::Perspective)
