@@ -139,6 +139,8 @@ struct OwnName {
     std::string_view id, name;
     StageId stage;
     std::string_view wrong, right;
+    int other = -1;                 // another way of making the same error, if there is one
+    std::string_view otherWrong{};  // its line; empty: the same
 };
 constexpr std::string_view kPower = "k_s c (R·V)^n", kInterpolated = "N = Σ λ_i N_i, made unit",
                            kTowardsEye = "V = (eye − p) / |eye − p|", kFromMiddle = "x_s = w/2 + d x_v / z_v";
@@ -148,18 +150,14 @@ constexpr std::array kOwnNames{
     OwnName{Defect::CullAxis, kAlongTheLight, "cull-light", "the light's direction is used for culling", StageId::Cull,
             "drop where N·L < 0", "drop where N·(p − eye) > 0"},
     OwnName{Defect::NoMax, 2, "half-lambert", "half Lambert: light reaches the night side", StageId::Shading,
-            "k_d c (N·L + 1) / 2", "k_d c max(0, N·L)"},
-    OwnName{Defect::NoMax, 3, "half-lambert", "half Lambert: light reaches the night side", StageId::Shading,
-            "k_d c ((N·L + 1) / 2)²", "k_d c max(0, N·L)"},
+            "k_d c (N·L + 1) / 2", "k_d c max(0, N·L)", 3, "k_d c ((N·L + 1) / 2)²"},
     OwnName{Defect::AmbientInShadow, kHighlightInShadow, "spec-in-shadow", "the highlight is left in the shadow",
             StageId::Shading, "S k_d c N·L + k_s c (R·V)^n", "S (k_d c N·L + k_s c (R·V)^n)"},
     OwnName{Defect::Exponent, 2, "no-power", "the exponent is left out", StageId::Shading, "k_s c R·V", kPower},
     OwnName{Defect::Exponent, 3, "times-n", "times n instead of to the power n", StageId::Shading, "k_s c (R·V) n",
             kPower},
     OwnName{Defect::RFlip, 2, "r-parenthesis", "brackets in the mirror direction", StageId::Shading,
-            "R = 2 (N·L) (N − L)", "R = 2 (N·L) N − L"},
-    OwnName{Defect::RFlip, 3, "r-parenthesis", "brackets in the mirror direction", StageId::Shading,
-            "R = unit(2 (N·L) (N − L))", "R = 2 (N·L) N − L"},
+            "R = 2 (N·L) (N − L)", "R = 2 (N·L) N − L", 3, "R = unit(2 (N·L) (N − L))"},
     OwnName{Defect::EyeAtOrigin, 1, "v-reversed", "V from the eye to the surface", StageId::Shading,
             "V = (p − eye) / |p − eye|", kTowardsEye},
     OwnName{Defect::EyeAtOrigin, 2, "v-axis", "the viewing axis is taken for V", StageId::Shading, "V = −forward",
@@ -167,9 +165,7 @@ constexpr std::array kOwnNames{
     OwnName{Defect::NoBias, 1, "bias-sign", "shadow bias with the wrong sign", StageId::Shading, "z' > Z' − b",
             "z' > Z' + b"},
     OwnName{Defect::NormalMatrix, kUntouched, "normals-untouched", "normals of the object are used in the world",
-            StageId::Normals, "N of the file", "N' = (M⁻¹)ᵀ N"},
-    OwnName{Defect::NormalMatrix, kGivenUntouched, "normals-untouched", "normals of the object are used in the world",
-            StageId::Normals, "N of the file", "N' = (M⁻¹)ᵀ N"},
+            StageId::Normals, "N of the file", "N' = (M⁻¹)ᵀ N", kGivenUntouched},
     OwnName{Defect::NormalShort, kOneVertex, "one-normal", "one vertex's normal for the whole polygon",
             StageId::Shading, "N = N_0", kInterpolated},
     OwnName{Defect::NormalShort, kMeanNotUnit, "mean-not-unit", "normals of vertices are left as means",
@@ -188,18 +184,14 @@ constexpr std::array kOwnNames{
             "x_s = w/2 + d x_v / ρ", kFromMiddle},
     OwnName{Defect::HalfAngle, 2, "double-angle", "half of the field of view is taken for the whole",
             StageId::Transform, "d = h / (2 tan (fov / 4))", "d = h / (2 tan (fov / 2))"},
-    OwnName{Defect::HalfPixel, 4, "column", "one pixel to the right", StageId::Transform, "x_s = w/2 + d x_v / z_v + 1",
-            kFromMiddle},
-    OwnName{Defect::HalfPixel, 5, "column", "one pixel to the left", StageId::Transform, "x_s = w/2 + d x_v / z_v − 1",
-            kFromMiddle},
-    OwnName{Defect::HalfPixel, 6, "row", "one pixel down", StageId::Transform, "y_s = h/2 − d y_v / z_v + 1",
-            "y_s = h/2 − d y_v / z_v"},
-    OwnName{Defect::HalfPixel, 7, "row", "one pixel up", StageId::Transform, "y_s = h/2 − d y_v / z_v − 1",
-            "y_s = h/2 − d y_v / z_v"},
+    OwnName{Defect::HalfPixel, 4, "column", "the picture is moved by one column", StageId::Transform,
+            "x_s = w/2 + d x_v / z_v + 1", kFromMiddle, 5, "x_s = w/2 + d x_v / z_v − 1"},
+    OwnName{Defect::HalfPixel, 6, "row", "the picture is moved by one row", StageId::Transform,
+            "y_s = h/2 − d y_v / z_v + 1", "y_s = h/2 − d y_v / z_v", 7, "y_s = h/2 − d y_v / z_v − 1"},
 };
 const OwnName* ownNameOf(Defect defect, int way) {
-    const auto found =
-        std::ranges::find_if(kOwnNames, [&](const OwnName& one) { return one.defect == defect && one.way == way; });
+    const auto found = std::ranges::find_if(
+        kOwnNames, [&](const OwnName& one) { return one.defect == defect && (one.way == way || one.other == way); });
     return found == kOwnNames.end() ? nullptr : &*found;
 }
 
@@ -314,7 +306,8 @@ std::vector<KnownError> knownErrors(const Scene& scene) {
             if (row.id == Defect::NormalShort && way == 1) error.leaves = {BufferId::Normal};
             if (const OwnName* const own = ownNameOf(row.id, way)) {
                 error.id = own->id, error.name = own->name, error.stage = own->stage, error.way.clear();
-                error.wrong = own->wrong, error.right = own->right;
+                error.wrong = way == own->way || own->otherWrong.empty() ? own->wrong : own->otherWrong;
+                error.right = own->right;
             }
             error.plant = [id = row.id, way](Scene planted) { return plantToo(std::move(planted), id, way); };
             all.push_back(std::move(error));
