@@ -33,6 +33,16 @@ Vec3<Real> vectorOf(const OwnValue& value) {
     return {Real(value.at[0]), Real(value.at[1]), Real(value.at[2])};
 }
 
+// z_view and weights in space for weights in the picture.
+template <class Real>
+void interpolateWith(const RasterTriangle<Real>& t, Vec3<Real> l, bool perspective, Fragment<Real>& fragment) {
+    const Real w = l.x * t.w[0] + l.y * t.w[1] + l.z * t.w[2];
+    fragment.z = perspective ? 1 / w : w;
+    Vec3<Real> b(0);
+    for (std::size_t i = 0; i < 3; ++i) b += (perspective ? l[int(i)] * t.w[i] * fragment.z : l[int(i)]) * t.weights[i];
+    fragment.barycentric = b;
+}
+
 // Whether a polygon is a back face; isBack: as the stage has found.
 template <class Real>
 bool ownIsBack(const Own& own, const TransformOutput<Real>& in, std::size_t polygon, bool isBack);

@@ -12,16 +12,6 @@
 namespace pipeline {
 namespace {
 
-// z_view and weights in space for weights in the picture.
-template <class Real>
-void interpolateWith(const RasterTriangle<Real>& t, Vec3<Real> l, bool perspective, Fragment<Real>& fragment) {
-    const Real w = l.x * t.w[0] + l.y * t.w[1] + l.z * t.w[2];
-    fragment.z = perspective ? 1 / w : w;
-    Vec3<Real> b(0);
-    for (std::size_t i = 0; i < 3; ++i) b += (perspective ? l[int(i)] * t.w[i] * fragment.z : l[int(i)]) * t.weights[i];
-    fragment.barycentric = b;
-}
-
 // A depth that is none, or behind the eye, is as far away as one can be.
 template <class Real>
 Real usableDepth(Real z, bool perspective) {

@@ -16,12 +16,18 @@ constexpr std::string_view kMatrixWays[]{
     "the inverse, not transposed",  "the transpose, not inverted",    "of polygons too",
     "the inverse, of polygons too", "the transpose, of polygons too", "none: those of the object",
     "none, of given normals alone"};
-constexpr std::string_view kShortWays[]{"made unit after N·L", "that of one vertex", "vertex normals left as means",
-                                        "vertices weighted alike", "vertices sorted without their normals"};
+constexpr std::string_view kShortWays[]{"made unit after N·L",
+                                        "that of one vertex",
+                                        "vertex normals left as means",
+                                        "vertices weighted alike",
+                                        "vertices sorted without their normals",
+                                        "weights of two vertices exchanged"};
 constexpr std::string_view kYWays[]{"the viewing matrix transposed"};
 constexpr std::string_view kNoBiasWays[]{"with the wrong sign"};
 constexpr std::string_view kNoWriteWays[]{"painted without a test"};
-constexpr std::string_view kAffineZWays[]{"the mean of the vertices' depths"};
+constexpr std::string_view kAffineZWays[]{"the mean of the vertices' depths", "weights of two vertices exchanged",
+                                          "a depth of 0 to 1 divided by z again",
+                                          "a depth of −1 to 1 divided by z again"};
 constexpr std::string_view kBiasWays[]{"half as large", "twice as large"};
 constexpr std::string_view kAxisWays[]{"the light's direction"};
 constexpr std::string_view kNearWays[]{"a hundredth of what it may be", "a thousandth of what it may be"};

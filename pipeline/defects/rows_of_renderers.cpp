@@ -10,7 +10,7 @@ using B = BufferId;
 using D = Defect;
 
 constexpr std::string_view kEyeWays[]{"with z away from the viewer"};
-constexpr std::string_view kExponentWays[]{"n/4 for n", "left out", "a factor"};
+constexpr std::string_view kExponentWays[]{"n/4 for n", "left out", "a factor", "of a negative number: NaN, black"};
 constexpr std::string_view kHalfAngleWays[]{"divided by one distance", "half of it taken for the whole"};
 constexpr std::string_view kAspectWays[]{"left out"};
 constexpr std::string_view kHalfPixelWays[]{"half a pixel to the right and down",

@@ -17,6 +17,7 @@ constexpr std::string_view kMaxWays[]{"the absolute value, |N·L|", "half Lamber
 constexpr std::string_view kViewVectorWays[]{"V from the eye to the surface", "V along the viewing axis"};
 constexpr std::string_view kReflectWays[]{"the factor 2 forgotten", "2 (N·L) (N − L)", "2 (N·L) (N − L), made unit"};
 constexpr std::string_view kHalfwayWays[]{"the mean of L and V, not made unit"};
+constexpr std::string_view kIntegerWays[]{"x/2 and y/2: blocks of 2 × 2 pixels", "x/4 and y/4: blocks of 4 × 4 pixels"};
 constexpr std::string_view kGammaWays[]{"with 1.8", "with 2.4"};
 
 constexpr auto kDefectsOfShading = std::to_array<DefectRow>({
@@ -198,7 +199,8 @@ constexpr auto kDefectsOfShading = std::to_array<DefectRow>({
      .first = B::Color,
      .lesson = "highlight",
      .heading = "Down to the frame buffer",
-     .source = kOwnJudgement},
+     .source = kOwnJudgement,
+     .otherWays = kIntegerWays},
     {.id = D::Wrap,
      .name = "no clamp before the byte",
      .stage = S::Shading,

@@ -1,6 +1,8 @@
 // Defects within stages 1 and 5.
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "pipeline/core/numerics.h"
 #include "pipeline/defects/defect_ways.h"
@@ -40,6 +42,26 @@ bool isFinite(const glm::dmat3& m) {
     return true;
 }
 
+// The weights of the corners, those of the first two vertices exchanged. The last corner stands for a vertex that clipping
+// has cut off.
+template <class Real>
+Vec3<Real> exchanged(const RasterTriangle<Real>& triangle, Vec3<Real> l) {
+    const auto cornerOf = [&](int vertex) {
+        int corner = 0;
+        while (corner < 2 && triangle.weights[std::size_t(corner)][vertex] != 1) ++corner;
+        return corner;
+    };
+    std::swap(l[cornerOf(0)], l[cornerOf(1)]);
+    return l;
+}
+
+// A depth of 0 to 1, or −1 to 1, that is divided by z again, as who reads it takes it for z_view.
+double dividedTwice(const DepthCode& code, double z, bool ndc) {
+    const double n = code.near, f = code.far, depth = f / (f - n) * (1 - n / z);
+    const double again = std::clamp(ndc ? ((2 * depth - 1) / z + 1) / 2 : depth / z, 0.0, 1.0);
+    return f * n / (f - again * (f - n));
+}
+
 }  // namespace
 
 void spoilNormalMatrix(const Planted& planted, const View& view, const ObjectMatrix& matrix, glm::dmat3& normalMatrix) {
@@ -75,14 +97,22 @@ void spoilTest(const DepthCode& code, const RasterTriangle<Real>& triangle, cons
     };
     if (out.planted.defect == Defect::ZFlip) won = isNearer(true);
     if (out.planted.defect == Defect::ZNoWrite && out.planted.way > 0) won = true;  // painted without a test
-    if (out.planted.defect != Defect::ZAffine || !code.perspective) return;
-    // z_view itself, linear in the picture; or the mean of the vertices.
-    const Vec3<Real> l = out.planted.way > 0 ? Vec3<Real>(Real(1) / 3)
-                                             : Vec3<Real>(Real(e[0]), Real(e[1]), Real(e[2])) * triangle.inverseArea2;
-    fragment.z = l.x / triangle.w[0] + l.y / triangle.w[1] + l.z / triangle.w[2];
-    fragment.inverseZ = 1 / fragment.z;
-    const AtLeastDouble<Real> z(fragment.z);
-    depth = code.encode(z, 1 / z);
+    const std::uint8_t way = out.planted.way;
+    if (out.planted.defect != Defect::ZAffine || !(code.perspective || way == kExchangedDepths)) return;
+    const Vec3<Real> l = Vec3<Real>(Real(e[0]), Real(e[1]), Real(e[2])) * triangle.inverseArea2;
+    const Vec3<Real> z = Real(1) / Vec3<Real>(triangle.w[0], triangle.w[1], triangle.w[2]);
+    switch (way) {
+        case 0: fragment.z = glm::dot(l, z); break;  // z_view itself, linear in the picture
+        case kExchangedDepths: interpolateWith(triangle, exchanged(triangle, l), code.perspective, fragment); break;
+        case kDividedTwice:
+        case kNdcDividedTwice:  // Linear stores what is divided by nothing
+            if (!linear) fragment.z = Real(dividedTwice(code, double(fragment.z), way == kNdcDividedTwice));
+            break;
+        default: fragment.z = (z.x + z.y + z.z) / 3;
+    }
+    fragment.inverseZ = code.perspective ? 1 / fragment.z : Real(0);
+    const AtLeastDouble<Real> exact(fragment.z);
+    depth = code.encode(exact, 1 / exact);
     won = isNearer(false);
 }
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pipeline/defects/defect_ways.h"
 #include "pipeline/defects/hooks.h"
 #include "pipeline/defects/own_hooks.h"
 #include "pipeline/illumination/illumination.h"
@@ -117,6 +118,14 @@ void spoilTerms(const Illumination& illumination, const Light& light, const Mate
             if (planted.way > 0) s = again(at, s, PowerForm::Pow);
             break;
         case Defect::Exponent: {  // left out, or a factor
+            if (planted.way == kPowerOfNegative) {
+                // NaN, whose byte is 0. Buffers hold in its place what stays below 0 whatever is added.
+                const bool isLobe = modelFacts(illumination.model).lobe != Lobe::None;
+                const Real cosine = usesHalfway(illumination.model, material) ? s.nDotH : s.rDotV;
+                if (isLobe && !behind && cosine < 0 && material.specular != Vec3d(0))
+                    s.specular = Vec3<Real>(Real(-kMost));
+                break;
+            }
             Material linear = material;
             linear.exponent /= effectiveExponent(illumination.model, illumination.exponentFactor, material);
             s.specular = termsOf(illumination, light, linear, at, attenuated, PowerForm::Pow, s).specular;

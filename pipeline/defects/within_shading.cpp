@@ -6,6 +6,7 @@
 #include "pipeline/core/elementary.h"
 #include "pipeline/core/numerics.h"
 #include "pipeline/defects/defect_ways.h"
+#include "pipeline/defects/drawing_hooks.h"
 #include "pipeline/defects/hooks.h"
 #include "pipeline/defects/own_hooks.h"
 #include "pipeline/stages/shading.h"
@@ -53,6 +54,7 @@ Vec3<Real> wrongNormal(const ShadingInputs& inputs, const ShadingSources<Real>& 
         case kOneVertex: return normalOf(weights.vertices[0]);
         case kAlike: weights.weights.fill(1 / Real(weights.count)); break;
         case kSortedAlone: weights = sortedAlone(in.transform, weights); break;
+        case kExchanged: std::swap(weights.weights[0], weights.weights[1]); break;
         default: return interpolated(weights, normalOf);  // not made unit
     }
     return normalized(interpolated(weights, normalOf), inputs.illumination.detail.unit);
@@ -96,7 +98,9 @@ void spoilFrameBuffer(const Planted& planted, Vec3d intensity, double iMax, Colo
         const double share = iMax > 0 && std::isfinite(intensity[c]) ? intensity[c] / iMax : 0;
         const double within = std::clamp(share, 0.0, 1.0);
         switch (planted.defect) {
-            case Defect::Integer: value[c] = std::uint8_t(int(within) * 255); break;
+            case Defect::Integer:
+                if (planted.way == 0) value[c] = std::uint8_t(int(within) * 255);
+                break;
             case Defect::Wrap: {
                 const double byte = std::fmod(std::floor(share * 255 + 0.5), 256.0);
                 value[c] = std::uint8_t(byte < 0 ? byte + 256 : byte);
@@ -116,6 +120,19 @@ void spoilFrameBuffer(const Planted& planted, Vec3d intensity, double iMax, Colo
 }
 
 template <class Real>
+void spoilTile(const Planted& planted, Tile tile, ShadingOutput<Real>& out) {
+    if (planted.defect != Defect::Integer || planted.way == 0) return;
+    const int side = planted.way == kTwoByTwo ? 2 : 4;  // divides that of a tile
+    auto& intensity = out.vectors[index(BufferId::Intensity)][0].pixels;
+    for (int y = tile.min.y; y < tile.max.y; ++y) {
+        for (int x = tile.min.x; x < tile.max.x; ++x) {
+            const std::size_t at = out.color.offset({x, y}), first = out.color.offset(glm::ivec2(x, y) / side * side);
+            intensity[at] = intensity[first], out.color.pixels[at] = out.color.pixels[first];
+        }
+    }
+}
+
+template <class Real>
 void spoilLayers(const Planted& planted, std::vector<Layer<Real>>& layers) {
     if (planted.defect != Defect::Unsorted) return;
     // One number for pixel and triangle: a picture has fewer than 2^16 columns and rows.
@@ -130,6 +147,7 @@ void spoilLayers(const Planted& planted, std::vector<Layer<Real>>& layers) {
     template void spoilPixel(const ShadingInputs&, const ShadingSources<Real>&, const VertexWeights<Real>&, \
                              Surface<Real>&);                                                               \
     template void spoilAmbient(const Planted&, std::size_t, Real, Vec3<Real>, Vec3<Real>&, Vec3<Real>&);    \
+    template void spoilTile(const Planted&, Tile, ShadingOutput<Real>&);                                    \
     template void spoilLayers(const Planted&, std::vector<Layer<Real>>&);
 SHADESCOPE_FOR_EVERY_REAL(SHADESCOPE_INSTANTIATE)
 #undef SHADESCOPE_INSTANTIATE

@@ -1,4 +1,5 @@
 // The per-pixel half of stage 6.
+#include "pipeline/defects/drawing_hooks.h"
 #include "pipeline/stages/pixel_writer.h"
 #include "pipeline/stages/shading_terms.h"
 
@@ -155,6 +156,7 @@ ShadingCounts shadePixels(const ShadingInputs& inputs, const ShadingSources<Real
             out.color.pixels[at] = frameBufferValue(Vec3d(intensity), out.iMax, inputs.planted);
         }
     }
+    if (inputs.planted) spoilTile(inputs.planted, tile, out);
     return counts;
 }
 

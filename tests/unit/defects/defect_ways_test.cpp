@@ -102,27 +102,29 @@ TEST(DefectWays, VerticesThatCountAlikeGiveATriangleOneNormal) {
     EXPECT_GT(ofTriangle.size(), 5u);
 }
 
-// In a triangle whose vertices the mesh has from the top to the bottom of the picture nothing changes; in the same
-// triangle with two of them exchanged the normal of one is at the place of the other.
-TEST(DefectWays, VerticesAreSortedWithoutTheirNormals) {
+// A triangle whose vertices have the normals z, −x and −y, in this order in the mesh.
+Scene oneTriangle(std::vector<std::uint32_t> order) {
     Scene scene = smoothBox();
     scene.objects.resize(1);
     scene.settings.cull = CullMode::None, scene.settings.normalWeight = NormalWeight::Given;
-    const auto triangle = [&](std::vector<std::uint32_t> order) {
-        Mesh mesh;
-        for (const Vec3d& p : {Vec3d(0, 0, 2), Vec3d(-1, 0, 1), Vec3d(1, 0, 0)}) mesh.positions.push_back(p);
-        for (const Vec3d& n : {Vec3d(0, 0, 1), Vec3d(-1, 0, 0), Vec3d(0, -1, 0)}) mesh.normals.push_back(n);
-        mesh.addPolygon(order);
-        scene.objects[0].mesh = makeMesh(std::move(mesh));
-        return scene;
-    };
+    Mesh mesh;
+    for (const Vec3d& p : {Vec3d(0, 0, 2), Vec3d(-1, 0, 1), Vec3d(1, 0, 0)}) mesh.positions.push_back(p);
+    for (const Vec3d& n : {Vec3d(0, 0, 1), Vec3d(-1, 0, 0), Vec3d(0, -1, 0)}) mesh.normals.push_back(n);
+    mesh.addPolygon(order);
+    scene.objects[0].mesh = makeMesh(std::move(mesh));
+    return scene;
+}
+const auto& normalsOf(const FramePtr& frame) {
+    return dataOf(frame).shading->vectors[index(BufferId::Normal)][0].pixels;
+}
+
+// If the mesh has the vertices from the top to the bottom of the picture nothing changes; if two of them are exchanged
+// the normal of one is at the place of the other.
+TEST(DefectWays, VerticesAreSortedWithoutTheirNormals) {
     const auto wrong = [](const Scene& of) { return frameOf(plant(of, Defect::NormalShort, kSortedAlone)); };
-    const auto normalsOf = [](const FramePtr& frame) {
-        return dataOf(frame).shading->vectors[index(BufferId::Normal)][0].pixels;
-    };
-    const auto right = normalsOf(frameOf(triangle({0, 1, 2})));
-    const auto sorted = normalsOf(wrong(triangle({0, 1, 2})));
-    const auto exchanged = normalsOf(wrong(triangle({0, 2, 1})));
+    const FramePtr rightFrame = frameOf(oneTriangle({0, 1, 2})), sortedFrame = wrong(oneTriangle({0, 1, 2})),
+                   exchangedFrame = wrong(oneTriangle({0, 2, 1}));
+    const auto &right = normalsOf(rightFrame), &sorted = normalsOf(sortedFrame), &exchanged = normalsOf(exchangedFrame);
     // The lowest vertex has normal 1 then, and the middle one normal 2: as if these had been exchanged.
     double differs = 0;
     for (std::size_t i = 0; i < right.size(); ++i) {
@@ -133,6 +135,113 @@ TEST(DefectWays, VerticesAreSortedWithoutTheirNormals) {
         EXPECT_NEAR(exchanged[i].y, right[i].x, 1e-12);
     }
     EXPECT_GT(differs, 0.5);
+}
+
+// N = λ_0 z − λ_1 x − λ_2 y, made unit: what was the share of z is now that of −x.
+TEST(DefectWays, WeightsOfTwoVerticesAreExchanged) {
+    const FramePtr rightFrame = frameOf(oneTriangle({0, 1, 2})),
+                   wrongFrame = frameOf(plant(oneTriangle({0, 1, 2}), Defect::NormalShort, kExchanged));
+    const auto &right = normalsOf(rightFrame), &wrong = normalsOf(wrongFrame);
+    double differs = 0;
+    for (std::size_t i = 0; i < right.size(); ++i) {
+        EXPECT_NEAR(glm::length(wrong[i] - Vec3d(-right[i].z, right[i].y, -right[i].x)), 0, 1e-12);
+        differs = std::max(differs, glm::length(wrong[i] - right[i]));
+    }
+    EXPECT_GT(differs, 0.5);
+}
+
+// From 1/z = Σ λ_i / z_i and b_i = λ_i z / z_i: the weights in the picture are λ_i = b_i z_i / z.
+TEST(DefectWays, WeightsOfTwoVerticesAreExchangedForDepthsToo) {
+    Scene scene = oneTriangle({0, 1, 2});
+    scene.objects[0].transform.rotation = {60, 0, 0};  // at three depths
+    const FramePtr right = frameOf(scene), wrong = frameOf(plant(scene, Defect::ZAffine, kExchangedDepths));
+    const auto& in = *dataOf(right).transform;
+    const Vec3d z(in.viewSpace(0).z, in.viewSpace(1).z, in.viewSpace(2).z);
+    double differs = 0;
+    for (std::size_t i = 0; i < normalsOf(right).size(); ++i) {
+        if (dataOf(right).zBuffer->triangle->pixels[i] == kNoTriangle) continue;
+        const double there = dataOf(right).zBuffer->zView->pixels[i];
+        const Vec3d lambda = dataOf(right).zBuffer->barycentric.pixels[i] * z / there;
+        const double expected = 1 / (lambda[1] / z[0] + lambda[0] / z[1] + lambda[2] / z[2]);
+        EXPECT_NEAR(dataOf(wrong).zBuffer->zView->pixels[i], expected, 1e-12 * expected);
+        Vec3d normal(0);
+        for (const auto& [from, to] : {std::pair{1, 0}, {0, 1}, {2, 2}})
+            normal += lambda[from] / z[to] * in.normalMatrix[0] * scene.objects[0].mesh->normals[std::size_t(to)];
+        EXPECT_NEAR(glm::length(normalsOf(wrong)[i] - glm::normalize(normal)), 0, 1e-12);
+        differs = std::max(differs, std::abs(expected - there));
+    }
+    EXPECT_GT(differs, 0.5);
+}
+
+// Of depth = (f / (f − n)) (1 − n / z) in 0 to 1, and 2 depth − 1 in −1 to 1: the file holds a z-th of it, and what has
+// the least there is seen. That falls with z from 2 n on, or 4 n: far surfaces win.
+TEST(DefectWays, TheDepthIsDividedTwice) {
+    Scene scene = smoothBox();
+    scene.camera.near = 2, scene.camera.far = 30;
+    EXPECT_EQ(difference(frameOf(plant(scene, Defect::ZAffine, kDividedTwice)), frameOf(scene)), "") << "of z_view";
+    scene.settings.depthFormat = DepthFormat::Float;
+    const FramePtr right = frameOf(scene);
+    const auto& in = *dataOf(right).transform;
+    for (const bool ndc : {false, true}) {
+        const auto stored = [&](double z) { return (ndc ? -1 : 0) + (ndc ? 2 : 1) * 30.0 / 28 * (1 - 2 / z); };
+        const FramePtr wrong = frameOf(plant(scene, Defect::ZAffine, ndc ? kNdcDividedTwice : kDividedTwice));
+        const auto& seen = *dataOf(wrong).zBuffer;
+        std::size_t farther = 0;
+        for (std::size_t i = 0; i < seen.triangle->pixels.size(); ++i) {
+            if (seen.triangle->pixels[i] == kNoTriangle) continue;
+            double z = 0;
+            for (int k = 0; k < 3; ++k)
+                z += seen.barycentric.pixels[i][k] *
+                     in.viewSpace(in.topology->triangles[seen.triangle->pixels[i]].vertices[std::size_t(k)]).z;
+            EXPECT_NEAR(stored(seen.zView->pixels[i]), stored(z) / z, 1e-12);
+            const double nearest = dataOf(right).zBuffer->zView->pixels[i];
+            EXPECT_LE(stored(z) / z, stored(nearest) / nearest + 1e-7);  // 0 to 1 in float
+            farther += z > nearest + 0.1;
+        }
+        EXPECT_GT(farther, 100u) << ndc;
+    }
+}
+
+// Light from behind the eye, low over the ground: R·V is below 0 there, and above 0 on the sides of the box.
+TEST(DefectWays, ThePowerOfANegativeNumberIsBlack) {
+    Scene scene = smoothBox();
+    scene.lights[0].position = {1, -6, 1.5};
+    for (const Highlight highlight : {Highlight::Phong, Highlight::BlinnPhong}) {
+        for (Object& object : scene.objects) object.material.highlight = highlight;
+        const FramePtr right = frameOf(scene), wrong = frameOf(plant(scene, Defect::Exponent, kPowerOfNegative));
+        const auto at = [&](BufferId id, std::size_t i) {
+            return dataOf(right).shading->scalars[index(id)][0].pixels[i];
+        };
+        std::size_t black = 0, others = 0;
+        for (std::size_t i = 0; i < dataOf(right).shading->color.pixels.size(); ++i) {
+            const double cosine = at(highlight == Highlight::Phong ? BufferId::RDotV : BufferId::NDotH, i);
+            const bool isBlack = at(BufferId::NDotL, i) > 0 && cosine < 0 && at(BufferId::Shadow, i) > 0;
+            const Color8 color = dataOf(right).shading->color.pixels[i];
+            EXPECT_EQ(dataOf(wrong).shading->color.pixels[i], isBlack ? Color8(0) : color);
+            black += isBlack && color != Color8(0), others += !isBlack && color != Color8(0);
+        }
+        EXPECT_EQ(black > 100, highlight == Highlight::Phong) << black;
+        EXPECT_GT(others, 100u);
+    }
+}
+
+TEST(DefectWays, ABlockOfPixelsHasTheColourOfItsFirst) {
+    Scene scene = smoothBox();
+    scene.settings.width = 131, scene.settings.height = 71;
+    const FramePtr rightFrame = frameOf(scene);
+    const Buffer2D<Color8>& right = dataOf(rightFrame).shading->color;
+    for (const int side : {2, 4}) {
+        const FramePtr wrong = frameOf(plant(scene, Defect::Integer, side == 2 ? kTwoByTwo : kFourByFour));
+        std::size_t differing = 0;
+        for (int y = 0; y < 71; ++y)
+            for (int x = 0; x < 131; ++x) {
+                const Color8 first = right.at({x - x % side, y - y % side});
+                EXPECT_EQ(dataOf(wrong).shading->color.at({x, y}), first) << x << ", " << y;
+                differing += first != right.at({x, y});
+            }
+        EXPECT_GT(differing, 100u);
+        EXPECT_EQ(difference(wrong, rightFrame, StageId::ZBuffer), "");
+    }
 }
 
 TEST(DefectWays, TheHighlightIsLeftInTheShadow) {

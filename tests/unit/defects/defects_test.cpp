@@ -144,8 +144,10 @@ TEST(Defects, OneStageAloneDoesNotDoWhatItShould) {
 
 TEST(Defects, EachOtherWayOfMakingOneIsAnotherPicture) {
     for (const DefectRow& row : defectTable()) {
-        const std::optional<Scene> scene = sceneOf(row);
+        std::optional<Scene> scene = sceneOf(row);
         if (!scene || row.wayCount() == 1) continue;
+        if (row.id == Defect::ZAffine)
+            scene->settings.depthFormat = DepthFormat::Float;  // z_view is divided by nothing
         for (int way = 1; way < row.wayCount(); ++way) {
             const FramePtr other = frameOf(small(plant(*scene, row.id, way)));
             EXPECT_NE(test::firstDifference(*other, *frameOf(small(*scene))), "") << row.idText() << " " << way;
