@@ -143,7 +143,8 @@ struct OwnName {
     std::string_view otherWrong{};  // its line; empty: the same
 };
 constexpr std::string_view kPower = "k_s c (R·V)^n", kInterpolated = "N = Σ λ_i N_i, made unit",
-                           kTowardsEye = "V = (eye − p) / |eye − p|", kFromMiddle = "x_s = w/2 + d x_v / z_v";
+                           kTowardsEye = "V = (eye − p) / |eye − p|", kFromMiddle = "x_s = w/2 + d x_v / z_v",
+                           kDepth = "1 / z = Σ λ_i / z_i", kWeights = "the weights of two vertices are exchanged";
 constexpr std::array kOwnNames{
     OwnName{Defect::TrsOrder, kTheOtherWay, "rotation-sign", "objects turn the other way", StageId::Transform,
             "R(−angle)", "R(angle)"},
@@ -156,6 +157,12 @@ constexpr std::array kOwnNames{
     OwnName{Defect::Exponent, 2, "no-power", "the exponent is left out", StageId::Shading, "k_s c R·V", kPower},
     OwnName{Defect::Exponent, 3, "times-n", "times n instead of to the power n", StageId::Shading, "k_s c (R·V) n",
             kPower},
+    OwnName{Defect::Exponent, kPowerOfNegative, "power-of-negative",
+            "the power of a negative number is NaN: black pixels", StageId::Shading, "k_s c (R·V)^n also where R·V < 0",
+            "k_s c max(0, R·V)^n"},
+    OwnName{Defect::Integer, kTwoByTwo, "blocks-of-four", "the colour is computed once for a block of pixels",
+            StageId::Shading, "FB(x, y) = colour at 2 int(x/2), 2 int(y/2)", "FB(x, y) = colour at x, y", kFourByFour,
+            "FB(x, y) = colour at 4 int(x/4), 4 int(y/4)"},
     OwnName{Defect::RFlip, 2, "r-parenthesis", "brackets in the mirror direction", StageId::Shading,
             "R = 2 (N·L) (N − L)", "R = 2 (N·L) N − L", 3, "R = unit(2 (N·L) (N − L))"},
     OwnName{Defect::EyeAtOrigin, 1, "v-reversed", "V from the eye to the surface", StageId::Shading,
@@ -174,8 +181,14 @@ constexpr std::array kOwnNames{
             StageId::Shading, "N = (N_0 + N_1 + N_2) / 3, made unit", kInterpolated},
     OwnName{Defect::NormalShort, kSortedAlone, "data-unsorted", "vertices are sorted by y without their normals",
             StageId::Shading, "N of the vertex that stood there before", kInterpolated},
+    OwnName{Defect::NormalShort, kExchanged, "weights-swapped", kWeights, StageId::Shading,
+            "N = λ_1 N_0 + λ_0 N_1 + λ_2 N_2, made unit", kInterpolated},
     OwnName{Defect::ZAffine, 1, "one-depth", "one depth for a triangle", StageId::ZBuffer, "z = (z_0 + z_1 + z_2) / 3",
-            "1 / z = Σ λ_i / z_i"},
+            kDepth},
+    OwnName{Defect::ZAffine, kExchangedDepths, "weights-swapped", kWeights, StageId::ZBuffer,
+            "1 / z = λ_1 / z_0 + λ_0 / z_1 + λ_2 / z_2", kDepth},
+    OwnName{Defect::ZAffine, kDividedTwice, "divided-twice", "the depth is divided by z twice", StageId::ZBuffer,
+            "depth = z_clip / w²", "depth = z_clip / w", kNdcDividedTwice},
     OwnName{Defect::ZNoWrite, 1, "no-test", "painted without a depth test", StageId::ZBuffer, "FB(x, y) = colour",
             "if z < zbuffer(x, y): FB(x, y) = colour"},
     OwnName{Defect::YDown, 1, "view-transposed", "the viewing matrix is transposed", StageId::Transform, "p_v = Rᵀ p",
@@ -321,6 +334,7 @@ std::vector<KnownError> knownErrors(const Scene& scene) {
     // What changes nothing, or cannot be drawn, explains nothing.
     std::erase_if(all, [&](const KnownError& error) {
         if (error.id == "mean-not-unit" && scene.settings.normalWeight != NormalWeight::Mean) return true;
+        if (error.id == "divided-twice" && scene.settings.depthFormat == DepthFormat::Linear) return true;
         const Scene planted = error.plant(scene);
         return planted == scene || !checkScene(planted).empty();
     });

@@ -10,6 +10,7 @@
 #include "pipeline/compare/known_errors.h"
 #include "pipeline/compare/verdict.h"
 #include "pipeline/defects/defect_table.h"
+#include "pipeline/defects/defect_ways.h"
 #include "pipeline/formats/scene_reader.h"
 #include "pipeline/run/runner.h"
 #include "pipeline/scene/settings_table.h"
@@ -63,6 +64,17 @@ foreign::HandedFile file(const Frame& frame, const BufferName& name, const Conve
     return out;
 }
 
+foreign::HandedIn handedIn(const Scene& planted, const std::vector<BufferId>& handed, const Convention& by) {
+    FrameRequest request;
+    for (const BufferId id : handed) request.wanted.set(index(id));
+    const FramePtr frame = runFrame(std::make_shared<const Scene>(planted), request, nullptr);
+    foreign::HandedIn in;
+    for (const BufferId id : handed) in.files.push_back(file(*frame, {id}, by));
+    return in;
+}
+
+const std::vector<BufferId> kPicture{BufferId::ZView, BufferId::Color};
+
 struct Outcome {
     std::size_t agreeing = 0, named = 0, amongCandidates = 0, none = 0, wrong = 0;
     std::string wrongly;
@@ -80,12 +92,8 @@ Outcome outcomeOf(const std::vector<BufferId>& handed) {
         const std::size_t i = samples[sample];
         const DefectRow& row = defectTable()[i % defects];
         const Convention& by = kConventions[i / defects];
-        FrameRequest request;
-        for (const BufferId id : handed) request.wanted.set(index(id));
-        const FramePtr wrong = runFrame(std::make_shared<const Scene>(plant(scene, row.id)), request, nullptr);
-        foreign::HandedIn in;
-        for (const BufferId id : handed) in.files.push_back(file(*wrong, {id}, by));
-        const auto report = compareRenderer(scene, reference, std::move(in), "mine", options);
+        const auto report =
+            compareRenderer(scene, reference, handedIn(plant(scene, row.id), handed, by), "mine", options);
         EXPECT_TRUE(report) << row.idText();
         if (report->agrees()) {
             ++out.agreeing;
@@ -127,13 +135,7 @@ TEST(CompareConfusion, twoAtOnceAreBothNamed) {
     const Scene scene = checkMe();
     const auto reference = std::make_shared<const foreign::Reference>(*foreign::makeReference(scene, {}, {}));
     for (const Two& two : all) {
-        FrameRequest request;
-        for (const BufferId id : {BufferId::ZView, BufferId::Color}) request.wanted.set(index(id));
         const Scene planted = plantToo(plant(scene, two.first, two.way), two.second);
-        const FramePtr wrong = runFrame(std::make_shared<const Scene>(planted), request, nullptr);
-        foreign::HandedIn in;
-        for (const BufferId id : {BufferId::ZView, BufferId::Color})
-            in.files.push_back(file(*wrong, {id}, kConventions[0]));
         // Every known error is tried, and each is told of once.
         foreign::CompareOptions options;
         std::size_t told = 0;
@@ -141,7 +143,8 @@ TEST(CompareConfusion, twoAtOnceAreBothNamed) {
             EXPECT_EQ(done, told++);
             EXPECT_EQ(count, foreign::knownErrors(scene).size());
         };
-        const auto report = compareRenderer(scene, reference, std::move(in), "mine", options);
+        const auto report =
+            compareRenderer(scene, reference, handedIn(planted, kPicture, kConventions[0]), "mine", options);
         ASSERT_TRUE(report && report->suspects) << two.ids[0];
         EXPECT_EQ(told, foreign::knownErrors(scene).size());
         EXPECT_EQ(report->suspects->tried, told);
@@ -151,6 +154,34 @@ TEST(CompareConfusion, twoAtOnceAreBothNamed) {
         EXPECT_TRUE(report->suspects->areTogether) << two.ids[0];
         EXPECT_EQ(report->possiblyWrong.size(), 1u) << two.ids[0];
         EXPECT_EQ(report->firstWrong, report->suspects->candidates.front().error.stage) << two.ids[0];
+    }
+}
+
+// Ways of a defect that have names of their own, by picture and depth; in a short run every other one.
+TEST(CompareConfusion, waysWithNamesOfTheirOwnAreNamed) {
+    struct Named {
+        Defect defect;
+        int way;
+        std::string id;
+    };
+    const std::vector<Named> all{{Defect::NormalShort, kExchanged, "weights-swapped"},
+                                 {Defect::ZAffine, kExchangedDepths, "weights-swapped"},
+                                 {Defect::ZAffine, kDividedTwice, "divided-twice"},
+                                 {Defect::ZAffine, kNdcDividedTwice, "divided-twice"},
+                                 {Defect::Exponent, kPowerOfNegative, "power-of-negative"},
+                                 {Defect::Integer, kTwoByTwo, "blocks-of-four"},
+                                 {Defect::Integer, kFourByFour, "blocks-of-four"}};
+    for (std::size_t i = 0; i < all.size(); i += test::longRun() ? 1 : 2) {
+        const Named& one = all[i];
+        Scene scene = checkMe();
+        if (one.id == "divided-twice") scene.settings.depthFormat = DepthFormat::Float;
+        const auto reference = std::make_shared<const foreign::Reference>(*foreign::makeReference(scene, {}, {}));
+        auto in = handedIn(plant(scene, one.defect, one.way), kPicture, kConventions[2]);
+        const auto report = compareRenderer(scene, reference, std::move(in), "mine", {});
+        ASSERT_TRUE(report && report->suspects) << one.id;
+        ASSERT_EQ(report->suspects->candidates.size(), 1u) << one.id << one.way << ": " << headline(*report);
+        EXPECT_EQ(report->suspects->candidates[0].error.id, one.id) << headline(*report);
+        EXPECT_EQ(report->firstWrong, report->suspects->candidates[0].error.stage) << one.id << one.way;
     }
 }
 
@@ -182,15 +213,10 @@ TEST(CompareConfusion, depthsTellTheFirstStageOrLeaveItOpen) {
         for (int way = 0; way < row.wayCount(); ++way) {
             if (row.stage != StageId::Transform && row.stage != StageId::Cull && row.stage != StageId::ZBuffer)
                 continue;
-            FrameRequest request;
-            for (const BufferId id : {BufferId::ZView, BufferId::Color}) request.wanted.set(index(id));
             const Scene planted = plantToo(scene, row.id, way);
             if (planted == scene || !checkScene(planted).empty()) continue;
-            const FramePtr frame = runFrame(std::make_shared<const Scene>(planted), request, nullptr);
-            foreign::HandedIn in;
-            for (const BufferId id : {BufferId::ZView, BufferId::Color})
-                in.files.push_back(file(*frame, {id}, kConventions[0]));
-            const auto report = compareRenderer(scene, reference, std::move(in), "mine", options);
+            const auto report =
+                compareRenderer(scene, reference, handedIn(planted, kPicture, kConventions[0]), "mine", options);
             ASSERT_TRUE(report) << row.idText();
             const bool differs = std::ranges::any_of(report->findings, [](const foreign::Finding& f) {
                 return f.name.buffer.id == BufferId::ZView && !f.agrees;

@@ -28,7 +28,7 @@ const ERRORS = {
   'h-not-unit': ['h-raw', 'shading', 'color'],
   'times-shininess': ['times-n', 'shading', 'color'],             // n times N.H
   'view-axis': ['v-axis', 'shading', 'color'],                    // V is minus the viewing axis
-  'blocky': ['-', 'shading', 'color'],                            // one pixel in four by four is shaded
+  'blocky': ['blocks-of-four', 'shading', 'color'],               // one pixel in four by four is shaded
 };
 
 const o = { size: '320x240', near: 4, error: '', rows: 'top-down' };
