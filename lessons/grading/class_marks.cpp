@@ -175,16 +175,18 @@ HandInFiles readHandIn(const Course& course, const std::filesystem::path& folder
 
 TaskMarks::Mark markOf(const foreign::Report& report, const Course::Check& check) {
     TaskMarks::Mark mark{check.name, "no file", 0, check.points};
-    std::size_t files = 0, right = 0, agree = 0;
+    std::size_t files = 0, right = 0, agree = 0, explained = 0;
+    const std::vector<std::size_t> named = report.suspects ? report.suspects->files : std::vector<std::size_t>();
     for (std::size_t i = 0; i < report.findings.size(); ++i) {
         const foreign::Finding& finding = report.findings[i];
         if (check.stage ? finding.stage != *check.stage : finding.name.buffer != check.buffer.buffer) continue;
         ++files, agree += finding.agrees;
         const auto& own = report.own[i];
         right += finding.agrees || (check.stage && own && own->finding.agrees);
+        explained += finding.agrees || std::ranges::find(named, i) != named.end();
     }
     if (files == 0) return mark;
-    const bool isExplained = report.suspects && !report.suspects->candidates.empty();
+    const bool isExplained = explained == files;
     mark.points = right == files ? check.points : isExplained ? check.points / 2 : 0;
     mark.words = agree == files   ? "agrees"
                  : right == files ? "right with what it got"

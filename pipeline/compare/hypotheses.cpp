@@ -144,6 +144,7 @@ public:
             else if (!out.next)
                 out.next = std::move(one);
         }
+        if (!out.candidates.empty()) out.files = files;
         if (out.candidates.size() > 1) out.experiment = experimentBetween(out.candidates, m_scene, m_reference, stop);
         return out;
     }
@@ -178,7 +179,7 @@ public:
             out.candidates.back().left = least, out.candidates.back().explained = 1 - least / out.right;
         }
         std::ranges::stable_sort(out.candidates, {}, [](const Candidate& one) { return one.error.stage; });
-        out.areTogether = true;
+        out.areTogether = true, out.files = files;
         return out;
     }
 
@@ -301,23 +302,27 @@ void askTheShadow(const Trial& trial, const Reference& reference, const Conventi
                 one.explained = found.explained, one.left = (1 - found.explained) * out.right;
                 out.candidates.push_back(std::move(one));
             }
-        if (!out.candidates.empty()) out.kind = found.kind, out.next.reset();
+        if (!out.candidates.empty()) out.kind = found.kind, out.next.reset(), out.files = {i};
     }
 }
 
 // What explains the first wrong file and leaves those before as they are; or the picture alone, as files may be written
 // before the error is made, or after.
 Suspects judgeInParts(Trial& trial, const std::vector<Finding>& findings, const FirstWrong& first, const Stop& stop) {
-    for (const std::vector<std::size_t>& files : focusOn(findings, *first.stage, first.wrongHere)) {
-        Suspects focused = trial.judge(files, stop);
-        if (!focused.candidates.empty() || focused.stopped) return focused;
-    }
+    if (first.certain)
+        for (const std::vector<std::size_t>& files : focusOn(findings, *first.certain, first.wrongHere)) {
+            Suspects focused = trial.judge(files, stop);
+            if (!focused.candidates.empty() || focused.stopped) return focused;
+        }
     for (std::size_t i = 0; i < findings.size(); ++i) {
         if (findings[i].name.buffer.id != BufferId::Color || findings[i].agrees) continue;
         Suspects focused = trial.judge({i}, stop);
         if (focused.stopped) return focused;
-        std::erase_if(focused.candidates, [&](const Candidate& c) { return c.error.stage != first.stage; });
-        if (focused.candidates.size() == 1) return focused.experiment.reset(), focused;
+        std::erase_if(focused.candidates, [&](const Candidate& c) {
+            return std::ranges::find(first.possible, c.error.stage) == first.possible.end();
+        });
+        if (focused.candidates.size() != 1) continue;
+        return focused.experiment.reset(), focused;
     }
     return {};
 }
@@ -369,7 +374,7 @@ Suspects findSuspects(const Scene& scene, std::vector<KnownError> errors, const 
     askTheShadow(trial, reference, conventions, findings, out);
     if (isDecided(out)) return out;
     Suspects inParts;
-    if (first.stage) inParts = judgeInParts(trial, findings, first, stop);
+    if (!first.possible.empty()) inParts = judgeInParts(trial, findings, first, stop);
     if (inParts.stopped) return inParts;
     Suspects two = trial.judgeTwo(all, inParts.candidates, stop);
     if (isDecided(two)) return two;

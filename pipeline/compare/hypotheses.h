@@ -23,6 +23,7 @@ struct Experiment {
 struct Suspects {
     double right = 0;                   // elements that are wrong with the right frame
     std::vector<Candidate> candidates;  // the best first: one, or all that are as good
+    std::vector<std::size_t> files;     // what they explain, as indices of findings
     std::optional<Candidate> next;      // the best of the others
     std::optional<Experiment> experiment;
     std::string kind;          // what the candidates have in common, where the shadow alone tells: "no light arrives"
@@ -34,9 +35,10 @@ struct Suspects {
 // Told of every frame: how many of how many.
 using HypothesisProgress = std::function<void(std::size_t done, std::size_t all)>;
 
-// What the stages' own comparison has told: nothing where it is not certain.
+// What the files have told before any error is tried.
 struct FirstWrong {
-    std::optional<StageId> stage;
+    std::vector<StageId> possible;       // the first wrong stage is one of these; none: it may be any
+    std::optional<StageId> certain;      // the stages' own comparison says so
     std::vector<std::size_t> wrongHere;  // findings that are wrong given what they got, or differ in that stage
 };
 
@@ -47,7 +49,7 @@ std::optional<Experiment> experimentBetween(const std::vector<Candidate>& candid
 // Which known errors explain the files. Each is tried under every reading of the folder that is possible, and counted as
 // the verdict counts: where right renderers may differ nothing is held against it. Large pictures are ranked in a smaller
 // one, and the best are confirmed in their own size. Where none explains all of the files, what explains the first wrong
-// file and leaves those before as they are is taken.
+// file and leaves those before as they are is taken, or what explains the picture alone and is of a stage that may be wrong.
 //
 // If none explains them, two errors at once are tried: the best ones with every other.
 Suspects findSuspects(const Scene& scene, std::vector<KnownError> errors, const Reference& reference,

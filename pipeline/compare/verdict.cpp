@@ -159,10 +159,11 @@ void judgeAll(Report& report) {
 
 FirstWrong firstWrongOf(const Report& report) {
     FirstWrong out;
+    out.possible = report.possiblyWrong;
     for (std::size_t i = 0; i < report.findings.size(); ++i) {
         const bool here = report.standings[i] == Standing::WrongHere;
-        if (here && !out.stage) out.stage = report.findings[i].stage;
-        const bool also = out.stage == report.findings[i].stage && *out.stage != StageId::Shading;
+        if (here && !out.certain) out.certain = report.findings[i].stage;
+        const bool also = out.certain == report.findings[i].stage && *out.certain != StageId::Shading;
         if (here || (also && !report.findings[i].agrees)) out.wrongHere.push_back(i);
     }
     return out;

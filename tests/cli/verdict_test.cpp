@@ -188,6 +188,24 @@ TEST(Verdict, aTableIsNotAccusedWhereTheRightPolygonsAreSeen) {
     EXPECT_EQ(alone["first_wrong"]["certain"], false);
 }
 
+// Depths that no error explains, of the stages before shading: the picture alone has a name, and says that it is alone.
+TEST(Verdict, thePictureHasANameWhereTheDepthHasNone) {
+    const Right spoilt({"--set", "defect=half-angle"});
+    test::Npy depth = spoilt.all("z_view");
+    for (std::size_t i = 0; i < depth.values.size(); ++i) depth.values[i] *= i / 8 % 2 ? 1.01 : 1.02;
+    const Right mine;
+    mine.give("color", spoilt.all("color"));
+    mine.give("z_view", depth);
+    const Json report = verdictOf(mine.folder());
+    EXPECT_EQ(named(report), Ids{"half-angle"}) << report["headline"];
+    EXPECT_EQ(report["likely"], "Your color is that of a renderer with this error.");
+    EXPECT_EQ(report["first_wrong"]["stage"], "transform");
+    EXPECT_EQ(report["first_wrong"]["certain"], false);
+    // Of depths that agree it is none: who shades the right polygons has not mistaken the angle.
+    mine.give("z_view", mine.all("z_view"));
+    EXPECT_TRUE(named(verdictOf(mine.folder())).empty());
+}
+
 // A wrong picture is nearest to something; what goes into mine.toml counts for all files.
 TEST(Verdict, aWrongFileAloneGivesNoAdviceForTheFolder) {
     const Right right;

@@ -4,10 +4,11 @@
     classroom.py --program SHADESCOPE --renderer C++_RENDERER [--all]
 
 Sixty folders of 96 x 60 (300 with --all, or SHADESCOPE_LONG=1): errors in conventions, right ones, and broken ones. The points of
-ten are computed by hand below. The hand-ins keep their bytes. Killed again and again and started again, and shared out in two
+eleven are computed by hand below. The hand-ins keep their bytes. Killed again and again and started again, and shared out in two
 parts, a class gives the bytes of one run.
 """
 import argparse
+import array
 import csv
 import hashlib
 import json
@@ -34,12 +35,13 @@ points = {color = 4, "z-buffer" = 2}
 CONVENTIONS = [[], ["--rows", "bottom-up"], ["--channels", "bgr"], ["--depth", "window"], ["--depth", "ndc", "--rows", "bottom-up"],
                ["--encoding", "srgb"]]
 # Of color 4 points and of the z-buffer 2. Right: all. An error of the light that has a name: half of the picture's, all of the
-# depth's. One of visibility: half of both. One that no table has: none of the picture's. A file that is missing: none.
+# depth's. One of visibility: half of both, but none of a depth that is wrong in another way. One that no table has: none of the
+# picture's. A file that is missing: none.
 BY_HAND = {
     "a-right": ([], 6), "b-upside-down": (["--rows", "bottom-up"], 6), "c-blue-first": (["--channels", "bgr"], 6),
     "d-window": (["--depth", "window"], 6), "e-both-sides": (["--error", "both-sides"], 4),
     "f-farthest": (["--error", "gl-greater"], 3), "g-banded": (["--error", "banded"], 2),
-    "h-no-depth": ([], 4), "i-cut-off": ([], 4), "j-empty": ([], 0),
+    "k-other-depth": (["--error", "gl-greater"], 2), "h-no-depth": ([], 4), "i-cut-off": ([], 4), "j-empty": ([], 0),
 }
 
 
@@ -82,6 +84,13 @@ class Classroom:
         os.remove(self.depth_of(os.path.join(folder, "h-no-depth")))
         cut = self.depth_of(os.path.join(folder, "i-cut-off"))
         os.truncate(cut, os.path.getsize(cut) // 2)
+        other = self.depth_of(os.path.join(folder, "k-other-depth"))
+        with open(other, "rb") as file:
+            text = file.read()
+        depths = array.array("f", text[-4 * 96 * 60:])
+        with open(other, "wb") as file:
+            file.write(text[:-4 * 96 * 60])
+            array.array("f", [z * (1.01 + 0.01 * (i // 8 % 2)) for i, z in enumerate(depths)]).tofile(file)
         errors = []
         for renderer in self.renderers:
             lines = subprocess.run(renderer + ["--list"], capture_output=True, text=True, check=True).stdout.splitlines()

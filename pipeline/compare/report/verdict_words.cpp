@@ -104,9 +104,16 @@ std::string namesText(const Report& report) {
     const Suspects& suspects = *report.suspects;
     if (suspects.candidates.empty()) return fmt::format("None of the {} known errors explains this.", suspects.tried);
     if (!suspects.kind.empty()) return fmt::format("The shadow test alone is wrong: {}.", suspects.kind);
-    if (suspects.areTogether) return "Your files are those of a renderer with both of these errors.";
-    return suspects.candidates.size() == 1 ? "Your files are those of a renderer with this error."
-                                           : "Your files are those of a renderer with one of these errors.";
+    std::string whose = "Your files are those";
+    if (suspects.files.size() < report.findings.size()) {
+        std::vector<std::string> names;
+        for (const std::size_t i : suspects.files) names.push_back(report.findings[i].name.text());
+        whose = fmt::format("Your {} {}", fmt::join(names, ", "), names.size() == 1 ? "is that" : "are those");
+    }
+    return fmt::format("{} of a renderer with {}.", whose,
+                       suspects.areTogether             ? "both of these errors"
+                       : suspects.candidates.size() > 1 ? "one of these errors"
+                                                        : "this error");
 }
 
 std::string mineText(const Report& report, const Finding& finding, std::size_t element) {
