@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pipeline/defects/defect_ways.h"
 #include "pipeline/illumination/illumination.h"
 #include "pipeline/run/frame_data.h"
 #include "pipeline/run/runner.h"
@@ -73,6 +74,11 @@ std::vector<std::uint8_t> openShadow(Reference& reference, std::size_t light) {
     return open;
 }
 
+// Whether the first light's S is a factor of the ambient term too.
+bool ambientIsShadowed(const Planted& planted) {
+    return planted.defect == Defect::AmbientInShadow && planted.way != kHighlightInShadow;
+}
+
 // A term of a light that casts a shadow, with and without its S.
 struct ShadowedTerm {
     std::size_t light;
@@ -103,6 +109,8 @@ void findShadows(Reference& reference, const Frame& unshadowed) {
     const NumbersInPlace intensity(*reference.frame, "intensity");
     const std::vector<ShadowedTerm> terms = shadowedTerms(*reference.frame, unshadowed);
     const Planted planted = dataOf<double>(*reference.frame)->keys.shading.planted;
+    const bool takesAmbient = ambientIsShadowed(planted) && !reference.shadowOpen[0].empty();
+    const NumbersInPlace s(*reference.frame, "shadow.0"), ambient(unshadowed, "ambient");
     for (std::size_t i = 0; i < count; ++i) {
         Vec3d low = intensity.vector(i), high = low, sum(0);
         double contrast = 0;
@@ -111,6 +119,8 @@ void findShadows(Reference& reference, const Frame& unshadowed) {
             sum += whole, contrast += std::max({whole.x, whole.y, whole.z});
             if (reference.shadowOpen[term.light][i]) low -= here, high += whole - here;
         }
+        if (takesAmbient && reference.shadowOpen[0][i])
+            low -= s[i] * ambient.vector(i), high += (1 - s[i]) * ambient.vector(i);
         const double iMax = reference.context.iMax;
         reference.shadowContrast[i] = float(255 * contrast / iMax), reference.unshadowedTerms[i] = sum;
         reference.intensityLow[i] = low, reference.intensityHigh[i] = high;
@@ -157,7 +167,7 @@ bool drawFrames(Reference& out, const std::shared_ptr<const Scene>& scene, const
     Scene without = *scene;
     for (Light& light : without.lights) light.castsShadow = false;
     FrameRequest terms = request;
-    terms.wanted = BufferSet().set(index(BufferId::Diffuse)).set(index(BufferId::Specular));
+    terms.wanted = setOf({BufferId::Diffuse, BufferId::Specular, BufferId::Ambient});
     unshadowed = runFrame(keepsWanted(std::move(without)), terms, out.frame);
     return unshadowed != nullptr;
 }

@@ -7,6 +7,8 @@ namespace pipeline {
 inline constexpr std::uint8_t kTheOtherWay = 1;        // of trs-order: objects turn the other way
 inline constexpr std::uint8_t kAlongTheLight = 1;      // of cull-axis: the light's direction for the line of sight
 inline constexpr std::uint8_t kHighlightInShadow = 2;  // of ambient-in-shadow: the highlight is left in it
+inline constexpr std::uint8_t kBlockedAlone = 3;       // of ambient-in-shadow: not of what faces away from the light
+inline constexpr std::uint8_t kPositionToo = 1;        // of affine: V and S are those of another place
 inline constexpr std::uint8_t kOneDistance = 1;        // of half-angle: divided by the distance of the target
 inline constexpr std::uint8_t kExchangedDepths = 2;    // of z-affine: weights of two vertices exchanged, of depths too
 inline constexpr std::uint8_t kDividedTwice = 3;       // of z-affine: the depth of 0 to 1 is divided by z again

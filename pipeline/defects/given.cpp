@@ -151,6 +151,8 @@ std::vector<Planted*> toldOf(const Planted& planted, StageKeys& keys) {
         case KsKd:
         case FadeTwice:
         case NoSpecular: return {light};
+        case HalfAngle: return planted.way == kOneDistance ? std::vector{shading} : std::vector<Planted*>();
+        case Affine: return planted.way == kPositionToo ? std::vector{light, shading} : std::vector<Planted*>();
         case Exponent: return planted.way >= 2 ? std::vector{light} : std::vector<Planted*>();
         case LightInEye: return planted.way >= 2 ? std::vector{shading} : std::vector<Planted*>();
         case NormalShort:
@@ -178,7 +180,8 @@ void tellStage(const Scene& scene, Planted planted, StageKeys& keys) {
         planted.second = kDegrees * pipeline::atan2(l.z, glm::length(glm::dvec2(l)));
     }
     using enum Defect;
-    if (planted.defect == ShadowSpace || planted.defect == LightInEye || planted.defect == EyeAtOrigin)
+    if (planted.defect == ShadowSpace || planted.defect == LightInEye || planted.defect == EyeAtOrigin ||
+        planted.defect == HalfAngle)
         keys.shading.shadow.eye = keys.transform.view;
     for (Planted* const told : toldOf(planted, keys)) *told = planted;
 }

@@ -100,6 +100,9 @@ void spoilSum(const ShadingInputs& inputs, std::size_t light, Real shadow, const
     const Planted& planted = inputs.planted;
     if (planted.defect == Defect::AmbientInShadow && planted.way == kHighlightInShadow)
         intensity += (1 - shadow) * scratch.samples[light].specular;
+    if (planted.defect == Defect::AmbientInShadow && planted.way == kBlockedAlone && light == 0 &&
+        scratch.samples[0].nDotL > 0)
+        intensity -= (1 - shadow) * base.ambient;
     const Own* const own = planted.own;
     if (!own || (own->function != OwnFunction::InShadow && own->function != OwnFunction::Total)) return;
     if (light == 0) scratch.shadows.clear();

@@ -28,6 +28,7 @@ constexpr std::string_view kNoWriteWays[]{"painted without a test"};
 constexpr std::string_view kAffineZWays[]{"the mean of the vertices' depths", "weights of two vertices exchanged",
                                           "a depth of 0 to 1 divided by z again",
                                           "a depth of −1 to 1 divided by z again"};
+constexpr std::string_view kAffineWays[]{"also of positions, so that V and S are those of another place"};
 constexpr std::string_view kBiasWays[]{"half as large", "twice as large"};
 constexpr std::string_view kAxisWays[]{"the light's direction"};
 constexpr std::string_view kNearWays[]{"a hundredth of what it may be", "a thousandth of what it may be"};
@@ -296,7 +297,8 @@ constexpr auto kDefectsOfDrawing = std::to_array<DefectRow>({
      .first = B::LightVector,
      .lesson = "smooth",
      .heading = "The middle is not the middle",
-     .source = "feature list 7"},
+     .source = "feature list 7",
+     .otherWays = kAffineWays},
     {.id = D::NearSmall,
      .name = "near plane too near",
      .stage = S::Transform,

@@ -11,7 +11,8 @@ using D = Defect;
 
 constexpr std::string_view kEyeSpaceWays[]{"with z away from the viewer", "and V too", "and V too, with z away"};
 constexpr std::string_view kSumWays[]{"in the sum alone"};
-constexpr std::string_view kShadowSumWays[]{"in the sum alone", "the highlight left in shadow"};
+constexpr std::string_view kShadowSumWays[]{"in the sum alone", "the highlight left in shadow",
+                                            "where light is blocked, not where the surface faces away from it"};
 constexpr std::string_view kMaxWays[]{"the absolute value, |N·L|", "half Lambert, (N·L + 1) / 2",
                                       "half Lambert, squared"};
 constexpr std::string_view kViewVectorWays[]{"V from the eye to the surface", "V along the viewing axis"};

@@ -9,6 +9,7 @@
 #include "pipeline/defects/drawing_hooks.h"
 #include "pipeline/defects/hooks.h"
 #include "pipeline/defects/own_hooks.h"
+#include "pipeline/stages/interpolate.h"
 #include "pipeline/stages/shading.h"
 #include "pipeline/stages/translucent.h"
 
@@ -21,6 +22,10 @@ void spoilSurface(const ShadingInputs& inputs, Surface<Real>& surface) {
         surface.V = inputs.planted.way == 0   ? normalized(-surface.position, inputs.illumination.detail.unit)
                     : inputs.planted.way == 1 ? -surface.V
                                               : -Vec3<Real>(inputs.shadow.eye->forward);
+    // Who forgets the division still looks from the eye.
+    const bool looksFromEye = modelFacts(inputs.illumination.model).viewer == Viewer::Camera;
+    if (inputs.planted.defect == Defect::HalfAngle && looksFromEye)
+        surface.V = normalized(Vec3<Real>(inputs.shadow.eye->eye) - surface.position, inputs.illumination.detail.unit);
     if (inputs.planted.defect == Defect::LightInEye) {  // V's numbers too
         const View& view = *inputs.shadow.eye;
         const Vec3d v(surface.V);
@@ -46,6 +51,26 @@ VertexWeights<Real> sortedAlone(const TransformOutput<Real>& in, const VertexWei
     return out;
 }
 
+// Weights that are right in perspective, from those of a picture without it; as they are where a vertex is behind the eye.
+template <class Real>
+VertexWeights<Real> dividedByDepth(const TransformOutput<Real>& in, const VertexWeights<Real>& flat) {
+    VertexWeights<Real> out = flat;
+    Real sum(0);
+    for (std::size_t i = 0; i < out.count; ++i) {
+        const Real z = in.viewSpace(out.vertices[i]).z;
+        if (!(z > 0)) return flat;
+        sum += out.weights[i] /= z;
+    }
+    for (std::size_t i = 0; i < out.count; ++i) out.weights[i] /= sum;
+    return out;
+}
+
+// A surface's normal becomes another one, on the same side: that of a back face has been turned round.
+template <class Real>
+void turnTo(Vec3<Real>& normal, Vec3<Real> other) {
+    normal = glm::dot(other, normal) < 0 ? -other : other;
+}
+
 // The interpolated normal of a way of normal-short.
 template <class Real>
 Vec3<Real> wrongNormal(const ShadingInputs& inputs, const ShadingSources<Real>& in, VertexWeights<Real> weights) {
@@ -65,11 +90,23 @@ Vec3<Real> wrongNormal(const ShadingInputs& inputs, const ShadingSources<Real>& 
 template <class Real>
 void spoilPixel(const ShadingInputs& inputs, const ShadingSources<Real>& in, const VertexWeights<Real>& weights,
                 Surface<Real>& surface) {
+    const auto placeOf = [&](std::uint32_t vertex) { return in.transform.world[vertex]; };
+    if (inputs.planted.defect == Defect::Affine) {
+        surface.position = interpolated(weights, placeOf);
+        if (modelFacts(inputs.illumination.model).viewer == Viewer::Camera)
+            surface.V = towardsEye(in.transform.view, surface.position, inputs.illumination.detail.unit);
+    }
+    if (inputs.planted.defect == Defect::HalfAngle) {
+        const VertexWeights<Real> divided = dividedByDepth(in.transform, weights);
+        surface.position = interpolated(divided, placeOf);
+        if (!in.normals.vertex.empty())
+            turnTo(surface.N, normalized(interpolated(divided, [&](auto v) { return in.normals.vertex[v]; }),
+                                         inputs.illumination.detail.unit));
+    }
     spoilSurface(inputs, surface);
     if (inputs.planted.own) return ownPixel(*inputs.planted.own, in, weights, surface);
     if (inputs.planted.defect != Defect::NormalShort || in.normals.vertex.empty()) return;
-    const Vec3<Real> normal = wrongNormal(inputs, in, weights);
-    surface.N = glm::dot(normal, surface.N) < 0 ? -normal : normal;  // of a back face it has been turned round
+    turnTo(surface.N, wrongNormal(inputs, in, weights));
 }
 
 template <class Real>
@@ -79,7 +116,7 @@ void spoilAmbient(const Planted& planted, std::size_t light, Real shadow, Vec3<R
     const bool isRight = planted.way > 0;  // the term itself, in a buffer of its own; the sum is not
     switch (planted.defect) {
         case Defect::AmbientInShadow:
-            if (light == 0 && planted.way != kHighlightInShadow) ambient = shadow * whole;
+            if (light == 0 && planted.way < kHighlightInShadow) ambient = shadow * whole;
             break;
         case Defect::AmbientPerLight:
             if (light > 0) ambient += whole;

@@ -69,6 +69,70 @@ TEST(DefectWays, OnlyGivenNormalsAreTakenAsTheyAre) {
         for (int c = 0; c < 3; ++c) EXPECT_NEAR(normals.value(0, first + v, c), mesh.normals[v][c], 1e-15) << v;
 }
 
+// At a pixel's centre the areas of the three triangles that it makes with two vertices each are λ_i. Its place is
+// Σ λ_i p_i, or with divided weights Σ (λ_i / z_i) p_i / Σ (λ_i / z_i), and V points from there to the eye.
+void expectPlaces(const FramePtr& frame, bool divided) {
+    const auto& data = dataOf(frame);
+    const std::vector<Vec3d> screen = screenPlaces(*data.transform);
+    const AnyBuffer position = *frame->buffer({BufferId::Position}), view = *frame->buffer({BufferId::ViewVector});
+    const Vec3d eye = smoothBox().camera.eye;
+    for (std::size_t i = 0; i < data.zBuffer->triangle->pixels.size(); ++i) {
+        const std::uint32_t triangle = data.zBuffer->triangle->pixels[i];
+        if (triangle == kNoTriangle) continue;
+        const auto width = std::size_t(data.transform->view.size.x);
+        const std::size_t x = i % width, y = i / width;
+        const glm::dvec2 at(double(x) + 0.5, double(y) + 0.5);
+        const auto& v = data.transform->topology->triangles[triangle].vertices;
+        Vec3d sum(0);
+        double weights = 0;
+        for (int k = 0; k < 3; ++k) {
+            const glm::dvec2 a = glm::dvec2(screen[v[(k + 1) % 3]]) - at, b = glm::dvec2(screen[v[(k + 2) % 3]]) - at;
+            const double weight = (a.x * b.y - a.y * b.x) / (divided ? data.transform->viewSpace(v[k]).z : 1);
+            sum += weight * data.transform->world[v[k]], weights += weight;
+        }
+        const Vec3d found(position.value(x, y, 0), position.value(x, y, 1), position.value(x, y, 2));
+        EXPECT_LT(glm::length(found - sum / weights), 1e-3) << i;  // vertices are snapped to parts of a pixel
+        const Vec3d towards(view.value(x, y, 0), view.value(x, y, 1), view.value(x, y, 2));
+        EXPECT_LT(glm::length(towards - glm::normalize(eye - found)), 1e-12) << i;
+    }
+}
+
+TEST(DefectWays, AffinePlacesAreMixedByAreasInThePicture) {
+    const FramePtr right = frameOf(smoothBox()), wrong = frameOf(plant(smoothBox(), Defect::Affine, kPositionToo));
+    expectPlaces(wrong, false);
+    EXPECT_NE(difference(wrong, right), "");
+    EXPECT_EQ(difference(wrong, right, StageId::ZBuffer), "");
+}
+
+// Who divides x and y by one distance shades as before: with weights for a picture in perspective, and from the eye.
+TEST(DefectWays, WhoForgetsTheDivisionStillLooksFromTheEye) {
+    expectPlaces(frameOf(plant(smoothBox(), Defect::HalfAngle, kOneDistance)), true);
+}
+
+// Two sides of the box face away from the light: they have S = 0 too, and keep the ambient term.
+TEST(DefectWays, AmbientLightIsLostWhereLightIsBlocked) {
+    const FramePtr right = frameOf(smoothBox());
+    const FramePtr wrong = frameOf(plant(smoothBox(), Defect::AmbientInShadow, kBlockedAlone));
+    const AnyBuffer intensity = *right->buffer({BufferId::Intensity}), found = *wrong->buffer({BufferId::Intensity}),
+                    ambient = *right->buffer({BufferId::Ambient}), s = *right->buffer({BufferId::Shadow, 0}),
+                    nDotL = *right->buffer({BufferId::NDotL, 0});
+    std::size_t blocked = 0, away = 0;
+    const auto width = std::size_t(dataOf(right).transform->view.size.x);
+    for (std::size_t i = 0; i < dataOf(right).zBuffer->triangle->pixels.size(); ++i) {
+        const std::size_t x = i % width, y = i / width;
+        if (dataOf(right).zBuffer->triangle->pixels[i] == kNoTriangle || s.value(x, y, 0) > 0) continue;
+        const bool facesLight = nDotL.value(x, y, 0) > 0;
+        ++(facesLight ? blocked : away);
+        for (int c = 0; c < 3; ++c)
+            EXPECT_NEAR(found.value(x, y, c), intensity.value(x, y, c) - (facesLight ? ambient.value(x, y, c) : 0),
+                        1e-12)
+                << i;
+    }
+    EXPECT_GT(blocked, 10u);
+    EXPECT_GT(away, 10u);
+    EXPECT_EQ(difference(wrong, right, StageId::ZBuffer), "");
+}
+
 // Who culls by a light that shines along the viewing axis culls by the viewing axis.
 TEST(DefectWays, ALightBehindTheEyeCullsAsTheViewingAxisDoes) {
     Scene scene = smoothBox();
