@@ -49,7 +49,8 @@ export async function launch(program = process.env.CHROMIUM || 'chromium') {
       if (message.method === 'Runtime.exceptionThrown') log.push(message.params.exceptionDetails.exception?.description || message.params.exceptionDetails.text);
       if (message.method === 'Runtime.consoleAPICalled' && message.params.type === 'error') log.push(message.params.args.map(arg => arg.value ?? arg.description).join(' '));
     });
-    for (const domain of ['Page', 'Runtime', 'Network', 'Performance']) await ask(domain + '.enable');
+    for (const domain of ['Page', 'Runtime', 'Network']) await ask(domain + '.enable');
+    await ask('Performance.enable', { timeDomain: 'threadTicks' });
     await ask('Network.emulateNetworkConditions', { offline: !online, latency: 0, downloadThroughput: -1, uploadThroughput: -1 });
     await ask('Emulation.setDeviceMetricsOverride', { width, height, deviceScaleFactor: scale, mobile });
     await ask('Emulation.setEmulatedMedia', { features: [{ name: 'prefers-color-scheme', value: dark ? 'dark' : 'light' }] });
@@ -86,12 +87,14 @@ export async function launch(program = process.env.CHROMIUM || 'chromium') {
       for (const type of ['mousePressed', 'mouseReleased']) await ask('Input.dispatchMouseEvent', { type, x, y, button: 'left', clickCount: 1 });
       await settle();
     };
+    /** What the page's thread has done: TaskDuration, its CPU seconds, LayoutCount and others. */
+    const metrics = async () => Object.fromEntries((await ask('Performance.getMetrics')).metrics.map(({ name, value }) => [name, value]));
     const shot = async file => {
       const { data } = await ask('Page.captureScreenshot', { format: 'png' });
       fs.writeFileSync(file, Buffer.from(data, 'base64'));
     };
     if (scripts) await until(ready);
-    return { ask, run, until, key, click, shot, log, requests, close: () => send('Target.closeTarget', { targetId }) };
+    return { ask, run, until, key, click, metrics, shot, log, requests, close: () => send('Target.closeTarget', { targetId }) };
   }
 
   const close = async () => {

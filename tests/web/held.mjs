@@ -49,6 +49,15 @@ const verdictsMoved = `(() => {
   const own = marks(0), moved = marks(3);
   return own.map((mark, i) => [i + 1, mark, moved[i]]).filter(([, before, after]) => before !== after);
 })()`;
+/** Of steps of the hand on the first page: how often one is laid out, and what it asks the core twice. */
+async function workOfSteps(p) {
+  const kSteps = 20, steps = `for (let i = 0; i < ${kSteps}; ++i) { asked.length = 0, isLong = false; putHand(core.ask('nudge', 0, i % 2 ? 1 : -1, 0, 1)); document.body.offsetHeight; }`;
+  if (!await p.run('openPage(0), held.holds.length > 0')) return { layouts: 0, twice: [] };
+  await p.run(`asked = [], Core.prototype.call = (call => function (name, ...values) { asked.push([name, ...values].join()); return call.call(this, name, ...values); })(Core.prototype.call)`);
+  await settle(p);
+  const before = await p.metrics(), twice = await p.run(`(() => { ${steps} return asked.filter((one, i) => asked.indexOf(one) < i); })()`);
+  return { layouts: Math.floor(((await p.metrics()).LayoutCount - before.LayoutCount) / kSteps), twice };
+}
 /** Of each first half with something to hold: a question out of view, grips too small or over one another, words cut off. */
 const layoutOfHeld = `(async () => {
   const wrong = [], boxOf = part => part.getBoundingClientRect();
@@ -323,6 +332,8 @@ try {
       return wrong;
     })()`);
     expect(`every page of ${name} stands on the stage`, found.length === 0 && l.log.length === 0, [found, l.log]);
+    const work = await workOfSteps(l);
+    expect(`a step of the hand lays ${name} out once, and asks the core nothing twice`, work.layouts <= 1 && work.twice.length === 0, work);
     const moved = await l.run(verdictsMoved);
     expect(`no hand moves a verdict of ${name}`, moved.length === 0, moved);
     for (const [size, { width, height, mobile = false }] of kSizes.slice(0, 3)) {

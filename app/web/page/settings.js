@@ -8,6 +8,12 @@ function drawSettings() {
   const inPlay = page.in_play.filter(() => !isHeld()).map(settingOf).filter(setting => setting);
   one('#inplay').hidden = inPlay.length === 0 || (view.inside ? hidden && !isUntil() : isOpen && !isUntil());
   fillControls(one('#inplay'), inPlay);
+  if (view.inside) drawAllSettings();
+  one('#putback').hidden = Object.keys(view.own).length === 0;
+}
+
+/** Those that have an effect, by their group. */
+function drawAllSettings() {
   const groups = new Map();
   for (const setting of settings) {
     if (setting.idle || page.in_play.includes(setting.key)) continue;
@@ -20,8 +26,7 @@ function drawSettings() {
     box.known = known;
     box.replaceChildren(...[...groups.keys()].map(name => element('details', {}, element('summary', { textContent: name }), element('div', { className: 'controls' }))));
   }
-  if (view.inside) [...groups.values()].forEach((list, i) => fillControls(box.children[i].lastElementChild, list));
-  one('#putback').hidden = Object.keys(view.own).length === 0;
+  [...groups.values()].forEach((list, i) => fillControls(box.children[i].lastElementChild, list));
 }
 
 const isUntil = () => page.question?.kind === 'until';
@@ -124,7 +129,7 @@ function runFrame(work = () => {}) {
 /** Wants what the views show, of what there is, beside what the core wants for a page. */
 function wantShown() {
   const names = (view.inside ? view.pictures : page.buffers).map(shown => shown.buffer);
-  core.ask('want', names.filter(name => core.call('want', name)).join(','));
+  if (!core.call('want', names.join(','))) core.ask('want', names.filter(name => core.call('want', name)).join(','));
 }
 
 /** Whether the last frame took so long that the page would stand still. */

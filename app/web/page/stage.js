@@ -64,7 +64,7 @@ function buildStage() {
     canvases.forEach((canvas, i) => { canvas.setAttribute('role', 'img'); if (i) canvas.hidden = true; });
     over.setAttribute('aria-hidden', 'true');
     const caption = element('figcaption'), box = element('figure', { className: 'cell' }, field, caption);
-    return { shown, canvases, over, field, caption, box, part: stagePart(shown), wipe: shown.wipe ?? 0.5, fit: { k: 1, x: 0, y: 0 }, corner: [0, 0] };
+    return { shown, canvases, over, field, caption, box, part: stagePart(shown), wipe: shown.wipe ?? 0.5, fit: { k: 1, x: 0, y: 0 }, corner: [0, 0], size: [0, 0] };
   });
   const space = one('.space'), inStage = page.space !== '' && !view.inside && !hides('inspector');
   one('#cells').replaceChildren(...cells.map(cell => cell.box), ...(inStage ? [space] : []));
@@ -97,13 +97,13 @@ function makeGrip(kind, name, number, cell = cells[0]) {
 // ---- Places: of the picture, of a track, of the page.
 
 /** CSS pixels. Read once a step, before anything is drawn: what is read between two changes is laid out anew. */
-let roomSize = { width: 0, height: 0 };
+let roomSize = { width: 0, height: 0, figure: 0 };
 function measureRoom() {
   const room = one('#room').getBoundingClientRect();
-  roomSize = { width: room.width, height: room.height };
+  roomSize = { width: room.width, height: room.height, figure: one('#figure').clientWidth };
   for (const cell of cells) {
     const field = cell.field.getBoundingClientRect();
-    cell.corner = [field.left - room.left, field.top - room.top];
+    cell.corner = [field.left - room.left, field.top - room.top], cell.size = [cell.field.clientWidth, cell.field.clientHeight];
   }
 }
 const onField = (cell, [x, y]) => [cell.fit.x + x * cell.fit.k, cell.fit.y + y * cell.fit.k];
@@ -305,11 +305,11 @@ function drawFiles() {
 drawFiles.known = '';
 
 function fitCell(cell) {
-  const [x, y, w, h] = cell.part, { clientWidth, clientHeight } = cell.field, narrow = clientWidth < 500;
+  const [x, y, w, h] = cell.part, [width, height] = cell.size;
   // Where the room is small the play keeps a place of its own.
-  const top = cell === cells[0] && page.held.play && clientWidth < 800 ? (narrow ? 44 : 60) : 0;
-  const k = Math.max(0.01, Math.min(clientWidth / w, (clientHeight - top) / h));
-  cell.fit = { k, x: clientWidth / 2 - (x + w / 2) * k, y: top + (clientHeight - top) / 2 - (y + h / 2) * k };
+  const top = cell === cells[0] && page.held.play && width < 800 ? (width < 500 ? 44 : 60) : 0;
+  const k = Math.max(0.01, Math.min(width / w, (height - top) / h));
+  cell.fit = { k, x: width / 2 - (x + w / 2) * k, y: top + (height - top) / 2 - (y + h / 2) * k };
 }
 
 /** Which of the two pictures, or their difference, a cell shows. */
@@ -320,8 +320,9 @@ function drawCell(cell) {
   const isListed = domain === 'vertex' || domain === 'polygon', sides = shownOf(shown);
   cell.field.classList.toggle('listed', isListed);
   canvases[0].hidden = isListed, canvases[1].hidden = isListed || sides.length < 2;
-  cell.ofPixels = false, cell.over.innerHTML = '';
+  cell.ofPixels = false;
   if (isListed) {
+    putOver(cell, '');
     fillKept(cell.field, [['canvas', () => canvases[0]], ['canvas', () => canvases[1]], ['over', () => cell.over], ['rows', () => element('div', { className: 'rows', tabIndex: 0 }, element('table', {}, element('tbody')))]]);
     fillRows(cell.field, shown.buffer, sides[0]);
     cell.caption.textContent = shown.buffer, cell.caption.hidden = false;
@@ -351,8 +352,9 @@ function drawCell(cell) {
     if (shown.overlays.includes('edges')) try {
       fitCell(cell);
       cell.caption.hidden = true;
-      return void drawOver(cell, []);
+      return putOver(cell, shapesOver(cell, []));
     } catch {}
+    putOver(cell, '');
     cell.caption.textContent = error.errors ? error.errors[0].found : error.message, cell.caption.hidden = false;
     return;
   }
@@ -361,7 +363,7 @@ function drawCell(cell) {
     canvases[1].style.clipPath = `inset(0 0 0 ${clamp(100 * from, 0, 100)}%)`;
   }
   drawCaption(cell, picture, sides);
-  if (cell.ofPixels) drawOver(cell, sides);
+  putOver(cell, cell.ofPixels ? shapesOver(cell, sides) : '');
 }
 
 /** Below each of several pictures, and where colours stand for numbers: what it is. */
@@ -385,7 +387,10 @@ const svgLine = (a, b, color, width = 3, dash = '') => `<line x1="${a[0]}" y1="$
 const svgWords = (at, text, attributes = '') => `<text x="${at[0]}" y="${at[1]}" ${attributes}>${text.replace(/[<&]/g, '')}</text>`;
 const pointsOf = list => list.map(point => point.map(value => value.toFixed(1)).join()).join(' ');
 
-function drawOver(cell, sides) {
+/** What stands over a cell's picture, where it is not there already. */
+const putOver = (cell, shapes) => { if (cell.shapes !== shapes) cell.over.innerHTML = cell.shapes = shapes; };
+
+function shapesOver(cell, sides) {
   const at = place => onField(cell, place), first = cell === cells[0], lamp = first && held.holds.find(hold => hold.around);
   let out = '';
   if (cell.shown.overlays.includes('edges')) out += edgesOver(at);
@@ -420,9 +425,9 @@ function drawOver(cell, sides) {
   }
   if (sides.length > 1) {
     const x = at([cell.wipe * pictureSize()[0], 0])[0], [a, b] = sideNames(cell.shown.against), top = Math.max(40, at([0, cell.part[1]])[1] + 40);
-    out += svgLine([x, 0], [x, cell.field.clientHeight], '#fff', 2) + svgWords([x - 32, top], a, 'text-anchor="end"') + (cell.wipe < 0.95 ? svgWords([x + 32, top], b) : '');
+    out += svgLine([x, 0], [x, cell.size[1]], '#fff', 2) + svgWords([x - 32, top], a, 'text-anchor="end"') + (cell.wipe < 0.95 ? svgWords([x + 32, top], b) : '');
   }
-  cell.over.innerHTML = out;
+  return out;
 }
 
 /** What stands at both sides of the line: "phong" and "gouraud", "n = 0.05" and "n = 0.02". */
@@ -458,21 +463,20 @@ function placeGrips() {
     grip.button.setAttribute('aria-valuetext', grip.words);
     grip.button.setAttribute('aria-valuenow', String(hold ? hold.number : Math.round(100 * grip.cell.wipe)));
     if (grip.kind === 'number') grip.button.setAttribute('aria-valuemin', hold.low), grip.button.setAttribute('aria-valuemax', hold.high);
-    grip.bubble.textContent = grip.kind === 'line' || (grip.kind === 'pixel' && !drag) ? '' : grip.words;
+    setText(grip.bubble, grip.kind === 'line' || (grip.kind === 'pixel' && !drag) ? '' : grip.words);
     grip.bubble.hidden = grip.bubble.textContent === '';
+    placeBubble(grip);
   }
-  const shown = grips.filter(grip => grip.place), halves = shown.map(grip => grip.bubble.offsetWidth / 2 + 6);
-  shown.forEach((grip, i) => placeBubble(grip, halves[i]));
   const shows = held.shows !== '' && grips[0]?.onAxis ? held.shows : '';
-  one('#shows').hidden = shows === '', one('#shows').textContent = shows;
+  one('#shows').hidden = shows === '', setText(one('#shows'), shows);
 }
 
-/** Words never lie under the finger, nor on the play. */
-function placeBubble(grip, half) {
-  const p = grip.place, beside = ((grip.kind === 'number' || grip.kind === 'turn') && !grip.onAxis) || (!grip.onAxis && p[1] < 76);
-  const x = beside ? (p[0] + 30 + 2 * half > roomSize.width ? p[0] - 30 - half : p[0] + 30 + half) : clamp(p[0], half, roomSize.width - half);
-  grip.bubble.style.left = x + 'px';
-  grip.bubble.style.top = (beside ? p[1] - 14 : grip.onAxis ? p[1] - 62 : p[1] - 54) + 'px';
+/** Words never lie under the finger, nor on the play. 100% is their own width: so it need not be read. */
+function placeBubble(grip) {
+  const [x, y] = grip.place, beside = ((grip.kind === 'number' || grip.kind === 'turn') && !grip.onAxis) || (!grip.onAxis && y < 76), room = `${roomSize.width - x}px - 100%`;
+  Object.assign(grip.bubble.style, { left: x + 'px', top: y - (beside ? 14 : grip.onAxis ? 62 : 54) + 'px' });
+  // To the right of the grip, or to its left where there is no room; else over its middle, as far as the room goes.
+  grip.bubble.style.transform = beside ? `translateX(clamp(-36px - 100%, (${room} - 42px) * 9999, 36px))` : `translateX(max(${6 - x}px, min(-50%, ${room} - 6px)))`;
 }
 
 // ---- The figure: the core says what is in it.
@@ -490,7 +494,7 @@ function drawFigure() {
   drawFigure.kind = kind;
   if (kind) box.classList.remove('empty');  // on a small screen an empty one is away, and has no width
   const [left, next] = [0, 1].map(column => onRoom(cells[0], [column, 0])[0]);
-  figure = kind ? core.ask('figure', box.clientWidth, left, next - left, ...(view.pixel || [-1, -1]), view.channel) : null;
+  figure = kind ? core.ask('figure', roomSize.figure || box.clientWidth, left, next - left, ...(view.pixel || [-1, -1]), view.channel) : null;
   box.classList.toggle('empty', !figure?.spoken);
   if (!figure?.spoken) made.replaceChildren();
   else if (figure.terms.length) drawTerms(made);

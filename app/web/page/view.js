@@ -30,6 +30,9 @@ function fillKept(box, wanted) {
   });
 }
 
+/** Text, written only where it is another: what is written is laid out anew. @param {Element} part @param {string} text */
+const setText = (part, text) => { if (part.textContent !== text) part.textContent = text; };
+
 /** A word with a script, as "k_s specular". @param {string} text @returns {(Node|string)[]} */
 const withScripts = text => text.split(/([A-Za-z]_[A-Za-z0-9]+)/).map((part, i) => {
   if (i % 2 === 0) return part;
