@@ -125,13 +125,14 @@ void BufferHolds::show() {
     placeGrips();
 }
 
-// Once for each half of a page. All of the picture where a lamp may stand beside what is drawn. The play has a
-// place of its own where it would be on what is drawn, after the answer too, so that nothing moves.
+// Once for each half of a page, with the frame of its scene, as PictureZoom does. All of the picture where a lamp may stand
+// beside what is drawn. The play has a place of its own where it would be on what is drawn, after the answer too, so that
+// nothing moves.
 void BufferHolds::fit() {
     CanvasPlacing& placing = view().canvas()->placing();
     const CanvasContent& content = view().canvas()->content();
     if (content.size.isEmpty() || !placing.look().fits) return;
-    m_fits = false;
+    m_fits = view().frame()->sharedScene() != view().document().sharedScene();
     const bool isLamp = std::ranges::any_of(m_hand.holds(), [](const pipeline::Hold& hold) {
         return hold.kind == HoldKind::LampAtInfinity || hold.kind == HoldKind::LampTop;
     });
