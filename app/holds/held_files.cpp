@@ -1,5 +1,6 @@
 #include "app/holds/held_files.h"
 
+#include <QScopedValueRollback>
 #include <QScrollBar>
 #include <algorithm>
 
@@ -46,10 +47,14 @@ void HeldFiles::showFiles() {
 }
 
 void HeldFiles::fold() {
-    if (m_files.empty()) return;
+    if (m_files.empty() || m_isFolding) return;
+    const QScopedValueRollback folding(m_isFolding, true);  // its scroll bar that comes or goes is a resize, too
     const int scrolled = verticalScrollBar()->value();
-    setHtml(htmlOf(0));
-    if (document()->size().height() > height()) setHtml(htmlOf(m_files.size() - 1));
+    QTextDocument all;
+    all.setDefaultFont(font());
+    all.setHtml(htmlOf(0));
+    const QString html = htmlOf(all.size().height() > height() ? m_files.size() - 1 : 0);
+    for (int width = -1; width != viewport()->width();) width = viewport()->width(), setHtml(html);
     verticalScrollBar()->setValue(scrolled);
 }
 

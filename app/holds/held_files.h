@@ -27,7 +27,7 @@ private:
 
     Hand& m_hand;
     const Document& m_document;
-    bool m_isOn = false;
+    bool m_isOn = false, m_isFolding = false;
     std::vector<lessons::HeldFile> m_files;
 };
 
