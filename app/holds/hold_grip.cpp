@@ -49,7 +49,12 @@ void HoldGrip::place(const Place& place) {
     move((at - QPointF(half, half)).toPoint());
     setAccessibleDescription(place.words);
     m_words->setText(place.words);
+    m_words->setWordWrap(false);
     m_words->adjustSize();
+    if (const int most = room.width() - 4; m_words->width() > most) {
+        m_words->setWordWrap(true);
+        m_words->resize(most, m_words->heightForWidth(most));
+    }
     m_words->setVisible(!place.words.isEmpty());
     const bool isBeside = place.isBeside || at.y() - half - m_words->height() < place.top;
     QPointF corner(at.x() - m_words->width() / 2.0, at.y() - half - m_words->height() - 2);
