@@ -1,5 +1,6 @@
 #include "app/lesson/lesson_run.h"
 
+#include <algorithm>
 #include <cassert>
 
 #include "app/document/document_state.h"
@@ -7,6 +8,7 @@
 #include "app/look/text.h"
 #include "lessons/state/state_scene.h"
 #include "pipeline/run/runner.h"
+#include "pipeline/scene/settings_table.h"
 
 namespace app {
 
@@ -125,7 +127,13 @@ void LessonRun::fill() {
 }
 
 bool LessonRun::isElsewhere() const {
-    return m_lesson && !isAtEnd() && m_document.hasScene() && m_document.scene() != half().state.scene;
+    if (!m_lesson || isAtEnd() || !m_document.hasScene()) return false;
+    const pipeline::Scene &mine = m_document.scene(), &page = half().state.scene;
+    const std::vector<pipeline::SettingRef> settings = settingsOf(mine);
+    return settings.size() != settingsOf(page).size() ||
+           std::ranges::any_of(settings, [&](const pipeline::SettingRef& ref) {
+               return ref.get(mine) != ref.get(page) && !m_document.hand().isHeld(ref.key());
+           });
 }
 
 lessons::Context LessonRun::context() const {
