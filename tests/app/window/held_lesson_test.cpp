@@ -15,8 +15,10 @@
 #include "app/holds/held_files.h"
 #include "app/holds/hold_grip.h"
 #include "app/lesson/lesson_panel.h"
+#include "app/look/theme.h"
 #include "app/views/view_area.h"
 #include "lessons/library.h"
+#include "pipeline/scene/settings_table.h"
 #include "pipeline/scene/view.h"
 #include "tests/app/window/window_fixture.h"
 
@@ -208,6 +210,60 @@ TEST_F(HeldLesson, NothingMovesAtTheAnswerAndTheEquationFollows) {
     dragTo(QPoint(canvas()->width() - 30, placeOfGrip().y()));
     EXPECT_TRUE(QTest::qWaitFor([&] { return band().accessibleDescription().endsWith("0.0 = 48.0"); }, 5000))
         << band().accessibleDescription().toStdString();
+}
+
+// There the picture's frame comes later than the answer: of the lamp where the hand has left it.
+TEST_F(HeldLesson, NothingMovesAtTheAnswerWithALampThatWasMoved) {
+    open("diffuse");
+    Theme::current().set(ThemeId::Projector);
+    grip().setFocus();
+    press("Shift+Right");
+    ASSERT_TRUE(waitForFrame());
+    const QPoint ring = onCanvas({211, 268});
+    find<QLineEdit>("answer")->setText("48");
+    find<QPushButton>("check")->click();
+    ASSERT_TRUE(waitForFrame());
+    EXPECT_EQ(onCanvas({211, 268}), ring);
+    Theme::current().set(ThemeId::Light);
+}
+
+// "Your view is not the page's." is not said of what the play asks for.
+TEST_F(HeldLesson, WhatAHandMovesIsTheReadersOwn) {
+    for (const char* lesson : {"diffuse", "pyramid"}) {
+        open(lesson);
+        grip().setFocus();
+        press("Right");
+        EXPECT_FALSE(run().isElsewhere()) << lesson;
+        document().edit(*withSetting(document().scene(), "ambient.intensity=7"), "other", Document::Change::Done);
+        EXPECT_TRUE(run().isElsewhere()) << lesson;
+    }
+}
+
+// A small screen has no room for both: the file whose vertex is held is shown, of the other the name.
+TEST_F(HeldLesson, EachFileIsNamedOnceWhereThereIsNoRoom) {
+    open("pyramid");
+    for (const double scale : {1.0, 1.5, 2.0, 1.0})
+        for (const int height : {900, 720, 600}) {
+            Theme::current().setScale(scale);
+            window.resize(1366, height);
+            QCoreApplication::processEvents();
+            for (auto* files : window.findChildren<HeldFiles*>()) {
+                if (!files->isVisible()) continue;
+                EXPECT_EQ(files->toPlainText().count("pyramid.scene"), 1) << height << ' ' << scale;
+                EXPECT_EQ(files->toPlainText().count("vertex 4"), 1) << height << ' ' << scale;
+            }
+        }
+}
+
+TEST_F(HeldLesson, WordsWiderThanThePictureAreBroken) {
+    open("pyramid");
+    Theme::current().setScale(1.5);
+    find<QPushButton>("showMe")->click();
+    find<QPushButton>("showSure")->click();
+    ASSERT_TRUE(waitForFrame());
+    for (auto* words : canvas()->findChildren<QWidget*>("holdWords"))
+        EXPECT_TRUE(words->isHidden() || canvas()->rect().contains(words->geometry()));
+    Theme::current().setScale(1);
 }
 
 TEST_F(HeldLesson, ASpotStaysInItsRowByMouseAndKeys) {
