@@ -10,6 +10,7 @@
 #include "app/desktop/shown_state.h"
 #include "app/docks/edge_tab.h"
 #include "app/docks/panel_docks.h"
+#include "app/docks/status_line.h"
 #include "app/docks/window_centre.h"
 #include "app/document/hand.h"
 #include "app/document/recent_files.h"
@@ -202,6 +203,7 @@ void WindowLessons::end() {
     m_edge->hide();
     m_centre.views().setThumbnails(before.thumbnails);
     m_centre.views().setHeld(false);
+    m_around.status.setQuiet(false);
     showHeading(m_docks[PanelId::Lesson], true);
     if (!before.scene) m_layout.showStart();  // which does not keep the lesson's panels
     m_layout.setKept(true);
@@ -245,6 +247,8 @@ void WindowLessons::showParts() {
     // A held picture fills the window, but for the lesson.
     const bool isHeld = only && !m_document.hand().isEmpty();
     showHeading(m_docks[PanelId::Lesson], !isHeld);
+    m_lessons.setQuiet(isHeld);
+    m_around.status.setQuiet(isHeld);
     m_centre.views().setHeld(isHeld);
     m_centre.views().setThumbnails(!isHeld && m_aside->thumbnails);
     m_around.strip.setVisible(!isHeld);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <thread>
+#include <utility>
 
 #include <QLabel>
 #include <QPushButton>
@@ -72,6 +73,7 @@ StatusLine::StatusLine(Document& document, const SceneOpener& opener, QWidget* p
     m_remarks->setObjectName("statusRemarks");
     m_nan->setObjectName("statusNan");
     m_error->setObjectName("statusError");
+    m_threads->setObjectName("statusThreads");
     followTheme(this, [this] {
         const Theme& theme = Theme::current();
         for (QLabel* label : {static_cast<QLabel*>(m_sentence), m_hovered, m_remarks, m_nan, m_error, m_threads}) {
@@ -103,6 +105,12 @@ void StatusLine::say(const QString& sentence) {
     makeRoom(true);
 }
 
+void StatusLine::setQuiet(bool quiet) {
+    if (std::exchange(m_isQuiet, quiet) == quiet) return;
+    showCheck();
+    makeRoom(true);
+}
+
 void StatusLine::showHovered() {
     const auto pixel = m_document.pointing().hovered();
     const lessons::Hidden& hidden = m_document.hidden();
@@ -118,9 +126,9 @@ void StatusLine::showCheck() {
         return QStringLiteral("<span style=\"color:%1\">%2</span> %3").arg(color.name(), mark, text);
     };
     const auto nan = m_document.frames().nanCount();
-    m_nan->setText(!nan        ? QString()
-                   : *nan == 0 ? badge("●", c.run, tr("no NaN"))
-                               : badge("▲", c.failed, tr("%1 NaN").arg(qulonglong(*nan))));
+    m_nan->setText(!nan || (*nan == 0 && m_isQuiet) ? QString()
+                   : *nan == 0                      ? badge("●", c.run, tr("no NaN"))
+                                                    : badge("▲", c.failed, tr("%1 NaN").arg(qulonglong(*nan))));
     const auto& error = m_document.frames().errors()[index(pipeline::StageId::Shading)];
     showRemarks();
     m_error->setText(error ? tr("shading's error against double %1").arg(errorOf(*error)) : QString());
@@ -135,7 +143,7 @@ void StatusLine::makeRoom(bool anew) {
     const QList<QLabel*> last{m_error, m_threads};
     for (QLabel* label : last) {
         needed += label->sizeHint().width();
-        const bool fits = needed <= width();
+        const bool fits = needed <= width() && !m_isQuiet;
         // Set once: a label that is shown and then hidden resizes the window, which calls this function again.
         if (fits != label->isVisibleTo(this) && (anew || !fits)) label->setVisible(fits);
     }

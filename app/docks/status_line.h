@@ -19,6 +19,8 @@ public:
     StatusLine(Document& document, const SceneOpener& opener, QWidget* parent = nullptr);
 
     void say(const QString& sentence);
+    // Leaves out what tells of the computation, but for NaN.
+    void setQuiet(bool quiet);
 
 signals:
     void cancelAsked();  // the opening
@@ -33,6 +35,7 @@ private:
     void makeRoom(bool anew);  // for the sentence: hides what other parts of the window show too
 
     Document& m_document;
+    bool m_isQuiet = false;
     ElidedLabel* m_sentence;
     QLabel* m_hovered;
     QPushButton* m_turn;  // turns a model whose up axis was guessed

@@ -2,6 +2,7 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QMenu>
 #include <QPainter>
 #include <QPushButton>
 #include <QStyle>
@@ -62,6 +63,7 @@ LessonHead::LessonHead(const LessonRun& run, QWidget* parent)
       m_place(styled(new QLabel(this), {.name = "lessonPlace", .tone = 2})),
       m_points(styled(new QLabel(this), {.name = "lessonPoints", .tone = 2})),
       m_only(new QToolButton(this)),
+      m_more(new QToolButton(this)),
       m_close(new QToolButton(this)),
       m_segments(new PageSegments(run, this)) {
     m_all->setProperty("kind", "link");
@@ -70,6 +72,7 @@ LessonHead::LessonHead(const LessonRun& run, QWidget* parent)
     m_only->setCheckable(true);
     m_only->setObjectName("onlyThis");
     m_only->setToolTip(tr("Hide the panels that this page does not need"));
+    makeMenu();
     m_close->setIcon(icon("close"));
     m_close->setObjectName("closeLesson");
     m_close->setAccessibleName(tr("Close the lesson"));
@@ -78,6 +81,7 @@ LessonHead::LessonHead(const LessonRun& run, QWidget* parent)
     top->addWidget(m_all);
     top->addWidget(m_title, 1);
     top->addWidget(m_only);
+    top->addWidget(m_more);
     top->addWidget(m_close);
     auto* below = new QHBoxLayout;
     below->addWidget(m_place, 1);
@@ -95,9 +99,35 @@ LessonHead::LessonHead(const LessonRun& run, QWidget* parent)
         for (QLabel* label : {m_title, m_whole}) label->setFont(theme.text(13, 600));
         for (QLabel* label : {m_place, m_points}) label->setFont(theme.text(12));
         m_only->setFont(theme.text(12));
-        m_all->setMinimumWidth(m_all->fontMetrics().horizontalAdvance(m_all->text()) + theme.px(12));
-        fitTitle();
+        setQuiet(m_isQuiet);
     });
+}
+
+void LessonHead::makeMenu() {
+    m_more->setIcon(icon("more"));
+    m_more->setObjectName("lessonMore");
+    m_more->setAccessibleName(tr("More about the lesson"));
+    m_more->setPopupMode(QToolButton::InstantPopup);
+    auto* menu = new QMenu(m_more);
+    QAction* only = menu->addAction(m_only->text(), m_only, &QToolButton::click);
+    only->setCheckable(true);
+    connect(menu, &QMenu::aboutToShow, this, [this, only] { only->setChecked(m_only->isChecked()); });
+    menu->addAction(tr("Write this lesson as a handout…"), this, &LessonHead::handoutAsked);
+    m_more->setMenu(menu);
+}
+
+void LessonHead::setQuiet(bool quiet) {
+    m_isQuiet = quiet;
+    m_only->setVisible(!quiet);
+    m_more->setVisible(quiet);
+    const QString all = tr("All lessons");
+    m_all->setText(quiet ? QString() : all);
+    m_all->setIcon(quiet ? icon("chevron-left") : QIcon());
+    m_all->setAccessibleName(all);
+    m_all->setToolTip(quiet ? all : QString());
+    m_all->setMinimumWidth(m_all->fontMetrics().horizontalAdvance(m_all->text()) + Theme::current().px(12));
+    layout()->activate();
+    fitTitle();
 }
 
 // Below the buttons, on lines of its own, where there is no room between them.
@@ -148,14 +178,21 @@ LessonFoot::LessonFoot(LessonRun& run, QWidget* parent)
 void LessonFoot::showRun() {
     const bool atEnd = m_run.isAtEnd(), settled = m_run.isSettled();
     m_back->setEnabled(m_run.page() > 0);
+    m_back->setVisible(!m_isQuiet || m_run.page() > 0);
     m_back->setToolTip(m_run.page() > 0 ? tr("Previous page (Alt+←)") : tr("Already at the first page."));
-    m_next->setVisible(!atEnd);
+    m_next->setVisible(!atEnd && (!m_isQuiet || settled));
     m_next->setEnabled(settled);
     m_next->setText(m_run.page() + 1 == m_run.pageCount() ? tr("Finish") : tr("Next"));
     m_next->setToolTip(settled ? tr("Next page (Alt+→)") : tr("After your answer"));
     m_next->setProperty("kind", settled ? "primary" : "");
     m_next->style()->polish(m_next);
-    m_why->setText(atEnd ? QString() : settled ? tr("Enter goes on") : tr("after your answer"));
+    m_why->setText(atEnd ? QString() : settled ? tr("Enter goes on") : m_isQuiet ? QString() : tr("after your answer"));
+    setVisible(!m_isQuiet || settled || m_run.page() > 0);
+}
+
+void LessonFoot::setQuiet(bool quiet) {
+    m_isQuiet = quiet;
+    showRun();
 }
 
 void LessonFoot::takeFocus() { m_next->setFocus(); }

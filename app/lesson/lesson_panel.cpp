@@ -116,6 +116,7 @@ QWidget* LessonPanel::makeLesson() {
     m_head->onlyThis().setChecked(isOnlyThis());
     connect(&m_head->onlyThis(), &QToolButton::toggled, this, &LessonPanel::setOnlyThis);
     connect(m_head, &LessonHead::leaveAsked, this, &LessonPanel::close);
+    connect(m_head, &LessonHead::handoutAsked, this, &LessonPanel::writeHandout);
     connect(handout, &HandoutButton::written, &m_document, &Document::said);
     connect(handout, &HandoutButton::failed, m_errors, &ErrorList::report);
     QuestionCard& card = m_page->card();
@@ -224,6 +225,12 @@ void LessonPanel::setOnlyThis(bool only) {
     const QSignalBlocker quiet(m_head->onlyThis());
     m_head->onlyThis().setChecked(only);
     emit onlyThisChanged();
+}
+
+void LessonPanel::setQuiet(bool quiet) {
+    m_head->setQuiet(quiet);
+    m_foot->setQuiet(quiet);
+    m_handout->setVisible(!quiet);
 }
 
 QString LessonPanel::banner() const { return lesson() && !m_run.isAtEnd() ? m_page->card().banner() : QString(); }

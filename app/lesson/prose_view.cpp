@@ -93,7 +93,7 @@ void ProseView::setProse(const QString& markdown, Tone tone) {
 void ProseView::typeset() {
     const Theme& theme = Theme::current();
     const bool heading = m_tone == Tone::Heading;
-    document()->setDefaultFont(heading                    ? theme.text(16, 600)
+    document()->setDefaultFont(heading                    ? theme.text(18, 700)
                                : m_tone == Tone::Question ? theme.text(14, 600)
                                                           : theme.text());
     document()->setIndentWidth(theme.px(14));
@@ -110,7 +110,7 @@ void ProseView::typeset() {
         QTextBlockFormat format = block.blockFormat();
         // Fixed, so that a line with a vector or a subscript in it stands no farther apart. A picture takes what it needs.
         const bool fixed = !block.text().contains(QChar::ObjectReplacementCharacter);
-        format.setLineHeight(theme.px(heading ? 24 : 20),
+        format.setLineHeight(theme.px(heading ? 26 : 20),
                              fixed ? QTextBlockFormat::FixedHeight : QTextBlockFormat::MinimumHeight);
         format.setTopMargin(0);
         format.setNonBreakableLines(false);  // lines of code wrap as well: the column does not scroll sideways

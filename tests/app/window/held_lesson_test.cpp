@@ -1,6 +1,8 @@
 // A page of a lesson in the window whose picture is held: by the mouse on it, by keys, by a screen reader.
 #include <QAccessible>
+#include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QPushButton>
 #include <QTest>
 #include <QToolButton>
@@ -146,6 +148,29 @@ TEST_F(HeldLesson, ThePictureHasTheRoom) {
 }
 
 // The apex of pyramid.des is its vertex 4.
+// What leads nowhere, and what tells of the computation, waits; the answer brings the way on.
+TEST_F(HeldLesson, BesideItStandsWhatThePageIsAbout) {
+    open("diffuse");
+    for (const char* name : {"previousPage", "nextPage", "onlyThis", "writeHandout", "statusError", "statusThreads"})
+        EXPECT_FALSE(find<QWidget>(name)->isVisible()) << name;
+    EXPECT_EQ(find<QLabel>("statusNan")->text(), "");
+    auto* more = find<QToolButton>("lessonMore");
+    ASSERT_TRUE(more->isVisible());
+    QStringList entries;
+    for (const QAction* entry : more->menu()->actions()) entries << entry->text();
+    EXPECT_EQ(entries, (QStringList{"Only this", "Write this lesson as a handout…"}));
+    type("48");
+    press("Return");
+    EXPECT_TRUE(find<QWidget>("nextPage")->isVisible());
+    EXPECT_TRUE(find<QWidget>("nextPage")->hasFocus());
+    more->menu()->actions()[0]->trigger();
+    ASSERT_TRUE(waitForFrame());
+    EXPECT_FALSE(window.findChild<LessonPanel*>()->isOnlyThis());
+    for (const char* name : {"previousPage", "onlyThis", "writeHandout", "statusThreads"})
+        EXPECT_TRUE(find<QWidget>(name)->isVisible()) << name;
+    EXPECT_FALSE(more->isVisible());
+}
+
 TEST_F(HeldLesson, TheFileBesideThePictureFollowsTheVertex) {
     open("pyramid");
     auto* files = find<HeldFiles>("heldFiles");
