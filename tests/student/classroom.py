@@ -35,13 +35,13 @@ points = {color = 4, "z-buffer" = 2}
 CONVENTIONS = [[], ["--rows", "bottom-up"], ["--channels", "bgr"], ["--depth", "window"], ["--depth", "ndc", "--rows", "bottom-up"],
                ["--encoding", "srgb"]]
 # Of color 4 points and of the z-buffer 2. Right: all. An error of the light that has a name: half of the picture's, all of the
-# depth's. One of visibility: half of both, but none of a depth that is wrong in another way. One that no table has: none of the
-# picture's. A file that is missing: none.
+# depth's. One of visibility: half of both. One of places whose depth is wrong in another way too: half of the picture's. One that
+# no table has: none of the picture's. A file that is missing: none.
 BY_HAND = {
     "a-right": ([], 6), "b-upside-down": (["--rows", "bottom-up"], 6), "c-blue-first": (["--channels", "bgr"], 6),
     "d-window": (["--depth", "window"], 6), "e-both-sides": (["--error", "both-sides"], 4),
     "f-farthest": (["--error", "gl-greater"], 3), "g-banded": (["--error", "banded"], 2),
-    "k-other-depth": (["--error", "gl-greater"], 2), "h-no-depth": ([], 4), "i-cut-off": ([], 4), "j-empty": ([], 0),
+    "k-other-depth": (["--error", "translate-first"], 2), "h-no-depth": ([], 4), "i-cut-off": ([], 4), "j-empty": ([], 0),
 }
 
 

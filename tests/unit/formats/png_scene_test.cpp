@@ -105,9 +105,9 @@ TEST(PngScene, ADamagedPictureIsReadOrRefused) {
 // The length in a chunk's first four bytes is a claim, here 768 MB in a file of some hundred bytes.
 TEST(PngScene, AChunkTakesNoMoreMemoryThanAScene) {
     std::string bytes = pngOf(std::array<std::uint8_t, 4>{}, {1, 1}, {{"Title", "depth"}});
-    const std::size_t chunk = bytes.find("tEXt");
-    ASSERT_NE(chunk, bytes.npos);
-    bytes[chunk - 4] = '\x30';
+    const std::size_t key = bytes.find("Title");
+    ASSERT_NE(key, bytes.npos);
+    bytes[key - 8] = '\x30';  // length and kind stand before the key, in four bytes each
     Result<Scene> scene = Error{};
     const double taken = test::peakOf([&] { scene = readPngScene({bytes, "x.png"}, kNoFiles); });
     EXPECT_FALSE(scene);
