@@ -22,54 +22,10 @@
 #include "lessons/library.h"
 #include "pipeline/scene/settings_table.h"
 #include "pipeline/scene/view.h"
-#include "tests/app/window/window_fixture.h"
+#include "tests/app/window/held_lesson_fixture.h"
 
 namespace app {
 namespace {
-
-class HeldLesson : public WindowTest {
-protected:
-    void open(const char* lesson) {
-        window.resize(1366, 768);
-        ASSERT_TRUE(window.openFile(QString::fromStdString((lessons::lessonFolder() / lesson).string())));
-        ASSERT_TRUE(waitForFrame());
-        ASSERT_TRUE(QTest::qWaitFor([&] { return run().texts().has_value(); }, 10000));
-    }
-    LessonRun& run() { return window.findChild<LessonPanel*>()->run(); }
-    Hand& hand() { return document().hand(); }
-    HoldGrip& grip() {
-        for (HoldGrip* grip : window.findChildren<HoldGrip*>())
-            if (grip->isVisible()) return *grip;
-        throw std::runtime_error("nothing is held");
-    }
-    HeldBand& band() { return window.views().first().features().holds->band(); }
-    QPoint middle() { return grip().rect().center(); }
-    QPoint placeOfGrip() { return grip().geometry().center(); }
-    void dragTo(QPoint onCanvas) {
-        QTest::mousePress(&grip(), Qt::LeftButton, {}, middle());
-        const QPoint to = middle() + onCanvas - placeOfGrip();
-        QTest::mouseMove(&grip(), to);
-        // A moved grip takes its own place along.
-        QTest::mouseRelease(&grip(), Qt::LeftButton, {}, middle() + onCanvas - placeOfGrip());
-        ASSERT_TRUE(waitForFrame());
-    }
-    static std::string firstWord(const std::string& text) { return text.substr(0, text.find(' ')); }
-    void type(const std::string& text) { QTest::keyClicks(QApplication::focusWidget(), QString::fromStdString(text)); }
-    // n doubles with each Shift+Left: 8, 16, 32. Then (R·V)^n is a half at acos(2^(−1/32)) = 11.9° from the middle, and
-    // above it on a quarter of the pixels of n = 8.
-    void pullInwardsUntilRight() {
-        for (int i = 0; i < 4 && !run().isSettled(); ++i) {
-            ASSERT_TRUE(qobject_cast<HoldGrip*>(QApplication::focusWidget())) << "also after a wrong answer";
-            press("Shift+Left");
-            ASSERT_TRUE(waitForFrame());
-            press("Return");
-        }
-    }
-    double light(const char* axis) {
-        return findSetting(document().scene(), std::string("light.0.") + axis)->get(document().scene());
-    }
-    pipeline::Vec3d L() { return {light("x"), light("y"), light("z")}; }
-};
 
 // A lamp at infinity stands around the ball by the angle between L and the line of sight: on its middle it shines from the eye.
 TEST_F(HeldLesson, ADraggedLampShinesFromWhereItIsSeen) {
@@ -321,89 +277,6 @@ TEST_F(HeldLesson, LookInsideShowsTheInstrumentsAndThePictureAgain) {
     EXPECT_TRUE(find<QWidget>("stageStrip")->isVisible());
     inside->click();
     EXPECT_FALSE(window.views().first().header().isVisible());
-}
-
-// The page of "Light from everywhere" asks for a number: the sign goes to its field, as a digit does.
-TEST_F(HeldLesson, APageOpensWithTheKeysOnWhatItHolds) {
-    open("diffuse");
-    EXPECT_TRUE(QTest::qWaitFor([&] { return QApplication::focusWidget() == &grip(); }, 5000));
-    press("-");
-    EXPECT_EQ(QApplication::focusWidget(), find<QLineEdit>("answer"));
-    EXPECT_EQ(find<QLineEdit>("answer")->text(), "-");
-}
-
-// "Half of the light" holds nothing.
-TEST_F(HeldLesson, APageThatHoldsNothingOpensWithTheKeysOnItsQuestion) {
-    open("diffuse");
-    ASSERT_TRUE(QTest::qWaitFor([&] { return qobject_cast<HoldGrip*>(QApplication::focusWidget()); }, 5000));
-    run().goTo(1);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return run().texts().has_value(); }, 10000));
-    ASSERT_TRUE(waitForFrame());
-    EXPECT_TRUE(window.findChild<LessonPanel*>()->isAncestorOf(QApplication::focusWidget()));
-}
-
-TEST_F(HeldLesson, OnAGripTheLessonHasItsKeys) {
-    open("diffuse");
-    grip().setFocus();
-    press("Alt+H");
-    EXPECT_EQ(run().attempt()->hintsSeen(), 1u);
-    grip().setFocus();
-    press("1");  // goes to the field
-    EXPECT_EQ(find<QLineEdit>("answer")->text(), "1");
-    grip().setFocus();
-    press("Return");
-    EXPECT_EQ(run().attempt()->progress().tries.size(), 1u);
-    grip().setFocus();
-    press("Alt+S");
-    press("Return");
-    EXPECT_EQ(run().attempt()->state(), lessons::Attempt::State::Shown);
-}
-
-// One option of the question reads n_dot_l.0, which no step of the hand needs.
-TEST_F(HeldLesson, AStepComputesNothingForTheQuestionAlone) {
-    open("smooth");
-    for (int i = 0; i < 2; ++i) {
-        EXPECT_FALSE(document().frames().shown()->wanted()[index(pipeline::BufferId::NDotL)]);
-        grip().setFocus();
-        press("Right");
-        ASSERT_TRUE(waitForFrame());
-    }
-}
-
-// Where a click on the picture has been answered, the keys are there.
-TEST_F(HeldLesson, EnterChecksWhereThePictureHasTheKeys) {
-    open("reflection");
-    QTest::mouseClick(canvas(), Qt::LeftButton, {}, onCanvas({320, 200}));
-    canvas()->parentWidget()->setFocus();
-    press("Return");
-    EXPECT_TRUE(!run().attempt()->progress().tries.empty() || run().isSettled());
-}
-
-// Every question is answered or given up. Nothing but keys moves the focus.
-TEST_F(HeldLesson, TheKeyboardAloneGoesThroughAWholeLesson) {
-    open("highlight");
-    int right = 0;
-    const int pages = run().pageCount();
-    for (int i = 0; i < pages; ++i) {
-        ASSERT_EQ(run().page(), i);
-        ASSERT_TRUE(QTest::qWaitFor([&] { return run().texts().has_value(); }, 30000));
-        ASSERT_TRUE(waitForFrame());
-        const lessons::Question& question = *run().current().question;
-        if (std::holds_alternative<lessons::ChoiceQuestion>(question.kind))
-            type(std::to_string(1 + holdingOptions(optionsOf(question), run().context())->front()));
-        if (std::holds_alternative<lessons::NumberQuestion>(question.kind))
-            type(firstWord(*answerText(question, run().context())));  // without "± 0.5"
-        if (i == 1 || i == 2)
-            pullInwardsUntilRight();
-        else
-            press("Return");
-        right += run().isSettled();
-        if (!run().isSettled()) press("Alt+S"), press("Return");
-        ASSERT_TRUE(run().isSettled()) << run().current().heading;
-        press("Return");  // Next has the keys
-    }
-    EXPECT_TRUE(run().isAtEnd());
-    EXPECT_EQ(right, 8) << "all but a click and a slider: four choices, two rims, two numbers";
 }
 
 // Without the lesson nothing can be held any more.
