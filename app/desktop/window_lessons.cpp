@@ -247,7 +247,6 @@ void WindowLessons::showParts() {
     // A held picture fills the window, but for the lesson.
     const bool isHeld = only && !m_document.hand().isEmpty();
     showHeading(m_docks[PanelId::Lesson], !isHeld);
-    m_lessons.setQuiet(isHeld);
     m_around.status.setQuiet(isHeld);
     m_centre.views().setHeld(isHeld);
     m_centre.views().setThumbnails(!isHeld && m_aside->thumbnails);

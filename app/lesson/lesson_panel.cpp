@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/document/hand.h"
 #include "app/holds/hold_grip.h"
 #include "app/lesson/handout_button.h"
 #include "app/lesson/lesson_end.h"
@@ -117,6 +118,17 @@ QWidget* LessonPanel::makeLesson() {
     connect(&m_head->onlyThis(), &QToolButton::toggled, this, &LessonPanel::setOnlyThis);
     connect(m_head, &LessonHead::leaveAsked, this, &LessonPanel::close);
     connect(m_head, &LessonHead::handoutAsked, this, &LessonPanel::writeHandout);
+    // Beside a picture that is held what can wait is left out.
+    const auto fit = [this] {
+        if (!lesson()) return;
+        const bool isQuiet = isOnlyThis() && !m_document.hand().isEmpty();
+        m_head->setQuiet(isQuiet);
+        m_foot->setQuiet(isQuiet);
+        m_handout->setVisible(!isQuiet);
+    };
+    connect(&m_document.hand(), &Hand::taken, this, fit);
+    connect(this, &LessonPanel::pageChanged, this, fit);
+    connect(this, &LessonPanel::onlyThisChanged, this, fit);
     connect(handout, &HandoutButton::written, &m_document, &Document::said);
     connect(handout, &HandoutButton::failed, m_errors, &ErrorList::report);
     QuestionCard& card = m_page->card();
@@ -225,12 +237,6 @@ void LessonPanel::setOnlyThis(bool only) {
     const QSignalBlocker quiet(m_head->onlyThis());
     m_head->onlyThis().setChecked(only);
     emit onlyThisChanged();
-}
-
-void LessonPanel::setQuiet(bool quiet) {
-    m_head->setQuiet(quiet);
-    m_foot->setQuiet(quiet);
-    m_handout->setVisible(!quiet);
 }
 
 QString LessonPanel::banner() const { return lesson() && !m_run.isAtEnd() ? m_page->card().banner() : QString(); }

@@ -42,7 +42,6 @@ public:
     // Whether the window hides panels that the page does not need; saved in the program's settings.
     bool isOnlyThis() const;
     void setOnlyThis(bool only);
-    void setQuiet(bool quiet);  // leaves out what can wait, beside a picture that is held
     // For the bar over the views; empty where nothing is to be clicked.
     QString banner() const;
 
