@@ -167,7 +167,8 @@ bool drawFrames(Reference& out, const std::shared_ptr<const Scene>& scene, const
     Scene without = *scene;
     for (Light& light : without.lights) light.castsShadow = false;
     FrameRequest terms = request;
-    terms.wanted = setOf({BufferId::Diffuse, BufferId::Specular, BufferId::Ambient});
+    terms.wanted = setOf({BufferId::Diffuse, BufferId::Specular});
+    if (ambientIsShadowed(dataOf<double>(*out.frame)->keys.shading.planted)) terms.wanted.set(index(BufferId::Ambient));
     unshadowed = runFrame(keepsWanted(std::move(without)), terms, out.frame);
     return unshadowed != nullptr;
 }
