@@ -15,6 +15,7 @@
 #include "app/document/hand.h"
 #include "app/document/recent_files.h"
 #include "app/document/scene_opener.h"
+#include "app/lesson/lesson_keys.h"
 #include "app/lesson/lesson_panel.h"
 #include "app/look/shown_name.h"
 #include "app/look/text.h"
@@ -60,7 +61,7 @@ WindowLessons::WindowLessons(QMainWindow& window, Actions& actions, Document& do
       m_presentation(presentation),
       m_edge(new QToolBar(tr("Closed panels"), &window)),
       m_inspectorTab(new EdgeTab(m_edge)) {
-    m_lessons.takeKeysOf(m_centre.views());
+    m_lessons.keys().takeKeysOf(m_centre.views());
     connect(&m_lessons, &LessonPanel::opens, this, &WindowLessons::begin);
     connect(&m_lessons, &LessonPanel::closed, this, &WindowLessons::end);
     connect(&m_lessons, &LessonPanel::showViews, &shown, &ShownState::lookAt);

@@ -1,7 +1,5 @@
 #include "app/lesson/lesson_panel.h"
 
-#include <QApplication>
-#include <QKeyEvent>
 #include <QListView>
 #include <QMessageBox>
 #include <QPushButton>
@@ -15,10 +13,10 @@
 #include <utility>
 
 #include "app/document/hand.h"
-#include "app/holds/hold_grip.h"
 #include "app/lesson/handout_button.h"
 #include "app/lesson/lesson_end.h"
 #include "app/lesson/lesson_head.h"
+#include "app/lesson/lesson_keys.h"
 #include "app/lesson/lesson_page.h"
 #include "app/lesson/lesson_results_dialog.h"
 #include "app/lesson/question_card.h"
@@ -46,7 +44,6 @@ LessonPanel::LessonPanel(Document& document, QWidget* parent)
     auto* column = spaced(new QVBoxLayout(this), {}, 0);
     column->addWidget(m_errors);
     column->addWidget(m_stack, 1);
-    qApp->installEventFilter(this);
     m_stack->addWidget(makeList());
     m_stack->addWidget(makeLesson());
     for (auto* button : findChildren<QPushButton*>()) button->setAutoDefault(true);  // Enter presses them
@@ -54,16 +51,7 @@ LessonPanel::LessonPanel(Document& document, QWidget* parent)
     connect(&m_run, &LessonRun::pageChanged, this, &LessonPanel::showPage);
     connect(&m_run, &LessonRun::filled, this, [this] {
         m_page->fill();
-        if (std::exchange(m_keysWait, false)) {
-            // The first grip of an open page, where it has one, else its question. The grips of the first page that is
-            // opened come after its texts, with the first frame.
-            const bool isOpen = m_page->card().isOpen();
-            isOpen ? m_page->card().takeFocus() : m_foot->takeFocus();
-            const auto grips = m_views && isOpen ? m_views->findChildren<HoldGrip*>() : QList<HoldGrip*>();
-            const auto grip = std::ranges::find_if(grips, &QWidget::isVisible);
-            m_gripWaits = isOpen && grip == grips.end();
-            if (grip != grips.end()) (*grip)->setFocus();
-        }
+        m_keys->pageFilled();
         emit bannerChanged();
     });
     connect(&m_run, &LessonRun::changed, this, &LessonPanel::showChange);
@@ -132,6 +120,7 @@ QWidget* LessonPanel::makeLesson() {
     connect(handout, &HandoutButton::written, &m_document, &Document::said);
     connect(handout, &HandoutButton::failed, m_errors, &ErrorList::report);
     QuestionCard& card = m_page->card();
+    m_keys = new LessonKeys(*this, m_run, card, *m_foot);
     connect(&card, &QuestionCard::settled, this, &LessonPanel::settle);
     connect(&card, &QuestionCard::said, &m_document, &Document::said);
     m_sight = new KeptInSight(*m_scroll);  // what is said to an answer stands below it
@@ -147,55 +136,6 @@ QWidget* LessonPanel::makeLesson() {
             [this] { LessonResultsDialog::showResults(*m_shelf, m_run.results(), this); });
     followTheme(handout, [rows, &card] { card.standIn(Theme::current().scale() > kScaleOfFoot ? rows : nullptr); });
     return all;
-}
-
-// Keys of the lesson go before those of the window and its menus.
-bool LessonPanel::takesKey(const QKeyEvent& event) const {
-    if (!lesson() || m_run.isAtEnd()) return false;
-    const int key = event.key(), modifiers = event.modifiers() & ~Qt::KeypadModifier;
-    if (modifiers == Qt::AltModifier)
-        return key == Qt::Key_H || key == Qt::Key_S || key == Qt::Key_Left || key == Qt::Key_Right;
-    return modifiers == Qt::NoModifier && m_page->card().isOpen() &&
-           ((key >= Qt::Key_0 && key <= Qt::Key_9) || key == Qt::Key_Minus || key == Qt::Key_Return ||
-            key == Qt::Key_Enter);
-}
-
-// Takes the lesson's keys before other widgets. Alt keys: anywhere in the panel and in the views. Digits and Enter: on a
-// grip, which does not use them, and in the view area once the view in it has ignored them.
-bool LessonPanel::eventFilter(QObject* to, QEvent* event) {
-    if (m_gripWaits && event->type() == QEvent::Show)
-        if (auto* const grip = qobject_cast<HoldGrip*>(to)) m_gripWaits = false, grip->setFocus();
-    if (event->type() == QEvent::KeyPress || event->type() == QEvent::MouseButtonPress) m_gripWaits = false;
-    if (event->type() != QEvent::KeyPress && event->type() != QEvent::ShortcutOverride) return false;
-    auto* const widget = qobject_cast<QWidget*>(to);
-    const auto isIn = [widget](const QWidget* room) { return room && (room == widget || room->isAncestorOf(widget)); };
-    auto* const key = static_cast<QKeyEvent*>(event);
-    const bool isHere = key->modifiers() == Qt::AltModifier
-                            ? isIn(this) || isIn(m_views)
-                            : m_views && (widget == m_views || (isIn(m_views) && qobject_cast<HoldGrip*>(widget)));
-    if (!widget || !isHere || !takesKey(*key)) return false;
-    event->accept();
-    if (event->type() == QEvent::KeyPress) keyPressEvent(key);
-    return true;
-}
-
-bool LessonPanel::event(QEvent* event) {
-    if (event->type() == QEvent::ShortcutOverride && takesKey(*static_cast<QKeyEvent*>(event))) event->accept();
-    return QWidget::event(event);
-}
-
-void LessonPanel::keyPressEvent(QKeyEvent* event) {
-    if (!takesKey(*event)) return QWidget::keyPressEvent(event);
-    QuestionCard& card = m_page->card();
-    switch (event->key()) {
-        case Qt::Key_H: return card.giveHint();
-        case Qt::Key_S: return card.askToShow();
-        case Qt::Key_Left: return m_run.goTo(page() - 1);
-        case Qt::Key_Right: return m_run.isSettled() ? m_run.goTo(page() + 1) : void();
-        case Qt::Key_Return:
-        case Qt::Key_Enter: return card.check();
-        default: return card.choose(QChar(event->key()));
-    }
 }
 
 bool LessonPanel::open(const QString& name) {
@@ -252,7 +192,7 @@ void LessonPanel::showPage() {
         m_scroll->verticalScrollBar()->setValue(0);
         m_head->showRun();
         m_foot->showRun();
-        m_keysWait = !atEnd, m_gripWaits = false;
+        atEnd ? m_keys->waitForNone() : m_keys->pageShown();
         if (atEnd) m_end->takeFocus();
     }
     emit pageChanged();

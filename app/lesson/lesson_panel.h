@@ -4,7 +4,6 @@
 #include "app/lesson/lesson_run.h"
 #include "app/lesson/lesson_shelf.h"
 
-class QKeyEvent;
 class QListView;
 class QScrollArea;
 class QStackedWidget;
@@ -16,6 +15,7 @@ class HandoutButton;
 class LessonEnd;
 class LessonFoot;
 class LessonHead;
+class LessonKeys;
 class LessonPage;
 
 // A page of a lesson, and the window set to it; the list of lessons while none is open.
@@ -34,8 +34,7 @@ public:
     void goTo(int page) { m_run.goTo(page); }  // from 0; within the open lesson
     void close();                              // back to the list
     void writeHandout();                       // of the open lesson; asks where to
-    // The lesson's keys work there too: it is where the page's pictures are.
-    void takeKeysOf(QWidget& views) { m_views = &views; }
+    LessonKeys& keys() { return *m_keys; }
 
     const lessons::Lesson* lesson() const { return m_run.lesson(); }  // null when none is open
     int page() const { return m_run.page(); }                         // from 0
@@ -53,11 +52,6 @@ signals:
     void pageChanged();
     void bannerChanged();
 
-protected:
-    bool event(QEvent* event) override;
-    bool eventFilter(QObject* to, QEvent* event) override;
-    void keyPressEvent(QKeyEvent* event) override;
-
 private:
     QWidget* makeList();
     QWidget* makeLesson();
@@ -65,7 +59,6 @@ private:
     void showChange();
     void settle();
     void askToForget();
-    bool takesKey(const QKeyEvent& event) const;
 
     Document& m_document;
     LessonShelf* m_shelf;
@@ -80,9 +73,7 @@ private:
     LessonFoot* m_foot = nullptr;
     HandoutButton* m_handout = nullptr;
     class KeptInSight* m_sight;
-    QWidget* m_views = nullptr;
-    bool m_keysWait = false;   // for the page that opens
-    bool m_gripWaits = false;  // for the keys, until it is shown
+    LessonKeys* m_keys = nullptr;
 };
 
 }  // namespace app
