@@ -246,7 +246,7 @@ void WindowLessons::showParts() {
     m_docks.rail().setVisible(!only && !m_layout.isWide());
     if (only) m_around.strip.setCompact(true);
     // A held picture fills the window, but for the lesson.
-    const bool isHeld = only && !m_document.hand().isEmpty();
+    const bool isHeld = m_lessons.isHeld();
     showHeading(m_docks[PanelId::Lesson], !isHeld);
     m_around.status.setQuiet(isHeld);
     m_centre.views().setHeld(isHeld);

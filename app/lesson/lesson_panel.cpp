@@ -109,7 +109,7 @@ QWidget* LessonPanel::makeLesson() {
     // Beside a picture that is held what can wait is left out.
     const auto fit = [this] {
         if (!lesson()) return;
-        const bool isQuiet = isOnlyThis() && !m_document.hand().isEmpty();
+        const bool isQuiet = isHeld();
         m_head->setQuiet(isQuiet);
         m_foot->setQuiet(isQuiet);
         m_handout->setVisible(!isQuiet);
@@ -178,6 +178,8 @@ void LessonPanel::setOnlyThis(bool only) {
     m_head->onlyThis().setChecked(only);
     emit onlyThisChanged();
 }
+
+bool LessonPanel::isHeld() const { return lesson() && isOnlyThis() && !m_document.hand().isEmpty(); }
 
 QString LessonPanel::banner() const { return lesson() && !m_run.isAtEnd() ? m_page->card().banner() : QString(); }
 

@@ -41,6 +41,8 @@ public:
     // Whether the window hides panels that the page does not need; saved in the program's settings.
     bool isOnlyThis() const;
     void setOnlyThis(bool only);
+    // Whether the page has the window to itself: a hand holds its picture, and what the page does not need is hidden.
+    bool isHeld() const;
     // For the bar over the views; empty where nothing is to be clicked.
     QString banner() const;
 
