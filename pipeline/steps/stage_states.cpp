@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "pipeline/defects/drawing_hooks.h"
 #include "pipeline/run/stage_parts.h"
 #include "pipeline/stages/translucent.h"
 
@@ -158,7 +159,7 @@ ShadingOutput<Real> shadedSoFar(const FrameData<Real>& data, const ShadingOutput
     shadeVertices(inputs, in, 0, std::min(progress.vertexTerms, out.vertices.count()), out);
     out.pixelIsShaded = shadedPixels(data, progress);
     const std::vector<std::uint8_t>& done = out.pixelIsShaded;
-    // The result of a pixel depends on no other pixel.
+    // The result of a pixel depends on no other pixel, unless a planted error makes it so.
     threads.forRange(kBufferCount, 1, [&](std::size_t begin, std::size_t end) {
         for (std::size_t id = begin; id < end; ++id) {
             // The whole picture may have left out the intensity, and a reused picture may have buffers that are no
@@ -171,6 +172,11 @@ ShadingOutput<Real> shadedSoFar(const FrameData<Real>& data, const ShadingOutput
         }
     });
     take(done, opaque.color, out.color);
+    const std::size_t shadedTiles = inputs.outlines ? 0 : tileCount(data);
+    threads.forRange(shadedTiles, 1, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t tile = begin; tile < end; ++tile)
+            if (inputs.planted) spoilTile(inputs.planted, tileOf(in.transform.view.size, tile), out);
+    });
     auto& mean = out.vectors[index(BufferId::Antialiased)];
     if (!mean.empty() && inputs.samples == 1) mean = out.vectors[index(BufferId::Intensity)];
     if (!progress.layers) return out;
