@@ -136,7 +136,7 @@ void addErrorsOfPlacing(
 struct OwnName {
     Defect defect;
     int way;
-    std::string_view id, name;
+    std::string_view id, name;  // name and right: empty where the row has them
     StageId stage;
     std::string_view wrong, right;
     int other = -1;                 // another way of making the same error, if there is one
@@ -160,9 +160,8 @@ constexpr std::array kOwnNames{
     OwnName{Defect::Exponent, kPowerOfNegative, "power-of-negative",
             "the power of a negative number is NaN: black pixels", StageId::Shading, "k_s c (R·V)^n also where R·V < 0",
             "k_s c max(0, R·V)^n"},
-    OwnName{Defect::Integer, kTwoByTwo, "blocks-of-four", "the colour is computed once for a block of pixels",
-            StageId::Shading, "FB(x, y) = colour at 2 int(x/2), 2 int(y/2)", "FB(x, y) = colour at x, y", kFourByFour,
-            "FB(x, y) = colour at 4 int(x/4), 4 int(y/4)"},
+    OwnName{Defect::BlocksOfFour, kFourByFour, idOf(Defect::BlocksOfFour), "", StageId::Shading,
+            "FB(x, y) = colour at 4 int(x/4), 4 int(y/4)", ""},
     OwnName{Defect::RFlip, 2, "r-parenthesis", "brackets in the mirror direction", StageId::Shading,
             "R = 2 (N·L) (N − L)", "R = 2 (N·L) N − L", 3, "R = unit(2 (N·L) (N − L))"},
     OwnName{Defect::EyeAtOrigin, 1, "v-reversed", "V from the eye to the surface", StageId::Shading,
@@ -318,9 +317,10 @@ std::vector<KnownError> knownErrors(const Scene& scene) {
             if (way > 0) error.way = row.otherWays[std::size_t(way) - 1];
             if (row.id == Defect::NormalShort && way == 1) error.leaves = {BufferId::Normal};
             if (const OwnName* const own = ownNameOf(row.id, way)) {
-                error.id = own->id, error.name = own->name, error.stage = own->stage, error.way.clear();
+                error.id = own->id, error.stage = own->stage, error.way.clear();
+                if (!own->name.empty()) error.name = own->name;
+                if (!own->right.empty()) error.right = own->right;
                 error.wrong = way == own->way || own->otherWrong.empty() ? own->wrong : own->otherWrong;
-                error.right = own->right;
             }
             error.plant = [id = row.id, way](Scene planted) { return plantToo(std::move(planted), id, way); };
             all.push_back(std::move(error));

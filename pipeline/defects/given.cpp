@@ -163,6 +163,7 @@ std::vector<Planted*> toldOf(const Planted& planted, StageKeys& keys) {
         case AmbientPerLight:
         case NoAmbient:
         case Integer:
+        case BlocksOfFour:
         case Wrap:
         case Gamma:
         case NoScale:

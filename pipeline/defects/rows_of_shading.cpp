@@ -18,7 +18,7 @@ constexpr std::string_view kMaxWays[]{"the absolute value, |N·L|", "half Lamber
 constexpr std::string_view kViewVectorWays[]{"V from the eye to the surface", "V along the viewing axis"};
 constexpr std::string_view kReflectWays[]{"the factor 2 forgotten", "2 (N·L) (N − L)", "2 (N·L) (N − L), made unit"};
 constexpr std::string_view kHalfwayWays[]{"the mean of L and V, not made unit"};
-constexpr std::string_view kIntegerWays[]{"x/2 and y/2: blocks of 2 × 2 pixels", "x/4 and y/4: blocks of 4 × 4 pixels"};
+constexpr std::string_view kBlockWays[]{"x/4 and y/4: blocks of 4 × 4 pixels"};
 constexpr std::string_view kGammaWays[]{"with 1.8", "with 2.4"};
 
 constexpr auto kDefectsOfShading = std::to_array<DefectRow>({
@@ -200,8 +200,22 @@ constexpr auto kDefectsOfShading = std::to_array<DefectRow>({
      .first = B::Color,
      .lesson = "highlight",
      .heading = "Down to the frame buffer",
+     .source = kOwnJudgement},
+    {.id = D::BlocksOfFour,
+     .name = "the colour is computed once for a block of pixels",
+     .stage = S::Shading,
+     .kind = Within,
+     .symptom = "The picture is made of squares, and outlines are stairs.",
+     .givesAway = "intensity: the same at the four pixels of a block.",
+     .wrong = "FB(x, y) = colour at 2 int(x/2), 2 int(y/2)",
+     .fix = "FB(x, y) = colour at x, y",
+     .scene = "z_buffer_phong",
+     .first = B::Intensity,
+     .lesson = "highlight",
+     .heading = "Down to the frame buffer",
      .source = kOwnJudgement,
-     .otherWays = kIntegerWays},
+     .otherWays = kBlockWays,
+     .inGame = false},
     {.id = D::Wrap,
      .name = "no clamp before the byte",
      .stage = S::Shading,

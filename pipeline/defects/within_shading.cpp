@@ -135,9 +135,7 @@ void spoilFrameBuffer(const Planted& planted, Vec3d intensity, double iMax, Colo
         const double share = iMax > 0 && std::isfinite(intensity[c]) ? intensity[c] / iMax : 0;
         const double within = std::clamp(share, 0.0, 1.0);
         switch (planted.defect) {
-            case Defect::Integer:
-                if (planted.way == 0) value[c] = std::uint8_t(int(within) * 255);
-                break;
+            case Defect::Integer: value[c] = std::uint8_t(int(within) * 255); break;
             case Defect::Wrap: {
                 const double byte = std::fmod(std::floor(share * 255 + 0.5), 256.0);
                 value[c] = std::uint8_t(byte < 0 ? byte + 256 : byte);
@@ -158,8 +156,8 @@ void spoilFrameBuffer(const Planted& planted, Vec3d intensity, double iMax, Colo
 
 template <class Real>
 void spoilTile(const Planted& planted, Tile tile, ShadingOutput<Real>& out) {
-    if (planted.defect != Defect::Integer || planted.way == 0) return;
-    const int side = planted.way == kTwoByTwo ? 2 : 4;  // divides that of a tile
+    if (planted.defect != Defect::BlocksOfFour) return;
+    const int side = planted.way == kFourByFour ? 4 : 2;  // divides that of a tile
     auto& intensity = out.vectors[index(BufferId::Intensity)][0].pixels;
     for (int y = tile.min.y; y < tile.max.y; ++y) {
         for (int x = tile.min.x; x < tile.max.x; ++x) {

@@ -169,8 +169,8 @@ TEST(CompareConfusion, waysWithNamesOfTheirOwnAreNamed) {
                                  {Defect::ZAffine, kDividedTwice, "divided-twice"},
                                  {Defect::ZAffine, kNdcDividedTwice, "divided-twice"},
                                  {Defect::Exponent, kPowerOfNegative, "power-of-negative"},
-                                 {Defect::Integer, kTwoByTwo, "blocks-of-four"},
-                                 {Defect::Integer, kFourByFour, "blocks-of-four"}};
+                                 {Defect::BlocksOfFour, 0, "blocks-of-four"},
+                                 {Defect::BlocksOfFour, kFourByFour, "blocks-of-four"}};
     for (std::size_t i = 0; i < all.size(); i += test::longRun() ? 1 : 2) {
         const Named& one = all[i];
         Scene scene = checkMe();

@@ -295,7 +295,7 @@ TEST(DefectWays, ABlockOfPixelsHasTheColourOfItsFirst) {
     const FramePtr rightFrame = frameOf(scene);
     const Buffer2D<Color8>& right = dataOf(rightFrame).shading->color;
     for (const int side : {2, 4}) {
-        const FramePtr wrong = frameOf(plant(scene, Defect::Integer, side == 2 ? kTwoByTwo : kFourByFour));
+        const FramePtr wrong = frameOf(plant(scene, Defect::BlocksOfFour, side == 2 ? 0 : kFourByFour));
         std::size_t differing = 0;
         for (int y = 0; y < 71; ++y)
             for (int x = 0; x < 131; ++x) {
