@@ -7,6 +7,7 @@
 #include <limits>
 #include <map>
 
+#include "pipeline/compare/handed_in/reading_cost.h"
 #include "pipeline/core/text.h"
 
 namespace pipeline::foreign {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "pipeline/buffers/verdict.h"
+#include "pipeline/compare/handed_in/reading_cost.h"
 #include "pipeline/compare/open_pixels.h"
 
 namespace pipeline::foreign {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <map>
 
+#include "pipeline/compare/handed_in/reading_cost.h"
+
 namespace pipeline::foreign {
 
 namespace {
@@ -11,6 +13,7 @@ namespace {
 constexpr std::size_t kSampleColumns = 72, kSampleRows = 54;
 constexpr double kAsGood =
     0.005;  // of the sample: readings that are as good as the best; the simplest of them is taken
+constexpr std::size_t kLarge = 320 * 240;  // pixels: the values of buffers of more are read twice instead of kept
 constexpr double kWorthAsking =
     0.02;  // of the sample: orders of rows and columns so close to the best are compared whole
 
@@ -156,8 +159,14 @@ double FolderEvidence::wrongIn(const Testimony& one, const Reading& reading, con
     const ReadingContext& context = isEncoded ? encoded : m_context;
     ReadFile file{one.file.get(), reading, read(*one.file, reading, context, right)};
     const Finding finding = compareValues(file, right, hypothesis);
-    if (one.isPicture) return double(finding.bad());
+    if (one.isPicture) return forgetLarge(one, hypothesis), double(finding.bad());
     return finding.compared ? m_drawn * double(finding.bad()) / double(finding.compared) : 0;
+}
+
+void FolderEvidence::forgetLarge(const Testimony& one, const Reference& hypothesis) const {
+    const BufferName& buffer = one.file->name.buffer;
+    if (m_context.width * m_context.height > kLarge && buffer.id != BufferId::PolygonId)  // it is asked pixel by pixel
+        hypothesis.values.forget(buffer.text());
 }
 
 Misfit FolderEvidence::misfit(const Reference& hypothesis) const {
@@ -173,6 +182,7 @@ Misfit FolderEvidence::misfit(const Reference& hypothesis) const {
             one.isPicture && one.counts ? hypothesis.values.find(one.file->name.buffer.text()) : nullptr;
         const bool isThere = values != nullptr;
         const Values some = isThere ? m_sample.of(*values) : Values();
+        if (isThere) forgetLarge(one, hypothesis);
         for (Tried& t : tried) {
             double least = 0;
             t.misfit.readings.push_back(isThere ? bestOnSample(one, t.misfit.geometry, some, covered, least)

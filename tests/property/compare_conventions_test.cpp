@@ -76,13 +76,87 @@ public:
 
     // wanted: names of files.
     Result<foreign::Report> compared(const std::vector<std::string>& wanted) const {
+        std::vector<HandedFile> files;
+        for (const std::string& name : wanted) files.push_back(file(name));
+        return compared(std::move(files));
+    }
+    Result<foreign::Report> compared(std::vector<HandedFile> files) const {
         foreign::HandedIn in;
-        for (const std::string& name : wanted) in.files.push_back(file(name));
+        in.files = std::move(files);
         if (has(Coding::Gamma22)) in.conventions = "encoding = \"gamma-2.2\"\n";  // an error where nobody says so
         in.conventionsName = "mine.toml";
         foreign::CompareOptions options;
         options.known = false;
         return compareRenderer(m_scene, m_reference, std::move(in), "mine", options);
+    }
+
+    HandedFile file(const std::string& name) const {
+        HandedFile out;
+        out.name = *foreign::findHanded(name, m_scene.lights.size()), out.path = name + ".npy";
+        const BufferName& buffer = out.name.buffer;
+        const bool isPicture = bufferInfo(buffer.id).domain == Domain::Pixel;
+        const foreign::Reference& drawn = isPicture ? *m_drawn : *m_reference;
+        const Values& right = drawn.values.at(buffer.text());
+        std::vector<double> numbers;
+        std::pair range(HUGE_VAL, 0.0);
+        for (std::size_t i = 0; i < right.count() && buffer.id == BufferId::ZView; ++i)
+            if (right.there[i])
+                range = {std::min(range.first, right.numbers[i]), std::max(range.second, right.numbers[i])};
+        for (std::size_t i = 0; i < right.count(); ++i) {
+            const bool there = right.there[i] != 0;
+            std::vector<double> v(right.at(i), right.at(i) + right.channels);
+            using enum BufferId;
+            switch (buffer.id) {
+                case Color:
+                    for (std::size_t c = 0; c < 3; ++c)
+                        v[c] = std::round(255 * color(drawn.values.at("intensity").at(i)[c]));
+                    break;
+                case ZView: {
+                    const double* const p = drawn.values.at("position").at(i);
+                    v[0] = depth(v[0], glm::length(Vec3d(p[0], p[1], p[2]) - makeView(m_scene).eye), range, there);
+                    break;
+                }
+                case PolygonsNormal:
+                case Normal: {
+                    const Vec3d n = there ? normal({v[0], v[1], v[2]}) : Vec3d(0);
+                    v = {n.x, n.y, n.z};
+                    break;
+                }
+                case PolygonId:
+                    if (has(Coding::FromOne)) v[0] += 1;
+                    if (has(Coding::Permuted) && there) v[0] = std::fmod(7919 * v[0] + 3, 100003);
+                    break;
+                case PolygonsVerdict:
+                    if (has(Coding::Codes)) v[0] = m_drawn->frame->buffer({PolygonsVerdict})->flat(i);
+                    if (has(Coding::DroppedIsOne)) v[0] = 1 - v[0];
+                    break;
+                case VerticesView: v[2] *= has(Coding::TowardsViewer) ? -1 : 1; break;
+                case VerticesScreen:
+                    if (has(Coding::PixelFromCentre)) v[0] -= 0.5, v[1] -= 0.5;
+                    if (has(Coding::FromTheFoot)) v[1] = m_scene.settings.height - v[1];
+                    break;
+                case NDotL:
+                    if (has(Coding::CutAtZero)) v[0] = std::max(0.0, v[0]);
+                    if (has(Coding::Signed)) v[0] = std::round(255 * (v[0] + 1) / 2);
+                    break;
+                case Shadow: v[0] = has(Coding::LitIsZero) ? 1 - v[0] : v[0]; break;
+                case Diffuse:
+                    for (double& part : v) part /= has(Coding::OfIMax) ? drawn.context.iMax : 1;
+                    break;
+                default: break;
+            }
+            numbers.insert(numbers.end(), v.begin(), v.end());
+        }
+        const bool isGrey = has(Coding::Grey) || has(Coding::GreyReversed);
+        const bool isLevels = buffer.id == BufferId::Color || (buffer.id == BufferId::ZView && isGrey) ||
+                              (buffer.id == BufferId::NDotL && has(Coding::Signed));
+        out.numbers.kind = isLevels ? NumberKind::Levels8 : NumberKind::Real;
+        out.numbers.shape = {right.rows};
+        if (isPicture) out.numbers.shape.push_back(right.columns);
+        if (right.channels > 1) out.numbers.shape.push_back(std::size_t(right.channels));
+        out.numbers.values = isPicture ? ordered(numbers, right, buffer.id) : numbers;
+        countStrange(out.numbers);
+        return out;
     }
 
 private:
@@ -130,73 +204,6 @@ private:
         return isColor ? (n + 1.0) / 2.0 : n;
     }
 
-    HandedFile file(const std::string& name) const {
-        HandedFile out;
-        out.name = *foreign::findHanded(name, m_scene.lights.size()), out.path = name + ".npy";
-        const BufferName& buffer = out.name.buffer;
-        const bool isPicture = bufferInfo(buffer.id).domain == Domain::Pixel;
-        const foreign::Reference& drawn = isPicture ? *m_drawn : *m_reference;
-        const Values& right = drawn.values.at(buffer.text());
-        std::vector<double> numbers;
-        std::pair range(HUGE_VAL, 0.0);
-        for (std::size_t i = 0; i < right.count() && buffer.id == BufferId::ZView; ++i)
-            if (right.there[i])
-                range = {std::min(range.first, right.numbers[i]), std::max(range.second, right.numbers[i])};
-        for (std::size_t i = 0; i < right.count(); ++i) {
-            const bool there = right.there[i] != 0;
-            std::vector<double> v(right.at(i), right.at(i) + right.channels);
-            using enum BufferId;
-            switch (buffer.id) {
-                case Color:
-                    for (std::size_t c = 0; c < 3; ++c)
-                        v[c] = std::round(255 * color(drawn.values.at("intensity").at(i)[c]));
-                    break;
-                case ZView: {
-                    const double* const p = drawn.values.at("position").at(i);
-                    v[0] = depth(v[0], glm::length(Vec3d(p[0], p[1], p[2]) - makeView(m_scene).eye), range, there);
-                    break;
-                }
-                case Normal: {
-                    const Vec3d n = there ? normal({v[0], v[1], v[2]}) : Vec3d(0);
-                    v = {n.x, n.y, n.z};
-                    break;
-                }
-                case PolygonId:
-                    if (has(Coding::FromOne)) v[0] += 1;
-                    if (has(Coding::Permuted) && there) v[0] = std::fmod(7919 * v[0] + 3, 100003);
-                    break;
-                case PolygonsVerdict:
-                    if (has(Coding::Codes)) v[0] = m_drawn->frame->buffer({PolygonsVerdict})->flat(i);
-                    if (has(Coding::DroppedIsOne)) v[0] = 1 - v[0];
-                    break;
-                case VerticesView: v[2] *= has(Coding::TowardsViewer) ? -1 : 1; break;
-                case VerticesScreen:
-                    if (has(Coding::PixelFromCentre)) v[0] -= 0.5, v[1] -= 0.5;
-                    if (has(Coding::FromTheFoot)) v[1] = m_scene.settings.height - v[1];
-                    break;
-                case NDotL:
-                    if (has(Coding::CutAtZero)) v[0] = std::max(0.0, v[0]);
-                    if (has(Coding::Signed)) v[0] = std::round(255 * (v[0] + 1) / 2);
-                    break;
-                case Shadow: v[0] = has(Coding::LitIsZero) ? 1 - v[0] : v[0]; break;
-                case Diffuse:
-                    for (double& part : v) part /= has(Coding::OfIMax) ? drawn.context.iMax : 1;
-                    break;
-                default: break;
-            }
-            numbers.insert(numbers.end(), v.begin(), v.end());
-        }
-        const bool isGrey = has(Coding::Grey) || has(Coding::GreyReversed);
-        const bool isLevels = buffer.id == BufferId::Color || (buffer.id == BufferId::ZView && isGrey) ||
-                              (buffer.id == BufferId::NDotL && has(Coding::Signed));
-        out.numbers.kind = isLevels ? NumberKind::Levels8 : NumberKind::Real;
-        out.numbers.shape = {right.rows};
-        if (isPicture) out.numbers.shape.push_back(right.columns);
-        if (right.channels > 1) out.numbers.shape.push_back(std::size_t(right.channels));
-        out.numbers.values = isPicture ? ordered(numbers, right, buffer.id) : numbers;
-        countStrange(out.numbers);
-        return out;
-    }
     std::vector<double> ordered(const std::vector<double>& numbers, const Values& picture, BufferId id) const {
         std::vector<double> out;
         const auto channels = std::size_t(picture.channels);
@@ -244,6 +251,22 @@ TEST(CompareConventions, noTwoOfThemAccuseARightRenderer) {
                 << words << files.size() << " files: " << headline(*report) << " " << evidence(*report);
         }
     }
+}
+
+// z of a program's normals in view space points one way: a file of it in which z points the other way is wrong.
+TEST(CompareConventions, normalsInViewSpaceHaveOneHandednessInAFolder) {
+    const Renderer away({{"normals", "view", Coding::View}});
+    const Renderer towards({{"normals", "view-towards", Coding::ViewTowards}});
+    for (const Renderer* const one : {&away, &towards}) {
+        const auto report = one->compared(std::vector<std::string>{"polygons.normal", "normal"});
+        ASSERT_TRUE(report);
+        EXPECT_TRUE(report->agrees()) << headline(*report);
+    }
+    const auto report = away.compared({away.file("polygons.normal"), towards.file("normal")});
+    ASSERT_TRUE(report);
+    ASSERT_EQ(report->findings.size(), 2u);
+    EXPECT_TRUE(report->findings[0].agrees) << findingText(report->findings[0]);
+    EXPECT_FALSE(report->findings[1].agrees) << findingText(report->findings[1]);
 }
 
 }  // namespace

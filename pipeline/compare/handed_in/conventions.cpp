@@ -3,25 +3,24 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <optional>
 
 #include "pipeline/compare/handed_in/picture_sample.h"
+#include "pipeline/compare/handed_in/reading_cost.h"
 
 namespace pipeline::foreign {
 
 namespace {
 
-constexpr double kClear = 3;             // times as close
-constexpr double kNearer = 1.2;          // the same, where one of two has to be taken for a whole folder
-constexpr double kExplains = 2;          // tolerances: what a reading that explains a file is off at most
-constexpr double kFloor = 0.02;          // tolerances: below that two readings are equally good
-constexpr double kFarthest = 20;         // tolerances: one element counts no more
-constexpr double kMissing = 200;         // tolerances: of an element that is drawn in one alone
-constexpr std::size_t kSamples = 20000;  // elements whose numbers are compared
+constexpr double kClear = 3;     // times as close
+constexpr double kNearer = 1.2;  // the same, where one of two has to be taken for a whole folder
+constexpr double kExplains = 2;  // tolerances: what a reading that explains a file is off at most
+constexpr double kFloor = 0.02;  // tolerances: below that two readings are equally good
 constexpr std::size_t kSampleColumns = 160, kSampleRows = 120;
-constexpr double kTrimmed = 0.8;  // of the elements, the nearest
 
 struct PossibleReading {
     Reading reading;
@@ -106,6 +105,7 @@ public:
     void chooseAll() {
         state();
         for (const Axis axis : {Rows, Columns}) chooseTogether(axis);
+        chooseHandedness();
         for (Sounding& sounding : m_soundings)
             for (const Axis axis : {Channels, Code}) chooseAlone(sounding, axis);
     }
@@ -168,6 +168,35 @@ private:
         }
     }
 
+    // Of normals in view space z points away, or towards the viewer: in all of a folder's, whether of pixels, vertices or
+    // polygons. Where they disagree and come as close, the first stage's decides.
+    void chooseHandedness() {
+        const auto costs = [](const Sounding& sounding) {
+            std::array<double, 2> cost{kFarthestElement, kFarthestElement};
+            for (const PossibleReading& one : sounding.candidates)
+                if (const auto towards = pointsTowards(one.reading.coding))
+                    cost[*towards] = std::min(cost[*towards], one.cost);
+            return cost;
+        };
+        double total[2] = {0, 0};
+        std::vector<Sounding*> inView;
+        for (Sounding& sounding : m_soundings) {
+            if (bufferInfo(sounding.file->name.buffer.id).palette != Palette::Direction) continue;
+            if (sounding.candidates.size() < 2 || !pointsTowards(sounding.best().reading.coding)) continue;
+            inView.push_back(&sounding);
+            for (const int towards : {0, 1}) total[towards] += costs(sounding)[std::size_t(towards)];
+        }
+        if (inView.empty()) return;
+        const bool less = total[1] < total[0];
+        const bool taken =
+            ratio(total[!less], total[less]) >= kNearer ? less : *pointsTowards(inView[0]->best().reading.coding);
+        m_out.towardsViewer = taken;
+        for (Sounding* const sounding : inView)
+            std::erase_if(sounding->candidates, [&](const PossibleReading& one) {
+                return pointsTowards(one.reading.coding) == std::optional(!taken);
+            });
+    }
+
     void chooseAlone(Sounding& sounding, Axis axis) {
         const std::vector<int> values = sounding.valuesOn(axis);
         if (values.size() < 2) return;
@@ -228,57 +257,6 @@ private:
 };
 
 }  // namespace
-
-std::vector<std::uint8_t> drawnIn(const HandedName& name, const Values& mine) {
-    using enum BufferId;
-    switch (name.buffer.id) {
-        case Color: {
-            std::vector<std::uint8_t> drawn(mine.count());
-            for (std::size_t i = 0; i < mine.count(); ++i)
-                drawn[i] = mine.at(i)[0] > 0.5 || mine.at(i)[1] > 0.5 || mine.at(i)[2] > 0.5;
-            return drawn;
-        }
-        case ZView:
-        case Normal:
-        case ObjectId:
-        case PolygonId: return mine.there;
-        default: return {};
-    }
-}
-
-double readingCost(const HandedFile& file, const Values& mine, const Values& reference, const ReadingContext& context,
-                   double tolerance) {
-    const Measure measure = toleranceOf(file.name.buffer.id)->measure;
-    const std::vector<std::uint8_t> drawn = drawnIn(file.name, mine);
-    const std::vector<std::uint8_t>& covered = reference.domain == Domain::Pixel ? context.covered : reference.there;
-    std::vector<double> differences;
-    std::size_t alone = 0, either = 0;
-    // Of a large picture samples are enough.
-    const std::size_t step = mine.count() > kSamples ? mine.count() / kSamples : 1;
-    std::size_t next = 0;
-    for (std::size_t i = 0; i < mine.count(); ++i) {
-        const bool here = drawn.empty() ? mine.there[i] != 0 : drawn[i] != 0, there = covered[i] != 0;
-        either += here || there;
-        if (!drawn.empty() && here != there) ++alone;
-        if (!here || !there || i < next) continue;
-        next = i + step;
-        const double d = differenceAt(measure, mine, reference, i);
-        if (std::isnan(d)) continue;
-        differences.push_back(
-            std::min(kFarthest, measure == Measure::Same ? kFarthest * d : d / mine.allowed(i, tolerance)));
-    }
-    double mean = kFarthest;
-    if (!differences.empty()) {
-        const std::size_t kept = std::max<std::size_t>(1, std::size_t(kTrimmed * double(differences.size())));
-        std::ranges::nth_element(differences, differences.begin() + std::ptrdiff_t(kept) - 1);
-        std::sort(differences.begin(),
-                  differences.begin() + std::ptrdiff_t(kept));  // a sum in the same order everywhere
-        mean = 0;
-        for (std::size_t i = 0; i < kept; ++i) mean += differences[i];
-        mean /= double(kept);
-    }
-    return mean + (either ? kMissing * double(alone) / double(either) : 0);
-}
 
 namespace {
 

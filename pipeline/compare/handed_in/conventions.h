@@ -55,13 +55,9 @@ struct ReadFile {
 struct Conventions {
     std::vector<ReadFile> files;
     std::vector<Convention> said;
-    ReadingContext context{};  // of their files: with what they show where nothing is drawn
+    ReadingContext context{};             // of their files: with what they show where nothing is drawn
+    std::optional<bool> towardsViewer{};  // z of the folder's normals in view space, if there are any
 };
-
-// How far a reading is from the reference: the trimmed mean of the differences, in tolerances, and a penalty for what is
-// drawn in one alone.
-double readingCost(const HandedFile& file, const Values& mine, const Values& reference, const ReadingContext& context,
-                   double tolerance);
 
 // Whether all pictures of a folder have one order of rows and columns, as they have if one program has written them. A file
 // that is turned round by itself may be read so only where all of them agree then: else a wrong one would be made to fit.
@@ -69,8 +65,5 @@ enum class Together : bool { No, Yes };
 Conventions findConventions(const HandedIn& in, const ReferenceValues& reference, const ReadingContext& context,
                             const std::map<std::string, double>& tolerances, const StatedConventions& stated,
                             Together together);
-
-// Which elements are drawn, by what a file itself says; empty where it does not say.
-std::vector<std::uint8_t> drawnIn(const HandedName& name, const Values& mine);
 
 }  // namespace pipeline::foreign

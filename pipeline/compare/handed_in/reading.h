@@ -66,6 +66,13 @@ enum class Coding : std::uint8_t {
 constexpr double whiteOf(Coding coding) {  // 0: I_max
     return coding == Coding::WhiteIsOne ? 1 : coding == Coding::WhiteIsHundred ? 100 : 0;
 }
+// Of directions in view space: whether z points towards the viewer. Nothing of other numbers.
+constexpr std::optional<bool> pointsTowards(Coding coding) {
+    using enum Coding;
+    if (coding == ViewTowards || coding == ViewTowardsRgb) return true;
+    if (coding == View || coding == ViewRgb) return false;
+    return {};
+}
 struct CodingInfo {
     Coding id;
     std::string_view key, value;  // in mine.toml: depth = "window"

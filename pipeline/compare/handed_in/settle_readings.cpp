@@ -52,6 +52,8 @@ void settleCoding(const StatedConventions& stated, const Reference& reference, C
         Reading wanted = file.reading;
         wanted.coding = reading.coding;
         if (reading != wanted || reading == file.reading || reading.coding == Coding::Gamma22) continue;
+        const auto towards = pointsTowards(reading.coding);
+        if (towards && conventions.towardsViewer && towards != conventions.towardsViewer) continue;
         ReadFile other{
             file.file, reading,
             read(*file.file, reading, conventions.context, reference.values.at(file.file->name.buffer.text())),
