@@ -124,8 +124,8 @@ void findShadows(Reference& reference, const Frame& unshadowed) {
         const double iMax = reference.context.iMax;
         reference.shadowContrast[i] = float(255 * contrast / iMax), reference.unshadowedTerms[i] = sum;
         reference.intensityLow[i] = low, reference.intensityHigh[i] = high;
-        reference.colorLow[i] = frameBufferValue(low, iMax, planted);
-        reference.colorHigh[i] = frameBufferValue(high, iMax, planted);
+        storeFrameBufferValue(low, iMax, planted, reference.colorLow[i]);
+        storeFrameBufferValue(high, iMax, planted, reference.colorHigh[i]);
     }
 }
 
@@ -210,7 +210,9 @@ std::optional<Reference> makeReference(const Scene& scene, const std::map<std::s
     Reference out;
     out.corner = corner;
     FramePtr unshadowed;
-    if (!drawFrames(out, referenceScene(scene, corner), allCompared(), nullptr, stop, unshadowed)) return {};
+    BufferSet kept = allCompared();
+    kept.set(index(BufferId::Transmittance)).set(index(BufferId::Translucent));  // their pixels are shaded with these
+    if (!drawFrames(out, keepsWanted(*referenceScene(scene, corner)), kept, nullptr, stop, unshadowed)) return {};
     readFrame(out, allCompared());
     double nearest = HUGE_VAL, farthest = 0;
     if (const Values* const z = out.values.find("z_view"))

@@ -326,7 +326,7 @@ void antialias(const FrameData<Real>& data, unsigned draw, ShadingOutput<Real>& 
     }
     threads.forRange(first.size(), kPixelGrain, [&](std::size_t begin, std::size_t end) {
         for (std::size_t p = begin; p < end; ++p)
-            out.color.pixels[p] = frameBufferValue(Vec3d(mean.pixels[p]), out.iMax, inputs.planted);
+            storeFrameBufferValue(Vec3d(mean.pixels[p]), out.iMax, inputs.planted, out.color.pixels[p]);
     });
 }
 

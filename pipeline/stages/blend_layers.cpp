@@ -58,7 +58,7 @@ void layOver(const ShadingInputs& inputs, const ShadingSources<Real>& in, std::s
             const Vec3<Real> behind = intensity;
             intensity = c.left.pixels[from] * intensity + c.added.pixels[from];
             if (inputs.planted) spoilBlended(inputs, in, layers, lit, c.origin + glm::ivec2(x, y), behind, intensity);
-            out.color.pixels[at] = frameBufferValue(Vec3d(intensity), out.iMax, inputs.planted);
+            storeFrameBufferValue(Vec3d(intensity), out.iMax, inputs.planted, out.color.pixels[at]);
             if (!added.empty()) added[0].pixels[at] = c.added.pixels[from];
             if (!left.empty()) left[0].pixels[at] = c.left.pixels[from];
             if (!out.layers.empty()) out.layers.pixels[at] = c.count.pixels[from];

@@ -153,7 +153,7 @@ ShadingCounts shadePixels(const ShadingInputs& inputs, const ShadingSources<Real
             const Vec3<Real> intensity = shade(inputs, in, out, id, in.zBuffer.barycentric.pixels[at], {x, y}, wanted,
                                                scratch, Writer<Real>{wanted.any ? &out : nullptr, at}, counts);
             out.vectors[index(BufferId::Intensity)][0].pixels[at] = intensity;
-            out.color.pixels[at] = frameBufferValue(Vec3d(intensity), out.iMax, inputs.planted);
+            storeFrameBufferValue(Vec3d(intensity), out.iMax, inputs.planted, out.color.pixels[at]);
         }
     }
     if (inputs.planted) spoilTile(inputs.planted, tile, out);

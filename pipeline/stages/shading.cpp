@@ -136,14 +136,18 @@ ShadingCounts shadeOutlines(const ShadingSources<Real>& in, Tile tile, ShadingOu
     return {};
 }
 
-Color8 frameBufferValue(Vec3d intensity, double iMax, const Planted& planted) {
-    Color8 value(0);
+void storeFrameBufferValue(Vec3d intensity, double iMax, const Planted& planted, Color8& pixel) {
     for (int c = 0; c < 3; ++c) {
         const double share = iMax > 0 ? intensity[c] / iMax : 0;
         // Written so that a share that is not a number gives 0.
-        value[c] = static_cast<std::uint8_t>(!(share > 0) ? 0 : share >= 1 ? 255 : share * 255 + 0.5);
+        pixel[c] = static_cast<std::uint8_t>(!(share > 0) ? 0 : share >= 1 ? 255 : share * 255 + 0.5);
     }
-    if (planted) spoilFrameBuffer(planted, intensity, iMax, value);
+    if (planted) spoilFrameBuffer(planted, intensity, iMax, pixel);
+}
+
+Color8 frameBufferValue(Vec3d intensity, double iMax, const Planted& planted) {
+    Color8 value;
+    storeFrameBufferValue(intensity, iMax, planted, value);
     return value;
 }
 

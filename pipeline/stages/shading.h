@@ -196,5 +196,7 @@ Real shadowAt(const ShadingInputs& inputs, const ShadingSources<Real>& in, std::
 
 // round(255 · clamp(I / I_max, 0, 1)); 0 where I_max is 0 or I is not a number.
 Color8 frameBufferValue(Vec3d intensity, double iMax, const Planted& planted = {});
+// The same for a picture: three bytes that are returned go through the stack, and cost more than computing them.
+void storeFrameBufferValue(Vec3d intensity, double iMax, const Planted& planted, Color8& pixel);
 
 }  // namespace pipeline

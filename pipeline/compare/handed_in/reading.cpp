@@ -55,18 +55,25 @@ bool isCleared(double v, double z, Coding coding, const View& view) {
 class FilePicture {
 public:
     FilePicture(const HandedFile& file, const Reading& reading)
-        : m_numbers(file.numbers), m_reading(reading), m_channels(file.numbers.channels()) {}
-    double at(std::size_t x, std::size_t y, std::size_t c) const {
-        if (m_reading.bottomUp) y = m_numbers.rows() - 1 - y;
-        if (m_reading.mirrored) x = m_numbers.columns() - 1 - x;
+        : m_numbers(file.numbers),
+          m_rows(m_numbers.rows()),
+          m_columns(m_numbers.columns()),
+          m_channels(m_numbers.channels()),
+          m_reading(reading) {}
+    // Channel c of pixel i, counted by rows from the top; the last channel where there is no c.
+    double at(std::size_t i, std::size_t c) const {
+        if (m_reading.bottomUp || m_reading.mirrored) {
+            const std::size_t x = i % m_columns, y = i / m_columns;
+            i = (m_reading.bottomUp ? m_rows - 1 - y : y) * m_columns + (m_reading.mirrored ? m_columns - 1 - x : x);
+        }
         if (m_reading.bgr && c < 3 && m_channels >= 3) c = 2 - c;
-        return m_numbers.values[(y * m_numbers.columns() + x) * m_channels + std::min(c, m_channels - 1)];
+        return m_numbers.values[i * m_channels + std::min(c, m_channels - 1)];
     }
 
 private:
     const NumberFile& m_numbers;
+    std::size_t m_rows, m_columns, m_channels;
     Reading m_reading;
-    std::size_t m_channels;
 };
 
 // What brings the colours of a file to 0 to 255.
@@ -96,7 +103,7 @@ void readColor(const HandedFile& file, const FilePicture& picture, const Reading
         if (!context.background) return false;
         for (std::size_t c = 0; c < 3; ++c) {
             const std::size_t channel = reading.bgr ? 2 - c : c;  // the background is in the order of the file
-            const double v = scale * picture.at(i % out.columns, i / out.columns, c);
+            const double v = scale * picture.at(i, c);
             if (std::abs(v - (*context.background)[channel]) > 0.5) return false;
         }
         return true;
@@ -120,7 +127,7 @@ void readColor(const HandedFile& file, const FilePicture& picture, const Reading
     for (std::size_t i = 0; i < out.count(); ++i) {
         if (isBackground(i)) continue;  // zeros
         for (int c = 0; c < 3; ++c) {
-            const double raw = picture.at(i % out.columns, i / out.columns, std::size_t(c));
+            const double raw = picture.at(i, std::size_t(c));
             if (!std::isfinite(raw)) out.there[i] = 0;
             double v = std::clamp(scale * raw, 0.0, 255.0);
             if (encoded) {
@@ -157,7 +164,7 @@ void readDepth(const HandedFile& file, const FilePicture& picture, const Reading
     if (fits) {  // z or 1 / z = offset + slope v through what is there in both, by least squares
         double n = 0, sv = 0, sz = 0, svv = 0, svz = 0;
         for (std::size_t i = 0; i < out.count(); ++i) {
-            const double v = picture.at(i % out.columns, i / out.columns, 0) / top;
+            const double v = picture.at(i, 0) / top;
             if (!reference.there[i] || isNothing(v)) continue;
             const double z = inverse ? 1 / reference.at(i)[0] : reference.at(i)[0];
             n += 1, sv += v, sz += z, svv += v * v, svz += v * z;
@@ -168,10 +175,10 @@ void readDepth(const HandedFile& file, const FilePicture& picture, const Reading
     }
     out.slack.assign(out.count(), 0);
     for (std::size_t i = 0; i < out.count(); ++i) {
-        const std::size_t x = i % out.columns, y = i / out.columns;
-        const double v = picture.at(x, y, 0) / top;
+        const double v = picture.at(i, 0) / top;
         double ray = 1;
         if (reading.coding == Coding::Distance && context.view.perspective) {
+            const std::size_t x = i % out.columns, y = i / out.columns;
             const glm::dvec2 at =
                 (glm::dvec2(double(x) + 0.5, double(y) + 0.5) - context.view.centre) / context.view.scale;
             ray = std::sqrt(1 + glm::dot(at, at));
@@ -210,7 +217,7 @@ void readNormal(const HandedFile& file, const FilePicture& picture, const Readin
     if (holdsLevels(file.numbers)) out.slack.assign(out.count(), std::sqrt(3.0) / top * degrees);
     for (std::size_t i = 0; i < out.count(); ++i) {
         Vec3d n;
-        for (int c = 0; c < 3; ++c) n[c] = picture.at(i % out.columns, i / out.columns, std::size_t(c)) / top;
+        for (int c = 0; c < 3; ++c) n[c] = picture.at(i, std::size_t(c)) / top;
         out.there[i] = std::isfinite(glm::dot(n, n)) && n != Vec3d(0);
         if (rgb) {
             n = 2.0 * n - 1.0;
@@ -227,9 +234,8 @@ void readIds(const HandedFile& file, const FilePicture& picture, const Reading& 
              Values& out) {
     const bool colored = file.numbers.shape.size() == 3 && file.numbers.channels() >= 3;
     for (std::size_t i = 0; i < out.count(); ++i) {
-        const std::size_t x = i % out.columns, y = i / out.columns;
-        double id = picture.at(x, y, 0);
-        if (colored) id += 256 * picture.at(x, y, 1) + 65536 * picture.at(x, y, 2);
+        double id = picture.at(i, 0);
+        if (colored) id += 256 * picture.at(i, 1) + 65536 * picture.at(i, 2);
         if (reading.coding == Coding::FromOne) id -= 1;
         out.at(i)[0] = std::isfinite(id) ? id : -1;
     }
@@ -286,7 +292,7 @@ void readNumbersAsThey(const HandedFile& file, const FilePicture& picture, const
     if (holdsLevels(file.numbers)) out.slack.assign(out.count(), scale);
     for (std::size_t i = 0; i < out.count(); ++i) {
         for (int c = 0; c < out.channels; ++c) {
-            double v = scale * picture.at(i % out.columns, i / out.columns, std::size_t(c));
+            double v = scale * picture.at(i, std::size_t(c));
             if (reading.coding == Coding::Signed) v = 2 * v - 1;
             if (reading.coding == Coding::LitIsZero) v = 1 - v;
             if (reading.coding == Coding::CutAtZero && v == 0 && reference.at(i)[c] < 0) v = reference.at(i)[c];
@@ -314,8 +320,7 @@ std::optional<std::array<double, 3>> backgroundOf(const HandedFile& file, const 
             for (std::size_t i = 0; i < count; ++i) {
                 if (context.covered[i]) continue;
                 std::array<double, 3> color{};
-                for (std::size_t c = 0; c < 3; ++c)
-                    color[c] = std::round(scale * picture.at(i % context.width, i / context.width, c));
+                for (std::size_t c = 0; c < 3; ++c) color[c] = std::round(scale * picture.at(i, c));
                 ++free, ++colors[color];
             }
             if (double(free) < kFewest * double(count)) return {};
@@ -330,7 +335,8 @@ std::optional<std::array<double, 3>> backgroundOf(const HandedFile& file, const 
 std::vector<double> numbersAt(const HandedFile& file, const Reading& reading, std::size_t x, std::size_t y) {
     const FilePicture picture(file, reading);
     std::vector<double> out;
-    for (std::size_t c = 0; c < file.numbers.channels(); ++c) out.push_back(picture.at(x, y, c));
+    for (std::size_t c = 0; c < file.numbers.channels(); ++c)
+        out.push_back(picture.at(y * file.numbers.columns() + x, c));
     return out;
 }
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <variant>
 
 #include "pipeline/core/angles.h"
 
@@ -65,8 +66,7 @@ const Tolerance* toleranceOf(BufferId buffer) {
 
 Values valuesOf(const AnyBuffer& buffer, const std::vector<std::uint8_t>& covered) {
     Values out{buffer.info->domain, buffer.rows(), buffer.columns(), buffer.channels(), {}, {}};
-    out.numbers.resize(buffer.count());
-    for (std::size_t i = 0; i < out.numbers.size(); ++i) out.numbers[i] = buffer.flat(i);
+    std::visit([&](const auto& numbers) { out.numbers.assign(numbers.begin(), numbers.end()); }, buffer.data);
     out.there.assign(out.count(), 1);
     if (out.domain == Domain::Pixel && covered.size() == out.count()) out.there = covered;
     const std::vector<bool> placed = rowsWithValue(buffer);
