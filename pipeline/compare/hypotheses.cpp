@@ -106,6 +106,7 @@ public:
             if (m_factor > 1)
                 for (double& wrong : m_misfits[i].wrong) wrong *= double(m_factor * m_factor);
         }
+        m_small.reset();  // with its files and its first frame: what follows is drawn in the picture's own size
         return true;
     }
     const Misfit& misfit(std::size_t i) const { return m_misfits[i]; }

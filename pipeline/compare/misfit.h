@@ -49,6 +49,7 @@ private:
                         const std::vector<std::uint8_t>& covered) const;
     Reading bestOnSample(const Testimony& one, const Geometry& geometry, const Values& right,
                          const std::vector<std::uint8_t>& covered, double& least) const;
+    void forgetLarge(const Testimony& one, const Reference& hypothesis) const;
     double wrongIn(const Testimony& one, const Reading& reading, const Reference& hypothesis) const;
 
     std::size_t m_factor;

@@ -67,4 +67,9 @@ const Values* ReferenceValues::find(const std::string& name) const {
 
 const Values& ReferenceValues::at(const std::string& name) const { return *find(name); }
 
+void ReferenceValues::forget(const std::string& name) const {
+    const std::lock_guard lock(m_read->mutex);
+    m_read->values.erase(name);
+}
+
 }  // namespace pipeline::foreign

@@ -27,6 +27,8 @@ public:
     bool contains(const std::string& name) const;
     const Values* find(const std::string& name) const;  // null where there is none
     const Values& at(const std::string& name) const;    // of one that is there
+    // Gives the memory of a buffer's values back; who asks again has them read anew. Nobody may hold them.
+    void forget(const std::string& name) const;
     const std::map<std::string, BufferName>& names() const { return m_names; }
 
 private:

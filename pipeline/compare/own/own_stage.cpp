@@ -189,9 +189,11 @@ std::vector<std::optional<OwnResult>> compareOwn(const Conventions& conventions,
     TheirScene theirs(conventions, reference);
     const OwnVertices& vertices = theirs.vertices();
     FramePtr drawn, lit;  // of their scene, made when they are first asked for
+    BufferSet wanted = setOf({BufferId::PolygonId});
+    for (const Finding& finding : findings)
+        if (!finding.agrees) wanted.set(index(finding.name.buffer.id));
     const auto frame = [&](FramePtr& kept, bool drops) {
         if (!kept) {
-            BufferSet wanted = reference.frame->wanted();
             kept = runFrame(theirs.scene(drops), {wanted, StageId::Shading, 0, stop}, nullptr);
         }
         return kept;
