@@ -54,6 +54,10 @@ if(SHADESCOPE_FUZZ)  # no frame is timed
 endif()
 list(TRANSFORM alone PREPEND ${PROJECT_SOURCE_DIR}/pipeline/)
 set_source_files_properties(${alone} TARGET_DIRECTORY pipeline PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+if(SHADESCOPE_THIS_MACHINE)  # what is inspected, replayed and planned: as app_options
+  target_compile_options(pipeline PRIVATE $<$<CONFIG:Release>:-O1>)
+  set_property(SOURCE ${alone} TARGET_DIRECTORY pipeline APPEND PROPERTY COMPILE_OPTIONS $<$<CONFIG:Release>:-O3>)
+endif()
 if(SHADESCOPE_WINDOW)
   find_package(Qt6 6.4 REQUIRED COMPONENTS Widgets)
   precompiled(precompiled_window
