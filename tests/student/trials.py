@@ -6,8 +6,10 @@
 Each renderer draws a scene of 320 x 240 in its own conventions, once with each of its errors, and hands in its natural files:
 picture and depth; normals too; all that it has. An error that changes none of these files beyond its tolerance is left out. Of
 each row: whether the first wrong stage is right, alone or among two, and whether the error is named alone, among two, in a
-larger set, not at all, or wrongly. Level `left-out` hands in picture and depth, and the error's own name is not tried; level
-`two` has two errors at once. Without --all, or SHADESCOPE_LONG=1, twelve spread rows are taken. The exit status is 1 where a
+larger set, not at all, or wrongly. A name that is not the error's leaves at most 0.1 % of the pixels unexplained: then its
+frame is that of the files, and it counts as a twin (y downwards is a picture upside down, of a program that culls the other
+way). Level `left-out` hands in picture and depth, and the error's own name is not tried; level
+`two` has two errors at once. Level `picture` is the default. Without --all, or SHADESCOPE_LONG=1, twelve spread rows are taken. The exit status is 1 where a
 count is below its floor, and 77 where something to run is missing.
 """
 import argparse
@@ -45,8 +47,9 @@ TWO = [("js", "turn-back+half-lambert", "rotation-sign+half-lambert", "transform
        ("c", "matrix-transposed+shadow-is-black", "view-transposed+ambient-in-shadow", "transform"),
        ("c", "z-in-a-line+power-as-factor", "z-affine+times-n", "z-buffer"),
        ("c", "normals-of-the-file+no-shadows", "normals-untouched+no-shadow", "normals")]
+TWIN = 0.001 * 320 * 240  # pixels of each file that may be left
 # From the best outcome to the worst.
-OUTCOMES = ("agrees", "alone", "two", "set", "none", "wrong")
+OUTCOMES = ("agrees", "alone", "two", "set", "twin", "none", "wrong")
 
 
 class Trials:
@@ -108,6 +111,9 @@ class Trials:
             return "none" if not names else "alone" if set(names) == both else "set" if both & set(names) else "wrong"
         if known in names and not found["together"]:
             return "alone" if len(names) == 1 else "two" if len(names) == 2 else "set"
+        files = sum(len(stage["buffers"]) for stage in found["stages"])
+        if names and all(one["left"] <= TWIN * files for one in found["known"]):
+            return "twin"
         return "wrong" if names else "none"
 
     def run(self, level):
@@ -165,26 +171,31 @@ def main():
     parser.add_argument("--only", default="")
     parser.add_argument("--report", default="", help="a file for the outcome of each row, as JSON")
     parser.add_argument("--level", choices=tuple(LEVELS), action="append")
+    parser.add_argument("--only-long", action="store_true", help="run nothing where twelve rows are asked for")
     parser.add_argument("--all", action="store_true", default=os.environ.get("SHADESCOPE_LONG", "0") not in ("", "0"))
     options = parser.parse_args()
+    if options.only_long and not options.all:
+        print("left out: ./test --long runs it")
+        return 77
     trials = Trials(options)
     good, by_level = True, {}
-    for level in options.level or (LEVELS if options.all else ("picture",)):
+    for level in options.level or ("picture",):
         count, by_level[level] = trials.run(level)
         good = good and count["right renderers accused"] == 0 and count["certain of shading though depth differs"] == 0
         known = sum(count[name] for name in OUTCOMES)
         if options.only or known < 8:
             continue
-        named = count["alone"] + count["two"]  # what has been reached
-        if level == "picture":
-            good = good and named >= 0.5 * known and named + count["set"] >= 0.8 * known and count["wrong"] == 0
-        if level == "two":
-            good = good and count["wrong"] == 0
+        # Shares of those that are known: alone or among two at least, the right one in what is named at least, wrong at most.
+        named, holds, wrong = {"picture": (0.65, 0.9, 0), "normals": (0.65, 0.9, 0), "all": (0.9, 0.95, 0),
+                               "left-out": (0, 0, 0.12), "two": (0, 0, 0)}[level]
+        right = count["alone"] + count["two"] + count["twin"]
+        good = good and right >= named * known and right + count["set"] >= holds * known and count["wrong"] <= wrong * known
     if "picture" in by_level and "normals" in by_level:
         for row, before in by_level["picture"].items():
             after = by_level["normals"].get(row, before)
             if OUTCOMES.index(after) > OUTCOMES.index(before):
                 print(f"normals make it worse: {' '.join(row)}, {before} and then {after}")
+                good = False
     if options.report:
         with open(options.report, "w") as file:
             json.dump({level: {" ".join(row): outcome for row, outcome in of.items()} for level, of in by_level.items()},
