@@ -12,6 +12,10 @@ bool BufferFeature::press(const QKeyEvent&) { return false; }
 QString BufferFeature::notice() const { return {}; }
 pipeline::Errors BufferFeature::read(const lessons::BufferShown&) { return {}; }
 
+bool BufferFeature::showsScene() const {
+    return m_view.frame() && m_view.frame()->sharedScene() == m_view.document().sharedScene();
+}
+
 QLabel* labelOver(QWidget* canvas) {
     auto* label = new QLabel(canvas);
     label->setAttribute(Qt::WA_TransparentForMouseEvents);

@@ -47,6 +47,7 @@ signals:
 
 protected:
     BufferView& view() const { return m_view; }
+    bool showsScene() const;  // the picture is one of the document's scene, not of the scene before it
 
 private:
     BufferView& m_view;

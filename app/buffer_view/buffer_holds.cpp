@@ -132,7 +132,7 @@ void BufferHolds::fit() {
     CanvasPlacing& placing = view().canvas()->placing();
     const CanvasContent& content = view().canvas()->content();
     if (content.size.isEmpty() || !placing.look().fits) return;
-    m_fits = view().frame()->sharedScene() != view().document().sharedScene();
+    m_fits = !showsScene();
     const bool isLamp = std::ranges::any_of(m_hand.holds(), [](const pipeline::Hold& hold) {
         return hold.kind == HoldKind::LampAtInfinity || hold.kind == HoldKind::LampTop;
     });

@@ -34,8 +34,7 @@ bool LateVeil::isThere() const {
     const Document& document = view().document();
     const FrameFeed& frames = document.frames();
     const Stepper& stepper = document.stepper();
-    return view().shown() && view().isCurrent() && view().frame() && view().frame() == frames.shown() &&
-           view().frame()->sharedScene() == document.sharedScene() && !frames.busy() &&
+    return view().shown() && view().isCurrent() && showsScene() && view().frame() == frames.shown() && !frames.busy() &&
            (!stepper.isInside() || stepper.isSettled());
 }
 

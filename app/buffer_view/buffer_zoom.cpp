@@ -25,7 +25,7 @@ bool PictureZoom::press(const QKeyEvent& key) {
 void PictureZoom::show() {
     BufferCanvas& canvas = *view().canvas();
     if (m_fitsNext && canvas.placing().look().fits) canvas.placing().fit();
-    if (view().frame()->sharedScene() == view().document().sharedScene()) m_fitsNext = false;
+    if (showsScene()) m_fitsNext = false;
     view().header().setZoom(canvas.placing().zoom());
 }
 
