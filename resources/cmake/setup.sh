@@ -146,7 +146,7 @@ buildCore() {
 }
 
 # What a step of the program's build from nothing costs on average, in CPU seconds: tests/bench/build_cost measures it.
-secondsAStep=7
+secondsAStep=5
 
 # followBuild FILE: keeps ninja's lines in FILE. If there is something to build, says how long that takes about, and how
 # far it is: on a terminal after each step, else after each tenth of them.
