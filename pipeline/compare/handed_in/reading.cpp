@@ -204,11 +204,9 @@ void readDepth(const HandedFile& file, const FilePicture& picture, const Reading
 }
 
 Vec3d normalOf(Vec3d n, Coding coding, const View& view) {
-    using enum Coding;
-    if (coding == ViewTowards || coding == ViewTowardsRgb) n.z = -n.z;
-    if (coding == View || coding == ViewRgb || coding == ViewTowards || coding == ViewTowardsRgb)
-        return n.x * view.right + n.y * view.up + n.z * view.forward;
-    return n;
+    const auto towards = pointsTowards(coding);
+    if (!towards) return n;
+    return n.x * view.right + n.y * view.up + (*towards ? -n.z : n.z) * view.forward;
 }
 
 void readNormal(const HandedFile& file, const FilePicture& picture, const Reading& reading,
