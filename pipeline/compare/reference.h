@@ -17,7 +17,7 @@ enum class PixelState : std::uint8_t { NotAsked, Open, Closed };
 
 // What this program makes of the scene, with all that a comparison reads of it.
 struct Reference {
-    FramePtr frame;  // in double, with nothing left out
+    FramePtr frame;  // in double, with the buffers that are compared
     ReferenceValues values;
     std::map<std::string, double> tolerances;  // by the buffer's name, in its unit
     ReadingContext context;
@@ -59,7 +59,7 @@ private:
     std::span<const double> m_numbers;
 };
 
-// In double, with nothing left out, sampled where their pixels are: what is compared with.
+// In double, every rule off, sampled where their pixels are.
 std::shared_ptr<const Scene> referenceScene(Scene scene, PixelCorner corner = PixelCorner::None);
 
 inline constexpr int kShadowBand = 3;  // pixels around an edge of a shadow: texels of any resolution
